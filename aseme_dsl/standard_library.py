@@ -1,0 +1,22 @@
+"""Where the `.aseme` files of the standard library are: beside a checkout, or inside the installed package."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+_PACKAGE = Path(__file__).resolve().parent
+
+
+def standard_library() -> Path:
+    """Return the folder of the standard library; `import soccer` means `soccer.aseme` in it.
+
+    A wheel carries the files as `aseme_dsl/_stdlib`; a checkout keeps them at its root, as `stdlib`. The
+    wheel's place goes first: beside an installed package, a folder named `stdlib` belongs to somebody else.
+
+    Raises:
+        FileNotFoundError: The installation is incomplete: the folder is in neither place.
+    """
+    for folder in (_PACKAGE / "_stdlib", _PACKAGE.parent / "stdlib"):
+        if folder.is_dir():
+            return folder
+    raise FileNotFoundError(f"the standard library of aseme-dsl is missing beside {_PACKAGE}")
