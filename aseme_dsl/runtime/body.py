@@ -1,0 +1,111 @@
+"""The port through which every body is reached: sense, act, say and hear, and the world that moves it.
+
+An agent sees its robot only through :class:`Body`, whatever the robot is: a wheeled one, a humanoid in a
+three-dimensional simulator, something at the other end of a socket, or a player of the embedded field. What a
+percept and a command contain is the business of that world; the port fixes only how they are passed.
+
+* Time is an ``int`` of nanoseconds since the world began.
+* None of the four methods waits: they give or take what is there now. A body behind a wire keeps its newest
+  percept and its inbox up to date on its own.
+* All four may be called from any thread.
+* A body that can no longer be reached raises :class:`BodyLost` from each of them.
+
+A real robot is a body without a world: its time passes by itself. A simulated one comes with a :class:`World`,
+whose time passes only when it is told to, so that a virtual clock can drive it to the bit. A simulator that
+runs in lock step with its players (all commands in, one step, all percepts out) is a world, too: ``advance``
+exchanges the messages of as many steps as it is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Protocol, TypeVar, runtime_checkable
+
+PerceptT_co = TypeVar("PerceptT_co", covariant=True)
+CommandT_contra = TypeVar("CommandT_contra", contravariant=True)
+
+
+class BodyLost(ConnectionError):
+    """The body can no longer be reached: the wire is cut, the simulator has ended, the robot is off."""
+
+
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """One radio message as it was received.
+
+    ``sender`` is the name of the robot that said it, or ``""`` where the medium does not tell (a simulator
+    that gives only the direction of the sound): a payload that must be attributed carries its sender itself.
+    """
+
+    sender: str
+    payload: bytes
+
+
+@runtime_checkable
+class Body(Protocol[PerceptT_co, CommandT_contra]):
+    """One robot's body: senses, motors and radio."""
+
+    @property
+    def name(self) -> str:
+        """The robot's name, as on the team sheet."""
+        ...
+
+    @property
+    def payload_limit(self) -> int:
+        """The longest payload in bytes that :meth:`say` takes."""
+        ...
+
+    def sense(self) -> PerceptT_co:
+        """The newest percept. It is immutable, and sensing changes nothing: two calls at one time agree."""
+        ...
+
+    def act(self, command: CommandT_contra) -> None:
+        """Put a command in force. It stays so until it is replaced; of two at one time the last one counts.
+
+        What goes beyond the strength of the body is done as well as it can. A command that means nothing
+        (a speed that is not a number) raises ValueError here, where the mistake is.
+        """
+        ...
+
+    def say(self, payload: bytes) -> bool:
+        """Send a message to the team mates by radio; whether the radio took it.
+
+        False: refused, because too much was said lately; the sender may try later. True promises only that
+        it was sent: it may still get lost on its way. A payload longer than :attr:`payload_limit` raises
+        ValueError.
+        """
+        ...
+
+    def hear(self) -> list[Heard]:
+        """What arrived since the last call, oldest first; own messages are not among it."""
+        ...
+
+
+@runtime_checkable
+class World(Protocol[PerceptT_co, CommandT_contra]):
+    """A simulated world: bodies, and a time that passes only when somebody asks for it."""
+
+    @property
+    def bodies(self) -> Mapping[str, Body[PerceptT_co, CommandT_contra]]:
+        """The bodies that can be driven, by robot name, in the order of the team sheets."""
+        ...
+
+    @property
+    def step_ns(self) -> int:
+        """The length of one step of the simulation: nothing in the world changes between two steps."""
+        ...
+
+    @property
+    def now_ns(self) -> int:
+        """How far the world has been simulated: a multiple of :attr:`step_ns`."""
+        ...
+
+    def advance(self, until_ns: int) -> None:
+        """Simulate every step that ends at or before ``until_ns``.
+
+        Afterwards :attr:`now_ns` is the greatest multiple of :attr:`step_ns` that is not later; it does not
+        matter in how many calls a span of time is passed. Commands and messages given before the call count
+        from its first step on. Raises ValueError for a time before :attr:`now_ns`.
+        """
+        ...
