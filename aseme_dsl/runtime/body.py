@@ -10,10 +10,10 @@ percept and a command contain is the business of that world; the port fixes only
 * All four may be called from any thread.
 * A body that can no longer be reached raises :class:`BodyLost` from each of them.
 
-A real robot is a body without a world: its time passes by itself. A simulated one comes with a :class:`World`,
-whose time passes only when it is told to, so that a virtual clock can drive it to the bit. A simulator that
-runs in lock step with its players (all commands in, one step, all percepts out) is a world, too: ``advance``
-exchanges the messages of as many steps as it is asked for.
+A real robot is a body without a world: its time passes by itself. A simulated one comes with a
+:class:`World`, whose time passes only when it is told to, so that a virtual clock can drive it to the bit.
+A simulator that runs in lock step with its players (all commands in, one step, all percepts out) is a world,
+too: ``advance`` exchanges the messages of as many steps as it is asked for.
 """
 
 from __future__ import annotations
