@@ -1,4 +1,4 @@
-"""Where the `.aseme` files of the standard library are: beside a checkout, or inside the installed package."""
+"""Where the standard library's `.aseme` files are: in a checkout, or in an installed package."""
 
 from __future__ import annotations
 

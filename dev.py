@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+"""Set up this checkout and use it, with nothing but Python: `python3 dev.py play`, `python3 dev.py test`.
+
+The first run makes `.venv` beside this file and installs the package into it; later runs reuse it until
+the dependencies change. This file must be readable by any Python 3.7: it is what tells people that
+theirs is too old.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import TextIO
+
+ROOT = Path(__file__).resolve().parent
+VENV = ROOT / ".venv"
+PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+STAMP = VENV / "aseme-dsl.json"  # what was installed last
+LOG = VENV / "aseme-dsl.log"  # what pip said then
+
+OLDEST_PYTHON = (3, 11)
+
+PLAY = ["-m", "aseme_dsl", "run", "examples/robocup"]
+"""What `play` runs, seen from the root; further arguments of `dev.py play` are appended."""
+
+CHECKS = [
+    ("ruff check", ["-m", "ruff", "check"]),
+    ("ruff format", ["-m", "ruff", "format", "--check"]),
+    ("mypy", ["-m", "mypy"]),
+    ("documentation", ["-m", "sphinx", "-W", "--keep-going", "-q", "-E", "docs", "docs/_build/html"]),
+    # Last, because its closing line is the result that people and CI look for.
+    ("pytest", ["-m", "pytest"]),
+]
+"""What `test` runs, in this order; its further arguments go to the last one."""
+
+
+class SetupError(Exception):
+    """Something that the reader has to mend; the text says how."""
+
+
+def check_python(version: tuple[int, int], executable: str) -> None:
+    """Refuse a Python that is too old or cannot make a virtual environment.
+
+    Raises:
+        SetupError: with what to install.
+    """
+    if version < OLDEST_PYTHON:
+        raise SetupError(
+            "aseme-dsl needs Python {}.{} or newer, and {} is Python {}.{}.\n"
+            "Install a newer one and run this script with it, for example: python3.12 dev.py test".format(
+                *OLDEST_PYTHON, executable, *version
+            )
+        )
+    try:
+        import ensurepip
+        import venv
+
+        del ensurepip, venv
+    except ImportError as error:
+        raise SetupError(
+            f"This Python ({executable}) cannot make virtual environments: its module "
+            f"`{error.name}` is not installed.\n"
+            f"On Debian and Ubuntu install it with: sudo apt install python{version[0]}.{version[1]}-venv\n"
+            "On other systems install the package of your Python that brings `venv` and `ensurepip`.\n"
+            "Then run this command again."
+        ) from error
+
+
+def wanted_installation() -> str:
+    """Return a fingerprint of all that decides what `pip install` does here."""
+    import tomllib  # only in the Pythons that check_python lets through
+
+    configuration = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    tool = configuration.get("tool", {})
+    parts = [configuration.get("build-system"), configuration["project"], tool.get("hatch"), str(ROOT)]
+    return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
+
+
+def is_installed(wanted: str, extra: str) -> bool:
+    """Say whether the environment already has what is wanted, `extra` (or more) included."""
+    try:
+        stamp = json.loads(STAMP.read_text(encoding="utf-8"))
+        return bool(stamp["fingerprint"] == wanted and extra in stamp["extras"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return False
+
+
+def has_usable_environment() -> bool:
+    """Say whether `.venv` has a Python that starts, is new enough, and has pip."""
+    question = f"import sys, pip; sys.exit(sys.version_info < {OLDEST_PYTHON})"
+    try:
+        return subprocess.run([str(PYTHON), "-c", question], capture_output=True).returncode == 0
+    except OSError:
+        return False
+
+
+def set_up(extra: str) -> None:
+    """Make `.venv` and install the package in editable form, with the dependencies of `extra` ("" for none).
+
+    Raises:
+        SetupError: The environment or the package could not be installed.
+    """
+    usable = has_usable_environment()
+    wanted = wanted_installation()
+    if usable and is_installed(wanted, extra):
+        return
+    if not usable:
+        say("Making a virtual environment in .venv ...")
+        made = subprocess.run(
+            [sys.executable, "-m", "venv", "--clear", str(VENV)],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+        if made.returncode != 0:
+            raise SetupError(f"{made.stdout.rstrip()}\nThe virtual environment {VENV} could not be made.")
+    else:
+        STAMP.unlink(missing_ok=True)  # an installation that breaks off counts as none
+    say("Installing aseme-dsl and what it needs into .venv (the first time takes a minute or two) ...")
+    began = time.monotonic()
+    install(f"{ROOT}[{extra}]" if extra else str(ROOT))
+    # `dev` brings all that the plain package needs.
+    stamp = {"fingerprint": wanted, "extras": ["", extra]}
+    STAMP.write_text(json.dumps(stamp), encoding="utf-8")
+    say(f"Installed in {time.monotonic() - began:.0f} s.")
+
+
+def install(requirement: str) -> None:
+    """Run pip, showing its last word on a terminal and nothing elsewhere; all it says goes to `LOG`.
+
+    Raises:
+        SetupError: pip failed; the text has the end of what it said.
+    """
+    command = [str(PYTHON), "-m", "pip", "install", "--editable", requirement]
+    command += ["--no-input", "--disable-pip-version-check", "--progress-bar", "off"]
+    shows_progress = sys.stdout.isatty() and not os.environ.get("CI")
+    pip = subprocess.Popen(
+        command,
+        cwd=ROOT,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        encoding="utf-8",
+        errors="replace",
+    )
+    lines: list[str] = []
+    with pip, LOG.open("w", encoding="utf-8") as log:
+        assert pip.stdout is not None
+        for line in pip.stdout:
+            log.write(line)
+            lines.append(line.rstrip())
+            if shows_progress:
+                print(f"\r\x1b[K  {line.strip()[:76]}", end="", flush=True)
+    if shows_progress:
+        print("\r\x1b[K", end="", flush=True)
+    if pip.returncode != 0:
+        raise SetupError(
+            "\n".join(lines[-15:]) + f"\n\npip could not install aseme-dsl (all it said is in {LOG}).\n"
+            "It needs the network, or a mirror that pip is configured for, the first time."
+        )
+
+
+def in_environment(arguments: list[str]) -> int:
+    """Run the environment's Python from the root and return its exit code."""
+    environment = dict(os.environ)
+    environment.pop("PYTHONHOME", None)
+    environment["VIRTUAL_ENV"] = str(VENV)
+    # What a check starts by name (asemec, ruff) is the environment's own.
+    environment["PATH"] = os.pathsep.join([str(PYTHON.parent), environment.get("PATH", os.defpath)])
+    return subprocess.run([str(PYTHON), *arguments], cwd=ROOT, env=environment).returncode
+
+
+def play(further: list[str]) -> int:
+    """Set up what a user needs, and let the example team play."""
+    set_up("")
+    return in_environment([*PLAY, *further])
+
+
+def test(further: list[str]) -> int:
+    """Set up what a developer needs, and run all checks up to the first that fails."""
+    set_up("dev")
+    for name, arguments in CHECKS:
+        last = name == CHECKS[-1][0]
+        say(f"== {name}")
+        code = in_environment([*arguments, *(further if last else [])])
+        if code != 0:
+            say(f"dev.py: {name} failed (exit code {code})", to=sys.stderr)
+            return code
+    return 0
+
+
+def say(text: str, to: TextIO | None = None) -> None:
+    """Print at once, so that our lines and those of what we start keep their order."""
+    print(text, file=to or sys.stdout, flush=True)
+
+
+def main(arguments: list[str]) -> int:
+    """Do what the command line asks; return the exit code."""
+    parser = argparse.ArgumentParser(
+        prog="dev.py",
+        description="Set up this checkout in .venv (reused while the dependencies are the same) and use it.",
+        epilog="Example: python3 dev.py test tests/test_packaging.py -x",
+    )
+    parser.add_argument("command", choices=["play", "test"], help="play the example, or run every check")
+    parser.add_argument(
+        "further", nargs=argparse.REMAINDER, help="more arguments for asemec run (play) or pytest (test)"
+    )
+    options = parser.parse_args(arguments)
+    try:
+        check_python((sys.version_info[0], sys.version_info[1]), sys.executable)
+        return play(options.further) if options.command == "play" else test(options.further)
+    except SetupError as error:
+        say(f"dev.py: {error}", to=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,105 @@
+"""The plan of the house: imports run downwards only, and a robot loads nothing but the runtime."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).resolve().parent.parent / "aseme_dsl"
+
+FLOORS = {
+    "cli": 5,
+    "build": 4,
+    "compiler": 3,
+    "backends": 3,
+    "grammar": 2,
+    "diagrams": 2,
+    "codegen": 2,
+    "field": 2,
+    "amola": 1,
+    "runtime": 1,
+    "diagnostics": 1,
+    "source": 0,
+    "standard_library": 0,
+}
+"""Each room of the package and its floor; a new room is entered here."""
+
+KNOWS_ONLY = {
+    "amola": {"source"},
+    "diagnostics": {"source"},
+    "runtime": {"source"},
+    "field": {"runtime"},
+}
+"""Rooms that may use less than all that is below them."""
+
+TOP = {"__init__", "__main__"}
+"""The public face of the package, which sees everything and which no room may see."""
+
+
+def modules() -> list[Path]:
+    return sorted(PACKAGE.rglob("*.py"))
+
+
+def room_of(path: Path) -> str:
+    first = path.relative_to(PACKAGE).parts[0]
+    return first.removesuffix(".py")
+
+
+def imported_rooms(path: Path) -> set[str]:
+    """Every room that a module imports, at its top or inside a function; the package itself is `__init__`."""
+    package = ["aseme_dsl", *path.relative_to(PACKAGE).parts[:-1]]
+    names: list[str] = []
+    for node in ast.walk(ast.parse(path.read_text("utf-8"), str(path))):
+        if isinstance(node, ast.Import):
+            names += [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            base = package[: len(package) - node.level + 1] if node.level else []
+            origin = ".".join([*base, *([node.module] if node.module else [])])
+            # `from aseme_dsl import amola` names a room; `from aseme_dsl import __version__` does not.
+            names += [f"{origin}.{alias.name}" if origin == "aseme_dsl" else origin for alias in node.names]
+    rooms = set()
+    for name in names:
+        parts = name.split(".")
+        if parts[0] == "aseme_dsl":
+            room = parts[1] if len(parts) > 1 else "__init__"
+            rooms.add(room if room in FLOORS else "__init__")
+    return rooms
+
+
+def test_every_room_has_its_floor() -> None:
+    rooms = {room_of(path) for path in modules()} - TOP
+    assert rooms <= set(FLOORS), "enter the new room in FLOORS"
+
+
+@pytest.mark.parametrize("path", modules(), ids=lambda path: path.relative_to(PACKAGE).as_posix())
+def test_imports_run_downwards(path: Path) -> None:
+    room = room_of(path)
+    if room in TOP:
+        return
+    for other in imported_rooms(path) - {room}:
+        if room == "cli" and other == "__init__":
+            continue  # the command prints the package's version and uses its public face
+        assert other != "__init__", f"{room} uses the public face of the package, which is above it"
+        assert FLOORS[other] < FLOORS[room], f"{room} (floor {FLOORS[room]}) uses {other} ({FLOORS[other]})"
+        assert other in KNOWS_ONLY.get(room, {other}), f"{room} may not know {other}"
+
+
+COMPILER_LIBRARIES = ["textx", "arpeggio", "networkx", "jinja2", "graphviz", "click", "jsonschema"]
+
+
+@pytest.mark.parametrize(
+    "module", ["aseme_dsl", "aseme_dsl.runtime", "aseme_dsl.amola", "aseme_dsl.diagnostics"]
+)
+def test_importing_loads_no_heavy_library(module: str) -> None:
+    """What a robot or a script imports comes without the compiler's libraries (they cost 30-130 ms each)."""
+    question = f"import sys, {module}; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", question], capture_output=True, text=True, check=True)
+    loaded = set(done.stdout.split())
+    assert not loaded & set(COMPILER_LIBRARIES)
+    if module == "aseme_dsl.runtime":
+        upper = {f"aseme_dsl.{room}" for room in FLOORS if room not in ("runtime", "source")}
+        assert not loaded & upper
