@@ -1,0 +1,81 @@
+"""AIP, Agent Interaction Protocol (P1, section 4.2 and Table 1): participants, rules, processes, clauses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from aseme_dsl.amola.expression import Literal
+from aseme_dsl.amola.liveness import Formula
+from aseme_dsl.amola.messages import Type
+from aseme_dsl.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class AgentMessage:
+    """`propose Bid`: a FIPA performative and the content's type."""
+
+    performative: str
+    message: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class DeclaredVariable:
+    name: str
+    type: Type
+    initial: Literal
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class NamedFormula:
+    name: str
+    formula: Formula
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Participant:
+    """`[1..*]` is least 1, most None. `formulas[0]` is the process, the rest its helpers."""
+
+    name: str
+    least: int
+    most: int | None
+    engage: tuple[str, ...]
+    variables: tuple[DeclaredVariable, ...]
+    sends: tuple[AgentMessage, ...]
+    receives: tuple[AgentMessage, ...]
+    formulas: tuple[NamedFormula, ...]
+    span: Span
+
+    @property
+    def process(self) -> Formula:
+        return self.formulas[0].formula
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """What holds between participants.
+
+    `kind` is "at most", "before" or "leads to"; each side lists `X@participant`.
+    """
+
+    kind: str
+    first: tuple[str, ...]
+    second: tuple[str, ...]
+    count: int
+    within: int | None  # ns
+    text: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Aip:
+    name: str
+    participants: tuple[Participant, ...]
+    outcomes: tuple[str, ...]
+    clauses: tuple[Clause, ...]
+    span: Span
+
+    def participant(self, name: str) -> Participant | None:
+        return next((item for item in self.participants if item.name == name), None)

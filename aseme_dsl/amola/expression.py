@@ -1,0 +1,482 @@
+"""Transition expressions, resolved and typed: `event [condition] / actions` (P1, Figure 6, and beyond).
+
+Nesting is bounded by the compiler (E103), so walking an expression may recurse.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from aseme_dsl.amola.messages import BOOL, DURATION, Channel, Function, Type
+from aseme_dsl.source import Span
+
+# ---- values ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Literal:
+    """A constant; a duration's value is in ns."""
+
+    value: bool | int | float | str
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class EnumConstant:
+    """`PlayerState.PLAYING`; `number` is its value on the wire."""
+
+    constant: str
+    number: int
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class VariableValue:
+    """A variable of the role or of a played participant; `name` is its key in the statechart."""
+
+    name: str
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """A message on the blackboard (`path` is empty) or a member of it. `host` None means of any sender."""
+
+    host: str | None
+    channel: Channel
+    path: tuple[str, ...]
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A pure function, or one of the built-in ones (`function.target` starts with "builtin:")."""
+
+    function: Function
+    arguments: tuple[Value, ...]
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Has:
+    """Whether a message is there: never absent itself."""
+
+    message: Member
+    span: Span
+    type: Type = BOOL
+
+
+@dataclass(frozen=True, slots=True)
+class Age:
+    """How long ago a state or data message was measured, in ns; absent without a message."""
+
+    message: Member
+    span: Span
+    type: Type = DURATION
+
+
+@dataclass(frozen=True, slots=True)
+class At:
+    """A data message (or member) as it was at now + `offset` (which is ≤ 0): the newest measured by then."""
+
+    message: Member
+    offset: Value
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Mean:
+    """The mean of a numeric member of a data message over the last `window`."""
+
+    message: Member
+    window: Value
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Expired:
+    """Whether a timer of the region has run out; false before it was started."""
+
+    timer: str
+    span: Span
+    type: Type = BOOL
+
+
+@dataclass(frozen=True, slots=True)
+class Not:
+    operand: Value
+    span: Span
+    type: Type = BOOL
+
+
+@dataclass(frozen=True, slots=True)
+class Logic:
+    """`&&` or `||` over two or more operands, evaluated from the left (Kleene)."""
+
+    operator: str
+    operands: tuple[Value, ...]
+    span: Span
+    type: Type = BOOL
+
+
+@dataclass(frozen=True, slots=True)
+class Compare:
+    operator: str  # < <= > >= == !=
+    left: Value
+    right: Value
+    span: Span
+    type: Type = BOOL
+
+
+@dataclass(frozen=True, slots=True)
+class Arithmetic:
+    """`+ - * / %`. Ints stay ints but for `/`; durations add, and scale by numbers."""
+
+    operator: str
+    left: Value
+    right: Value
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Negate:
+    operand: Value
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A use of `let NAME = expression`: stands for the expression, shown by its name."""
+
+    name: str
+    expression: Value
+    type: Type
+    span: Span
+
+
+Value = (
+    Literal
+    | EnumConstant
+    | VariableValue
+    | Member
+    | Call
+    | Has
+    | Age
+    | At
+    | Mean
+    | Expired
+    | Not
+    | Logic
+    | Compare
+    | Arithmetic
+    | Negate
+    | Named
+)
+
+# ---- events ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class After:
+    """`after(d)`: `duration` ns since the source was entered."""
+
+    duration: int
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Received:
+    """`inform Done from contractor`: an agent message of the conversation."""
+
+    performative: str
+    message: str
+    participant: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Raised:
+    """A bare name: an event raised by an activity."""
+
+    name: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """`error`: an activity inside the source failed."""
+
+    span: Span
+
+
+Event = After | Received | Raised | Failed
+
+# ---- actions -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Assign:
+    """`target = value`. A Member target fills the draft that the next Publish of its channel sends."""
+
+    target: VariableValue | Member
+    value: Value
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Publish:
+    """`write_messages.topic.commType.Message`."""
+
+    channel: Channel
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class ReadMessages:
+    """`read_messages`: the executing region sees what has arrived since the step began."""
+
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class StartTimer:
+    timer: str
+    duration: Value
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Send:
+    """`send cfp Task to contractor`."""
+
+    performative: str
+    message: str
+    participant: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluate:
+    """An expression as an action, as Figure 6 allows: its value is dropped."""
+
+    value: Value
+    span: Span
+
+
+Action = Assign | Publish | ReadMessages | StartTimer | Send | Evaluate
+
+
+@dataclass(frozen=True, slots=True)
+class TransitionExpression:
+    """What decides whether a transition is taken and what it does.
+
+    Several `events` are joined by `or`; `when` makes the condition count whether or not the source is
+    complete; `otherwise` is `else`. The default is the empty expression: the source is complete.
+    """
+
+    events: tuple[Event, ...] = ()
+    when: bool = False
+    otherwise: bool = False
+    condition: Value | None = None
+    actions: tuple[Action, ...] = ()
+    span: Span | None = None
+
+    @property
+    def is_unconditional(self) -> bool:
+        """Neither event nor condition nor `else`: taken on completion."""
+        return not self.events and self.condition is None and not self.otherwise
+
+
+EMPTY = TransitionExpression()
+
+
+def operands(value: Value) -> tuple[Value, ...]:
+    """The parts that a value is computed from, from left to right."""
+    match value:
+        case Call(arguments=arguments):
+            return arguments
+        case Not(operand=operand) | Negate(operand=operand):
+            return (operand,)
+        case Logic(operands=parts):
+            return parts
+        case Compare(left=left, right=right) | Arithmetic(left=left, right=right):
+            return (left, right)
+        case At(message=message, offset=offset):
+            return (message, offset)
+        case Mean(message=message, window=window):
+            return (message, window)
+        case Has(message=message) | Age(message=message):
+            return (message,)
+        case Named(expression=expression):
+            return (expression,)
+    return ()
+
+
+def walk(value: Value) -> Iterator[Value]:
+    """The value and everything in it, from left to right."""
+    stack = [value]
+    while stack:
+        item = stack.pop()
+        yield item
+        stack.extend(reversed(operands(item)))
+
+
+def values_of(expression: TransitionExpression) -> Iterator[Value]:
+    """Every value read by the condition and the actions, with everything in it; assignment targets not."""
+    if expression.condition is not None:
+        yield from walk(expression.condition)
+    for action in expression.actions:
+        match action:
+            case Assign(value=value) | Evaluate(value=value) | StartTimer(duration=value):
+                yield from walk(value)
+
+
+# ---- spelling ----------------------------------------------------------------------------------
+
+_BINDING = {"||": 1, "&&": 2, "==": 3, "!=": 3, "<": 3, "<=": 3, ">": 3, ">=": 3}
+_BINDING |= {"+": 4, "-": 4, "*": 5, "/": 5, "%": 5}
+_UNARY = 6
+_ATOM = 7
+
+
+def _binding(value: Value) -> int:
+    match value:
+        case Logic(operator=operator) | Compare(operator=operator) | Arithmetic(operator=operator):
+            return _BINDING[operator]
+        case Not() | Negate():
+            return _UNARY
+    return _ATOM
+
+
+def duration_text(nanoseconds: int) -> str:
+    """A duration as it is written: `200ms`, `1.5s`, `2min`."""
+    sign, amount = ("-", -nanoseconds) if nanoseconds < 0 else ("", nanoseconds)
+    for unit, size in (("min", 60_000_000_000), ("s", 1_000_000_000), ("ms", 1_000_000)):
+        if amount >= size and amount % size == 0:
+            return f"{sign}{amount // size}{unit}"
+    if amount >= 1_000_000_000:
+        return f"{sign}{_decimal(amount, 1_000_000_000)}s"
+    return f"{sign}{_decimal(amount, 1_000_000)}ms"
+
+
+def _decimal(amount: int, unit: int) -> str:
+    whole, rest = divmod(amount, unit)
+    return f"{whole}.{str(rest).rjust(len(str(unit)) - 1, '0').rstrip('0')}" if rest else str(whole)
+
+
+def _quoted(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'
+
+
+def value_text(value: Value, *, expand: bool = False) -> str:
+    """A value in canonical spelling; with `expand`, what a `let` stands for instead of its name."""
+
+    def show(item: Value, least: int = 0) -> str:
+        match item:
+            case Literal(value=constant, type=kind):
+                if isinstance(constant, bool):
+                    text = "true" if constant else "false"
+                elif isinstance(constant, str):
+                    text = _quoted(constant)
+                elif kind == DURATION:
+                    text = duration_text(int(constant))
+                else:
+                    text = repr(constant)
+            case EnumConstant(constant=constant, type=kind):
+                text = f"{kind.name}.{constant}"
+            case VariableValue(name=name):
+                text = name.split("@")[0]
+            case Member(host=host, channel=channel, path=path):
+                text = ".".join(([host] if host else []) + [str(channel), *path])
+            case Call(function=function, arguments=arguments):
+                text = f"{function.name}({', '.join(show(a) for a in arguments)})"
+            case Has(message=message):
+                text = f"has({show(message)})"
+            case Age(message=message):
+                text = f"age({show(message)})"
+            case At(message=message, offset=extra):
+                text = f"at({show(message)}, {show(extra)})"
+            case Mean(message=message, window=extra):
+                text = f"mean({show(message)}, {show(extra)})"
+            case Expired(timer=timer):
+                text = f"expired({timer})"
+            case Not(operand=operand):
+                text = f"!{show(operand, _UNARY)}"
+            case Negate(operand=operand):
+                text = f"-{show(operand, _UNARY)}"
+            case Logic(operator=operator, operands=parts):
+                text = f" {operator} ".join(show(p, _BINDING[operator] + 1) for p in parts)
+            case Compare(operator=operator, left=left, right=right):
+                text = f"{show(left, 4)} {operator} {show(right, 4)}"
+            case Arithmetic(operator=operator, left=left, right=right):
+                own = _BINDING[operator]
+                text = f"{show(left, own)} {operator} {show(right, own + 1)}"
+            case Named(name=name, expression=expression):
+                return show(expression, least) if expand else name
+        return f"({text})" if _binding(item) < least else text
+
+    return show(value)
+
+
+def event_text(event: Event) -> str:
+    """An event as it is written."""
+    match event:
+        case After(duration=duration):
+            return f"after({duration_text(duration)})"
+        case Received(performative=performative, message=message, participant=participant):
+            return f"{performative} {message} from {participant}"
+        case Raised(name=name):
+            return name
+        case Failed():
+            return "error"
+
+
+def action_text(action: Action) -> str:
+    """An action in canonical spelling."""
+    match action:
+        case Assign(target=target, value=value):
+            return f"{value_text(target)} = {value_text(value)}"
+        case Publish(channel=channel):
+            return f"write_messages.{channel}"
+        case ReadMessages():
+            return "read_messages"
+        case StartTimer(timer=timer, duration=duration):
+            return f"start_timer({timer}, {value_text(duration)})"
+        case Send(performative=performative, message=message, participant=participant):
+            return f"send {performative} {message} to {participant}"
+        case Evaluate(value=value):
+            return value_text(value)
+
+
+def events_text(expression: TransitionExpression) -> str | None:
+    """The event part as it is written (`else` and `when` count as events here), or None."""
+    if expression.otherwise:
+        return "else"
+    parts = [event_text(event) for event in expression.events]
+    if expression.when:
+        parts.append("when")
+    return " or ".join(parts) if parts else None
+
+
+def expression_text(expression: TransitionExpression) -> str:
+    """The whole expression in canonical spelling: empty for the empty one."""
+    parts = []
+    events = events_text(expression)
+    if events:
+        parts.append(events)
+    if expression.condition is not None:
+        parts.append(f"[{value_text(expression.condition)}]")
+    if expression.actions:
+        parts.append("/ " + "; ".join(action_text(action) for action in expression.actions))
+    return " ".join(parts)

@@ -1,0 +1,105 @@
+"""Liveness formulas: the Gaia operators over activities, as an immutable tree.
+
+Formulas may be nested hundreds deep, so nothing here recurses and trees are compared by their canonical
+spelling, never by `==`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+
+from aseme_dsl.source import Span
+
+
+class Operator(StrEnum):
+    """What a formula's node is; the value is how it is written."""
+
+    NAME = "name"
+    GROUP = "( )"
+    OPTION = "[ ]"
+    SEQUENCE = "."
+    CHOICE = "|"
+    PARALLEL = "||"
+    ZERO_OR_MORE = "*"
+    ONE_OR_MORE = "+"
+    FOREVER = "~"
+    INSTANCES = "[n]"
+
+
+INFIX = (Operator.SEQUENCE, Operator.CHOICE, Operator.PARALLEL)
+LOOPS = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Formula:
+    """An operator over operands; a NAME has `name`, INSTANCES has `count`.
+
+    Infix operators have two or more operands, all others but NAME have exactly one. GROUP keeps the
+    parentheses that somebody wrote (several around one thing count as one), because terms and states are
+    named as they are written.
+    """
+
+    operator: Operator
+    operands: tuple[Formula, ...]
+    span: Span
+    name: str = ""
+    count: int = 0
+
+    def __repr__(self) -> str:
+        return f"<formula {canonical(self)}>"
+
+
+def walk(formula: Formula) -> Iterator[Formula]:
+    """The formula and everything in it, from left to right, each before its operands."""
+    stack = [formula]
+    while stack:
+        node = stack.pop()
+        yield node
+        stack.extend(reversed(node.operands))
+
+
+def names(formula: Formula) -> Iterator[Formula]:
+    """The NAME nodes of the formula from left to right."""
+    return (node for node in walk(formula) if node.operator is Operator.NAME)
+
+
+def ungrouped(formula: Formula) -> Formula:
+    """The formula without the parentheses around it."""
+    while formula.operator is Operator.GROUP:
+        formula = formula.operands[0]
+    return formula
+
+
+def canonical(formula: Formula) -> str:
+    """The formula in canonical spelling: blanks around infix operators, none elsewhere."""
+    parts: list[str] = []
+    stack: list[Formula | str] = [formula]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, str):
+            parts.append(item)
+            continue
+        match item.operator:
+            case Operator.NAME:
+                parts.append(item.name)
+            case Operator.GROUP:
+                stack += [")", item.operands[0], "("]
+            case Operator.OPTION:
+                stack += ["]", item.operands[0], "["]
+            case Operator.INSTANCES:
+                stack += [f"[{item.count}]", item.operands[0]]
+            case Operator.ZERO_OR_MORE | Operator.ONE_OR_MORE | Operator.FOREVER:
+                stack += [item.operator.value, item.operands[0]]
+            case _:
+                for index in range(len(item.operands) - 1, -1, -1):
+                    stack.append(item.operands[index])
+                    if index:
+                        stack.append(f" {item.operator.value} ")
+    return "".join(parts)
+
+
+def term_key(formula: Formula) -> str:
+    """The spelling by which `control` finds a term: canonical, without outer parentheses."""
+    return canonical(ungrouped(formula))

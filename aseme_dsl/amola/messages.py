@@ -1,0 +1,140 @@
+"""Messages: the types, messages, topics and functions that conditions and actions read and write."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from aseme_dsl.source import Span
+
+
+class Kind(StrEnum):
+    """The kinds of value an expression can have."""
+
+    BOOL = "bool"
+    INT = "int"
+    DOUBLE = "double"
+    STRING = "string"
+    BYTES = "bytes"
+    DURATION = "duration"
+    ENUM = "enum"
+    MESSAGE = "message"
+
+
+@dataclass(frozen=True, slots=True)
+class Type:
+    """A kind, with the name of the enum or message where it is one."""
+
+    kind: Kind
+    name: str = ""
+
+    def __str__(self) -> str:
+        return self.name or self.kind.value
+
+
+BOOL = Type(Kind.BOOL)
+INT = Type(Kind.INT)
+DOUBLE = Type(Kind.DOUBLE)
+STRING = Type(Kind.STRING)
+BYTES = Type(Kind.BYTES)
+DURATION = Type(Kind.DURATION)
+BUILT_IN = {str(t): t for t in (BOOL, INT, DOUBLE, STRING, BYTES, DURATION)}
+
+
+class Comm(StrEnum):
+    """The papers' commType: how long a message counts and for whom."""
+
+    SIGNAL = "signal"
+    STATE = "state"
+    DATA = "data"
+
+
+@dataclass(frozen=True, slots=True)
+class EnumType:
+    """An enumeration: constants with their numbers, in order."""
+
+    name: str
+    constants: tuple[tuple[str, int], ...]
+    span: Span
+
+    def number(self, constant: str) -> int | None:
+        return dict(self.constants).get(constant)
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """A member of a message. `label` is "", "optional" or "repeated", as in Protocol Buffers."""
+
+    name: str
+    type: Type
+    number: int
+    label: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """A Protocol Buffers message. `imported` is the .proto file it came from, if any.
+
+    `full_name` is its name in that file (package and outer messages), else the name itself.
+    """
+
+    name: str
+    fields: tuple[Field, ...]
+    span: Span
+    imported: str | None = None
+    full_name: str = ""
+
+    def field(self, name: str) -> Field | None:
+        return next((item for item in self.fields if item.name == name), None)
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Channel:
+    """What a message is published on: topic, communication class and message type."""
+
+    topic: str
+    comm: Comm
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.topic}.{self.comm.value}.{self.message}"
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelRules:
+    """What a topic says of one of its channels (P2: the mechanism that controls updates).
+
+    `sources` are the roles, agents or activities that may publish (empty: anybody); `every` is the least
+    time between two publications in ns; `queued` signals do not replace an unread one; `persist` keeps a
+    state over a restart.
+    """
+
+    channel: Channel
+    sources: tuple[str, ...]
+    every: int | None
+    queued: bool
+    persist: bool
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Topic:
+    """A topic with its channels, the topic it is `under`, and the bytes a `radio` message of it may have."""
+
+    name: str
+    under: str | None
+    radio: int | None
+    channels: tuple[ChannelRules, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A pure Python function for conditions; several of one name differ in their parameters' types."""
+
+    name: str
+    parameters: tuple[tuple[str, Type], ...]
+    result: Type
+    target: str  # "module:name"
+    span: Span

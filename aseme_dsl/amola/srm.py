@@ -1,0 +1,88 @@
+"""SRM, System Roles Model (P1, section 4.2 and Figure 4): protocols, formulas and activities of a role."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from aseme_dsl.amola.aip import DeclaredVariable, NamedFormula
+from aseme_dsl.amola.messages import Channel
+from aseme_dsl.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Plays:
+    """`plays attack.center as striker with WalkTowardsGoal = WalkTowardsOpponentGoal`.
+
+    `name` is how the role's formulas call the participant; `bindings` replace the protocol's abstract
+    activities by the role's own.
+    """
+
+    protocol: str
+    participant: str
+    name: str
+    bindings: tuple[tuple[str, str], ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Subscription:
+    """What an activity reads: a channel kept for `history` ns, or (channel None) a whole `topic`.
+
+    `reach` is "on", "above", "below" or "around": which topics of the tree are meant.
+    """
+
+    channel: Channel | None
+    topic: str
+    reach: str
+    history: int
+    host: str | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Activity:
+    """An activity of the system. `every` and `takes` are in ns; `kind` is thread, async, process or step."""
+
+    name: str
+    uses: tuple[str, ...]
+    every: int | None
+    takes: int | None
+    kind: str
+    reads: tuple[Subscription, ...]
+    writes: tuple[Channel, ...]
+    writes_variables: tuple[str, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Functionality:
+    name: str
+    technology: str
+    permissions: str
+    environment: str
+    algorithm: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Capability:
+    """A use case with includes that the role is able to: the activities it needs."""
+
+    name: str
+    activities: tuple[str, ...]
+    description: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Srm:
+    """A role. `formulas[0]` is the root; `activities` are the names of those the formulas use, in order."""
+
+    name: str
+    plays: tuple[Plays, ...]
+    variables: tuple[DeclaredVariable, ...]
+    formulas: tuple[NamedFormula, ...]
+    activities: tuple[str, ...]
+    functionalities: tuple[Functionality, ...]
+    capabilities: tuple[Capability, ...]
+    span: Span

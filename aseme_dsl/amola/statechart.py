@@ -1,0 +1,211 @@
+"""Statechart: the EAC of a protocol or the IAC of a role (P1, section 4.3): the waist of the house."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
+
+from aseme_dsl.amola.expression import EMPTY, Literal, TransitionExpression
+from aseme_dsl.amola.messages import Channel, Type
+from aseme_dsl.source import Span
+
+
+class NodeType(StrEnum):
+    """The six types of state."""
+
+    START = "START"
+    END = "END"
+    OR = "OR"
+    AND = "AND"
+    BASIC = "BASIC"
+    CONDITION = "CONDITION"
+
+
+class OriginKind(StrEnum):
+    FORMULA = "formula"
+    PROTOCOL = "protocol"
+    STATECHART = "statechart"
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """From what a node or transition came: `formula` player.decision, `protocol` attack.center, …"""
+
+    kind: OriginKind
+    owner: str
+    name: str
+
+    def __str__(self) -> str:
+        return (
+            f"{self.kind.value} {self.owner}.{self.name}" if self.name else f"{self.kind.value} {self.owner}"
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """A state. `label` is its place (`0.2.1`), `parent` the label around it, None for the root."""
+
+    label: str
+    name: str
+    type: NodeType
+    parent: str | None
+    activity: str | None
+    origin: Origin
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Transition:
+    """A transition between two labels. `priority` is its place among those of its source, 0 is tried first.
+
+    Those with neither event nor condition come after the others, and `else` last of all.
+    """
+
+    name: str
+    source: str
+    target: str
+    expression: TransitionExpression
+    priority: int
+    origin: Origin
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A variable of the agent. `scope` is the label of the protocol branch whose entry renews it, or None.
+
+    Variables of branches are told apart by their label: `bids@0.2.3`.
+    """
+
+    name: str
+    type: Type
+    initial: Literal
+    scope: str | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """The root or an OR child of an AND, with the channels its conditions, actions and activities use.
+
+    `reads` includes what the regions inside read but for signals: a region that is entered starts with the
+    surrounding one's states and histories.
+    """
+
+    label: str
+    reads: tuple[Channel, ...]
+    writes: tuple[Channel, ...]
+
+
+def label_key(label: str) -> tuple[int, ...]:
+    """Orders labels as places: 0.2 before 0.10."""
+    return tuple(int(part) for part in label.split("."))
+
+
+@dataclass(frozen=True)
+class Statechart:
+    """States in document order (each after its parent), transitions in the template's order.
+
+    `kind` is "EAC" or "IAC". Questions about the chart are its methods.
+    """
+
+    name: str
+    system: str
+    kind: str
+    nodes: tuple[Node, ...]
+    transitions: tuple[Transition, ...]
+    variables: tuple[Variable, ...] = ()
+    regions: tuple[Region, ...] = ()
+    span: Span | None = field(default=None, compare=False)
+
+    @cached_property
+    def by_label(self) -> dict[str, Node]:
+        return {node.label: node for node in self.nodes}
+
+    @cached_property
+    def _children(self) -> dict[str | None, tuple[Node, ...]]:
+        found: dict[str | None, list[Node]] = {}
+        for node in self.nodes:
+            found.setdefault(node.parent, []).append(node)
+        return {label: tuple(nodes) for label, nodes in found.items()}
+
+    @cached_property
+    def _outgoing(self) -> dict[str, tuple[Transition, ...]]:
+        found: dict[str, list[Transition]] = {}
+        for transition in self.transitions:
+            found.setdefault(transition.source, []).append(transition)
+        return {
+            label: tuple(sorted(items, key=lambda transition: transition.priority))
+            for label, items in found.items()
+        }
+
+    @property
+    def root(self) -> Node:
+        return self.nodes[0]
+
+    def node(self, label: str) -> Node:
+        return self.by_label[label]
+
+    def children(self, label: str) -> tuple[Node, ...]:
+        """The states directly inside `label`, in document order."""
+        return self._children.get(label, ())
+
+    def outgoing(self, label: str) -> tuple[Transition, ...]:
+        """The transitions of a source in the order in which they are tried."""
+        return self._outgoing.get(label, ())
+
+    def ancestors(self, label: str) -> Iterator[Node]:
+        """The states around `label`, from its parent to the root."""
+        parent = self.by_label[label].parent
+        while parent is not None:
+            node = self.by_label[parent]
+            yield node
+            parent = node.parent
+
+    def start_of(self, label: str) -> Node | None:
+        return next((node for node in self.children(label) if node.type is NodeType.START), None)
+
+    def end_of(self, label: str) -> Node | None:
+        return next((node for node in self.children(label) if node.type is NodeType.END), None)
+
+    def is_region(self, label: str) -> bool:
+        """Whether `label` is the root or an OR child of an AND."""
+        parent = self.by_label[label].parent
+        return parent is None or self.by_label[parent].type is NodeType.AND
+
+    def region_of(self, label: str) -> str:
+        """The label of the innermost region around `label`; a region is its own."""
+        while not self.is_region(label):
+            parent = self.by_label[label].parent
+            assert parent is not None
+            label = parent
+        return label
+
+    def scope_of(self, transition: Transition) -> str:
+        """The lowest OR state that holds source and target (P1, section 4.3)."""
+        around = {node.label for node in self.ancestors(transition.target)}
+        for node in self.ancestors(transition.source):
+            if node.type is NodeType.OR and node.label in around:
+                return node.label
+        return self.root.label
+
+    @cached_property
+    def levels(self) -> int:
+        """The number of levels: the segments of the longest label."""
+        return max(node.label.count(".") + 1 for node in self.nodes)
+
+
+__all__ = [
+    "EMPTY",
+    "Node",
+    "NodeType",
+    "Origin",
+    "OriginKind",
+    "Region",
+    "Statechart",
+    "Transition",
+    "Variable",
+    "label_key",
+]

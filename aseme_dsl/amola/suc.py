@@ -1,0 +1,49 @@
+"""SUC, System Use Cases (P1, section 4.2): goals as use cases of roles, and what they include."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from aseme_dsl.source import Span
+
+
+class RoleType(StrEnum):
+    SYSTEM = "system"
+    ABSTRACT = "abstract"
+    HUMAN = "human"
+    LEGACY = "legacy"
+    EXTERNAL = "external"
+
+
+@dataclass(frozen=True, slots=True)
+class Role:
+    name: str
+    type: RoleType
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class UseCase:
+    """`participants` are role names; `realises` names the formula or activity that is this use case."""
+
+    name: str
+    participants: tuple[str, ...]
+    includes: tuple[str, ...]
+    requirements: str
+    realises: tuple[str, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Suc:
+    roles: tuple[Role, ...] = ()
+    usecases: tuple[UseCase, ...] = ()
+
+    def usecase(self, name: str) -> UseCase | None:
+        return next((item for item in self.usecases if item.name == name), None)
+
+
+def same_name(one: str, other: str) -> bool:
+    """Whether a use case and a formula or activity are the same: case and underscores do not count."""
+    return one.replace("_", "").lower() == other.replace("_", "").lower()

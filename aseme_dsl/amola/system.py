@@ -1,0 +1,70 @@
+"""System: a whole multi-agent system, every model of it and what they share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from aseme_dsl.amola.aip import Aip
+from aseme_dsl.amola.messages import EnumType, Function, Message, Topic
+from aseme_dsl.amola.sag import Sag
+from aseme_dsl.amola.srm import Activity, Srm
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.suc import Suc
+from aseme_dsl.source import Source, Span
+
+
+@dataclass(frozen=True, slots=True)
+class Agent:
+    """An agent of the team: its name (`carrier3`) and its role."""
+
+    name: str
+    role: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Team:
+    name: str
+    agents: tuple[Agent, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class System:
+    """All models of one system. Sequences are in document order; names are unique within each."""
+
+    name: str
+    enums: tuple[EnumType, ...] = ()
+    messages: tuple[Message, ...] = ()
+    topics: tuple[Topic, ...] = ()
+    functions: tuple[Function, ...] = ()
+    activities: tuple[Activity, ...] = ()
+    sag: Sag = field(default_factory=Sag)
+    suc: Suc = field(default_factory=Suc)
+    aips: tuple[Aip, ...] = ()
+    srms: tuple[Srm, ...] = ()
+    eacs: tuple[Statechart, ...] = ()
+    iacs: tuple[Statechart, ...] = ()
+    teams: tuple[Team, ...] = ()
+    sources: tuple[Source, ...] = ()
+    span: Span | None = None
+
+    @property
+    def statecharts(self) -> tuple[Statechart, ...]:
+        """Every statechart: protocols first, then roles."""
+        return self.eacs + self.iacs
+
+    def iac(self, role: str) -> Statechart | None:
+        return next((chart for chart in self.iacs if chart.name == role), None)
+
+    def eac(self, protocol: str) -> Statechart | None:
+        return next((chart for chart in self.eacs if chart.name == protocol), None)
+
+    def activity(self, name: str) -> Activity | None:
+        return next((item for item in self.activities if item.name == name), None)
+
+    def message(self, name: str) -> Message | None:
+        return next((item for item in self.messages if item.name == name), None)
+
+    def enum(self, name: str) -> EnumType | None:
+        return next((item for item in self.enums if item.name == name), None)

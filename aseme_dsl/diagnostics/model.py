@@ -1,0 +1,73 @@
+"""Diagnostic: one problem in a document, as data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+
+from aseme_dsl.diagnostics.codes import CODES, Code
+from aseme_dsl.source import Span
+
+
+class Severity(StrEnum):
+    """How bad it is: an error stops generation, a warning does not, a note is something still to be said."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    NOTE = "note"
+
+
+@dataclass(frozen=True, slots=True)
+class Related:
+    """Another place that explains a problem."""
+
+    span: Span
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """A problem with its code, the place, and what to do about it.
+
+    `span` is None only for problems that are in no text (a file that cannot be read); then `path` says
+    which file is meant. `fix` is the replacement of the span's text where there is one right answer.
+    """
+
+    code: str
+    message: str
+    span: Span | None
+    related: tuple[Related, ...] = ()
+    hint: str | None = None
+    fix: str | None = None
+    path: str | None = None
+
+    def __post_init__(self) -> None:
+        if self.code not in CODES:
+            raise ValueError(f"unknown diagnostic code {self.code!r}")
+
+    @property
+    def severity(self) -> Severity:
+        return Severity(CODES[self.code].severity)
+
+
+def has_errors(diagnostics: Iterable[Diagnostic]) -> bool:
+    """Whether anything in `diagnostics` stops generation."""
+    return any(item.severity is Severity.ERROR for item in diagnostics)
+
+
+def in_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """By file and place, each problem once."""
+
+    def key(item: Diagnostic) -> tuple[str, int, int, str, str]:
+        if item.span is None:
+            return (item.path or "", -1, -1, item.code, item.message)
+        return (item.span.source.path, item.span.start, item.span.end, item.code, item.message)
+
+    seen: dict[tuple[str, int, int, str, str], Diagnostic] = {}
+    for item in diagnostics:
+        seen.setdefault(key(item), item)
+    return tuple(seen[k] for k in sorted(seen))
+
+
+__all__ = ["CODES", "Code", "Diagnostic", "Related", "Severity", "has_errors", "in_order"]

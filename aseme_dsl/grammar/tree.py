@@ -1,0 +1,626 @@
+"""The tree of a `.aseme` file: what was written, unresolved, every name with its span.
+
+Types, names and topics are checked by the compiler, which turns this into AMOLA models. Whatever part of a
+file could not be read is missing here and has a diagnostic.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from aseme_dsl.amola.liveness import Formula
+from aseme_dsl.source import Source, Span
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """An identifier where it stands."""
+
+    text: str
+    span: Span
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A string in double quotes; `text` has its escapes resolved."""
+
+    text: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Comment:
+    """A `//` or `/* */` comment with its marks."""
+
+    text: str
+    span: Span
+
+
+# ---- expressions -------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """An unsigned number as written; `value` is an int unless it has a decimal point."""
+
+    value: int | float
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Duration:
+    """`200ms`, `1.5s`, `2min`, in ns."""
+
+    nanoseconds: int
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Truth:
+    value: bool
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Path:
+    """A dotted name: a variable, an enum constant, a message or a member of one."""
+
+    segments: tuple[Name, ...]
+    span: Span
+
+    @property
+    def text(self) -> str:
+        return ".".join(segment.text for segment in self.segments)
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    function: Path
+    arguments: tuple[Expression, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Unary:
+    """`!` or `-` or `+`."""
+
+    operator: str
+    operand: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Binary:
+    """Comparison or arithmetic."""
+
+    operator: str
+    left: Expression
+    right: Expression
+    operator_span: Span
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Logic:
+    """`&&` or `||` over two or more operands; one chain of one operator is one node."""
+
+    operator: str
+    operands: tuple[Expression, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Parenthesised:
+    inner: Expression
+    span: Span
+
+
+Expression = Number | Duration | Truth | Text | Path | Call | Unary | Binary | Logic | Parenthesised
+
+# ---- transition expressions --------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class After:
+    duration: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Received:
+    performative: Name
+    message: Name
+    participant: Name
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Raised:
+    """A bare name; `error` is one too."""
+
+    name: Name
+    span: Span
+
+
+Event = After | Received | Raised
+
+
+@dataclass(frozen=True, slots=True)
+class Assign:
+    target: Path
+    value: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Publish:
+    """`write_messages.topic.commType.Message`; `path` is what follows `write_messages.`."""
+
+    path: Path
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class ReadMessages:
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Send:
+    performative: Name
+    message: Name
+    participant: Name
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluate:
+    """An expression as an action (also `start_timer(name, 200ms)`, which is a Call here)."""
+
+    expression: Expression
+    span: Span
+
+
+Action = Assign | Publish | ReadMessages | Send | Evaluate
+
+
+@dataclass(frozen=True, slots=True)
+class TransitionExpression:
+    """`event [condition] / action; action`. `otherwise` is `else`, `when` the word before a condition."""
+
+    events: tuple[Event, ...]
+    when: bool
+    otherwise: bool
+    condition: Expression | None
+    actions: tuple[Action, ...]
+    span: Span
+
+
+# ---- control -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """A term as written in a formula; `occurrence` is the n of `T#n`, from 1, or None."""
+
+    formula: Formula
+    occurrence: int | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """`enter T : …` and its like; `verb` is enter, skip, repeat, leave, start or finish."""
+
+    verb: Name
+    term: Term
+    expression: TransitionExpression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class LabelledWay:
+    """`0.2.3 -> 0.2.4 : …`"""
+
+    source: Name
+    target: Name
+    expression: TransitionExpression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Control:
+    """`control NAME { … }`: of a formula, or (in an aip) of a participant or one of its helper formulas."""
+
+    name: Name
+    entries: tuple[Way | LabelledWay, ...]
+    span: Span
+
+
+# ---- declarations ------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class System:
+    name: Name
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Import:
+    """`import soccer` (a Name: the standard library) or `import "path"` (a Text)."""
+
+    target: Name | Text
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class EnumConstant:
+    name: Name
+    number: int | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Enum:
+    name: Name
+    constants: tuple[EnumConstant, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """`repeated double values = 3`: label "", "optional" or "repeated"; a number only if written."""
+
+    label: str
+    type: Name
+    name: Name
+    number: int | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    name: Name
+    fields: tuple[Field, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class TopicEntry:
+    """`state Ball, Pose from vision every 33ms queued persist`."""
+
+    comm: Name
+    messages: tuple[Name, ...]
+    sources: tuple[Name, ...]
+    every: Duration | None
+    queued: bool
+    persist: bool
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Topic:
+    """`topic team under world radio 10 { … }`"""
+
+    name: Name
+    under: Name | None
+    radio: Number | None
+    entries: tuple[TopicEntry, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    type: Name
+    name: Name
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    name: Name
+    parameters: tuple[Parameter, ...]
+    result: Name
+    target: Text
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Let:
+    name: Name
+    expression: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    name: Name
+    depends: tuple[Name, ...]
+    requirements: Text | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Actor:
+    name: Name
+    goals: tuple[Goal, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Sag:
+    actors: tuple[Actor, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Roles:
+    """`role center, center_for : abstract`; `type` None means system."""
+
+    names: tuple[Name, ...]
+    type: Name | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class UseCase:
+    name: Name
+    by: tuple[Name, ...]
+    includes: tuple[Name, ...]
+    realises: tuple[Name, ...]
+    requirements: Text | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Suc:
+    roles: tuple[Roles, ...]
+    usecases: tuple[UseCase, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Var:
+    name: Name
+    type: Name
+    initial: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class NamedFormula:
+    """`decision = A . B`; the process of a participant is called `process`."""
+
+    name: Name
+    formula: Formula
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class AgentMessage:
+    performative: Name
+    message: Name
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Multiplicity:
+    """`[1..*]` has most None; `[3]` least and most 3."""
+
+    least: int
+    most: int | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Participant:
+    """`formulas` holds `process` and the helper formulas in the order in which they are written."""
+
+    name: Name
+    multiplicity: Multiplicity | None
+    engage: tuple[Text, ...]
+    variables: tuple[Var, ...]
+    lets: tuple[Let, ...]
+    sends: tuple[AgentMessage, ...]
+    receives: tuple[AgentMessage, ...]
+    formulas: tuple[NamedFormula, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """`PassBall@center`, or the participant alone (`at` None)."""
+
+    name: Name
+    at: Name | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """`clause at most one X`, `clause X before Y`, `clause every X leads to (Y or Z) within 10s`."""
+
+    kind: str  # "at most", "before", "leads to"
+    first: tuple[Place, ...]
+    second: tuple[Place, ...]
+    count: int
+    within: Duration | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Aip:
+    name: Name
+    participants: tuple[Participant, ...]
+    outcomes: tuple[Text, ...]
+    lets: tuple[Let, ...]
+    clauses: tuple[Clause, ...]
+    controls: tuple[Control, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Binding:
+    """`WalkTowardsGoal = WalkTowardsOpponentGoal`"""
+
+    abstract: Name
+    own: Name
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Plays:
+    protocol: Name
+    participant: Name
+    alias: Name | None
+    bindings: tuple[Binding, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class ActivityRead:
+    """`reads vision.state.Ball for 2s` (reach "on") or `reads below vision` (a whole topic)."""
+
+    reach: str
+    path: Path
+    history: Duration | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Activity:
+    """`Vision every 33ms takes 5ms as process uses camera reads … writes …`; clauses in any order."""
+
+    name: Name
+    uses: tuple[Name, ...]
+    every: Duration | None
+    takes: Duration | None
+    kind: Name | None
+    reads: tuple[ActivityRead, ...]
+    writes: tuple[Path, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Functionality:
+    """`functionality camera { technology "…" permissions "…" environment "…" algorithm "…" }`"""
+
+    name: Name
+    technology: Text | None
+    permissions: Text | None
+    environment: Text | None
+    algorithm: Text | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Capability:
+    """`capability score "…" = KickBall, Attack`"""
+
+    name: Name
+    description: Text | None
+    activities: tuple[Name, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Srm:
+    name: Name
+    plays: tuple[Plays, ...]
+    capabilities: tuple[Capability, ...]
+    variables: tuple[Var, ...]
+    lets: tuple[Let, ...]
+    formulas: tuple[NamedFormula, ...]
+    activities: tuple[Activity, ...]
+    functionalities: tuple[Functionality, ...]
+    controls: tuple[Control, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class ChartNode:
+    """`state 0.2 OR "Play"` in a statechart; `activity` where it is not the name."""
+
+    label: Name
+    type: Name
+    name: Name | Text | None
+    activity: Name | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Statechart:
+    """`statechart NAME { state 0 OR  state 0.1 START … 0.1 -> 0.2 : … }`"""
+
+    name: Name
+    variables: tuple[Var, ...]
+    lets: tuple[Let, ...]
+    nodes: tuple[ChartNode, ...]
+    transitions: tuple[LabelledWay, ...]
+    activities: tuple[Activity, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class TeamAgents:
+    """`robot1, robot2 : player` or `carrier[1..8] : robot`; a range is (least, most)."""
+
+    names: tuple[tuple[Name, tuple[int, int] | None], ...]
+    role: Name
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Team:
+    name: Name
+    agents: tuple[TeamAgents, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Scenario:
+    """A scenario with its statements as token texts: executed by the room `scenarios/`."""
+
+    title: Text
+    statements: tuple[tuple[Name, ...], ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Property:
+    title: Text
+    tokens: tuple[Name, ...]
+    span: Span
+
+
+Declaration = (
+    System
+    | Import
+    | Enum
+    | Message
+    | Topic
+    | Function
+    | Let
+    | Sag
+    | Suc
+    | Aip
+    | Srm
+    | Statechart
+    | Team
+    | Scenario
+    | Property
+)
+
+
+@dataclass(frozen=True, slots=True)
+class File:
+    """A parsed file. `language` is the number after `language`, None where the file does not say."""
+
+    source: Source
+    language: Number | None
+    declarations: tuple[Declaration, ...]
+    comments: tuple[Comment, ...]

@@ -1,0 +1,356 @@
+"""Chart: what the generated step classes have in common: a synchronous step from inputs to effects.
+
+A chart has no thread, clock or socket in it. The shell (`agent.py`) gives it the time and the inputs and
+carries its effects out; simulation, replay and tests do the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from importlib import import_module
+from typing import Any, ClassVar
+
+from aseme_dsl.runtime.board import Board
+from aseme_dsl.runtime.inputs import (
+    Arrived,
+    Cancel,
+    Completed,
+    Crashed,
+    Fault,
+    FunctionResult,
+    Happened,
+    Identity,
+    Input,
+    Joined,
+    Left,
+    Mail,
+    MailTaken,
+    Outcome,
+    Publication,
+    Sending,
+    Start,
+    Written,
+)
+from aseme_dsl.runtime.plan import Plan
+
+ROUNDS = 1000
+"""A step that has not settled after so many rounds never will."""
+
+INACTIVE = -1
+"""A region's number while its AND is not active."""
+
+_RESULTS: dict[str, tuple[type, ...]] = {
+    "bool": (bool,),
+    "int": (int,),
+    "double": (int, float),
+    "string": (str,),
+    "bytes": (bytes,),
+    "duration": (int,),
+}
+
+
+class FunctionError(Exception):
+    """A function of the document cannot be found, or gives something else than it declares."""
+
+
+def find_function(target: str) -> Callable[..., Any]:
+    """The Python function `module:name`.
+
+    Raises:
+        FunctionError: there is no such module or function.
+    """
+    module, _, name = target.partition(":")
+    try:
+        function = getattr(import_module(module), name)
+    except (ImportError, AttributeError) as error:
+        raise FunctionError(f"no function {name} in module {module}: {error}") from error
+    if not callable(function):
+        raise FunctionError(f"{target} is not a function")
+    return function  # type: ignore[no-any-return]
+
+
+class Chart:
+    """A running statechart. Subclasses are generated; see `semantics.md` for what a step does.
+
+    A region is an integer slot with the number of its active leaf; a BASIC state has two numbers, one while
+    its activity runs and the next one when it is complete.
+    """
+
+    __slots__ = (
+        "_ahead",
+        "_faults",
+        "_functions",
+        "_seen_events",
+        "agent",
+        "effects",
+        "events",
+        "failed",
+        "failure",
+        "finished",
+        "mail",
+        "now",
+        "outcome",
+        "pending",
+        "started",
+        "taken",
+        "tokens",
+        "writes",
+    )
+
+    PLAN: ClassVar[Plan]
+    MESSAGES: ClassVar[Mapping[str, Any]] = {}
+    """The message class of each channel that the chart publishes, and of each message it sends."""
+    READERS: ClassVar[Mapping[str, tuple[int, ...]]] = {}
+    """The numbers of the regions that read a channel."""
+    RUNNING: ClassVar[Mapping[str, tuple[str, str, int]]] = {}
+    """For each BASIC state the slots of its region's leaf and token, and its number while it runs."""
+    REGIONS: ClassVar[tuple[str, ...]] = ()
+
+    def __init__(self, agent: str) -> None:
+        self.agent = agent
+        self.now = 0
+        self.started = False
+        self.finished = False
+        self.failure: str | None = None
+        self.tokens = 0
+        self.failed: dict[str, str] = {}
+        self.events: set[str] = set()
+        self._seen_events: set[tuple[int, str]] = set()
+        self.mail: dict[str, list[Mail]] = {info.label: [] for info in self.PLAN.branches}
+        self.writes: list[tuple[int, str, Any]] = []
+        self.pending: Callable[[], Iterable[Arrived]] = tuple
+        self._ahead: set[tuple[int, Identity]] = set()
+        self._faults: set[int] = set()
+        self._functions: dict[str, tuple[Callable[..., Any], tuple[type, ...]]] = {}
+        self.outcome = Outcome()
+        self.taken = self.outcome.taken
+        self.effects = self.outcome.effects
+
+    # ---- generated -------------------------------------------------------------------------
+
+    def enter(self) -> None:
+        """Enter the root: its START becomes active."""
+        raise NotImplementedError
+
+    def round(self) -> bool:
+        """One round over all regions; whether anything moved."""
+        raise NotImplementedError
+
+    def leave(self) -> None:
+        """Leave everything: running activities are cancelled."""
+        raise NotImplementedError
+
+    def is_finished(self) -> bool:
+        """Whether the root's END is active."""
+        raise NotImplementedError
+
+    def due(self, now: int) -> int | None:
+        """The next moment after `now` at which time alone may enable something that is waited for."""
+        raise NotImplementedError
+
+    def configuration(self) -> tuple[str, ...]:
+        """The labels of the active leaves, region by region in document order."""
+        raise NotImplementedError
+
+    def boards(self) -> tuple[Board | None, ...]:
+        """The blackboard of each region, None where the region is not active."""
+        raise NotImplementedError
+
+    def board_of(self, label: str) -> Board:
+        """The blackboard of the innermost region around the state `label`."""
+        raise NotImplementedError
+
+    def set_variable(self, name: str, value: Any, by: int | None = None) -> None:
+        """Set every copy of a variable but that of region `by`."""
+        raise NotImplementedError
+
+    def variable(self, name: str) -> Any:
+        """The value of a variable between steps."""
+        raise NotImplementedError
+
+    # ---- the step --------------------------------------------------------------------------
+
+    def step(self, now: int, inputs: Iterable[Input]) -> Outcome:
+        """Take the inputs together, go on until nothing is enabled, and say what happened.
+
+        `now` is in ns and never goes back. A finished or failed chart does nothing.
+        """
+        outcome = self.outcome = Outcome()
+        self.taken = outcome.taken
+        self.effects = outcome.effects
+        if self.finished or self.failure is not None:
+            outcome.finished, outcome.failure = self.finished, self.failure
+            return outcome
+        self.now = now
+        for item in inputs:
+            self._receive(item)
+        if not self.started:
+            self.started = True
+            self.enter()
+        rounds = 0
+        while self.round():
+            rounds += 1
+            if rounds == ROUNDS:
+                self._stop(self._unsettled())
+                break
+        self._end_step(outcome)
+        return outcome
+
+    def _receive(self, item: Input) -> None:
+        match item:
+            case Arrived():
+                boards = self.boards()
+                for region in self.READERS.get(item.channel, ()):
+                    board = boards[region]
+                    if (
+                        board is not None
+                        and item.written_by != self.REGIONS[region]
+                        and (region, item.identity) not in self._ahead
+                    ):
+                        board.put(item, self.now)
+                    self._ahead.discard((region, item.identity))
+            case Completed(label, token):
+                leaf, owner, number = self.RUNNING[label]
+                if getattr(self, leaf) == number and getattr(self, owner) == token:
+                    setattr(self, leaf, number + 1)
+            case Crashed(label, token, reason):
+                leaf, owner, number = self.RUNNING[label]
+                if getattr(self, leaf) == number and getattr(self, owner) == token:
+                    self.failed[label] = reason
+            case Happened(name):
+                self.events.add(name)
+            case Written(variable, value):
+                self.set_variable(variable, value)
+            case Mail():
+                self.mail[item.branch].append(item)
+
+    def _end_step(self, outcome: Outcome) -> None:
+        if self.writes:
+            for _, name, value in sorted(self.writes, key=lambda write: write[0]):
+                self.set_variable(name, value)
+            self.writes.clear()
+        for board in self.boards():
+            if board is not None and board.end_step():
+                outcome.again = True
+        self.events.clear()
+        self._seen_events.clear()
+        self._faults.clear()
+        if self.failed and self.failure is None:
+            label, reason = next(iter(self.failed.items()))
+            name = self.PLAN.by_label[label].name
+            self._stop(f"activity {name} of state {label} failed: {reason}")
+        self.finished = self.is_finished()
+        outcome.finished = self.finished
+        outcome.failure = self.failure
+
+    def _stop(self, reason: str) -> None:
+        self.failure = reason
+        self.leave()
+
+    def _unsettled(self) -> str:
+        recent = self.taken[-8:]
+        names = [
+            f"{self.PLAN.transitions[taken[0]].source} -> {self.PLAN.transitions[taken[-1]].target}"
+            for taken in recent
+        ]
+        return f"the step does not settle after {ROUNDS} rounds: " + ", ".join(dict.fromkeys(names))
+
+    # ---- what generated code calls ---------------------------------------------------------
+
+    def begin(self, label: str, activity: str) -> int:
+        """Start an activity; the token is its own."""
+        self.tokens += 1
+        self.effects.append(Start(label, activity, self.tokens))
+        return self.tokens
+
+    def cancel(self, label: str, activity: str, token: int) -> None:
+        """Leave a state whose activity runs, or has failed."""
+        if self.failed and self.failed.pop(label, None) is not None:
+            return
+        self.effects.append(Cancel(label, activity, token))
+
+    def join(self, branch: str) -> None:
+        """A protocol branch is entered."""
+        self.effects.append(Joined(branch))
+
+    def part(self, branch: str) -> None:
+        """A protocol branch is left; what waits there is given up."""
+        self.mail[branch].clear()
+        self.effects.append(Left(branch))
+
+    def fault(self, transition: int, reason: object) -> bool:
+        """Note, once a step, that something of a transition could not be done; always False."""
+        if transition not in self._faults:
+            self._faults.add(transition)
+            text = f"{type(reason).__name__}: {reason}" if isinstance(reason, Exception) else str(reason)
+            self.effects.append(Fault(transition, text))
+        return False
+
+    def call(self, name: str, *arguments: Any) -> Any:
+        """Call a function of the document and note its result.
+
+        Raises:
+            FunctionError: it does not exist, or gives something else than it declares.
+        """
+        known = self._functions.get(name)
+        if known is None:
+            target, result = next((t, r) for n, t, r in self.PLAN.functions if n == name)
+            known = self._functions[name] = (find_function(target), _RESULTS.get(result, (object,)))
+        function, expected = known
+        value = function(*arguments)
+        if not isinstance(value, expected) or (isinstance(value, bool) and bool not in expected):
+            raise FunctionError(f"{name} gave {value!r}, which is not a {expected[-1].__name__}")
+        self.effects.append(FunctionResult(name, value))
+        return value
+
+    def happened(self, region: int, name: str) -> bool:
+        """Whether an event is there for a region that has not spent it."""
+        return name in self.events and (region, name) not in self._seen_events
+
+    def spend_event(self, region: int, name: str) -> None:
+        """An event has been taken by a transition of the region."""
+        self._seen_events.add((region, name))
+
+    def failed_inside(self, label: str) -> bool:
+        """Whether an activity of the state or inside it has failed."""
+        return any(item == label or item.startswith(label + ".") for item in self.failed)
+
+    def waiting_mail(self, branch: str, performative: str, message: str, participant: str) -> Mail | None:
+        """The oldest agent message of that kind that waits in a branch."""
+        for item in self.mail[branch]:
+            if (item.performative, item.message, item.participant) == (performative, message, participant):
+                return item
+        return None
+
+    def take_mail(self, branch: str, performative: str, message: str, participant: str) -> None:
+        """A transition takes the oldest agent message of that kind."""
+        item = self.waiting_mail(branch, performative, message, participant)
+        if item is not None:
+            self.mail[branch].remove(item)
+            self.effects.append(MailTaken(branch, item.identity))
+
+    def publish(self, region: int, board: Board, channel: str) -> None:
+        """Publish the region's drafts of a channel; the region itself sees a message to all at once."""
+        label = self.REGIONS[region]
+        for host, message in board.take_drafts(channel, self.MESSAGES[channel]):
+            self.effects.append(Publication(channel, message, host, label))
+            if host in (None, self.agent) and channel in board.CHANNELS:
+                own = Arrived(channel, message, self.agent, self.now, (self.agent, 0), label)
+                board.put(own, self.now)
+
+    def send(self, branch: str, performative: str, message: str, participant: str) -> None:
+        """Send an agent message with the content that was prepared for it."""
+        content = self.MESSAGES[message]()
+        self.effects.append(Sending(branch, performative, message, content, participant))
+
+    def read_messages(self, region: int, board: Board) -> None:
+        """Let the region see what has arrived since the step began."""
+        for item in self.pending():
+            key = (region, item.identity)
+            if (
+                item.channel in board.CHANNELS
+                and item.written_by != self.REGIONS[region]
+                and key not in self._ahead
+            ):
+                self._ahead.add(key)
+                board.put(item, self.now)

@@ -1,0 +1,180 @@
+"""What goes into a step and what comes out of it: the step itself touches nothing outside its chart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+Identity = tuple[str, int]
+"""Who sent something, and which of the sender's it is: (agent, sequence)."""
+
+
+# ---- inputs ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Arrived:
+    """A message on a channel (`vision.state.Ball`), measured at `time` (ns).
+
+    `written_by` is the label of the agent's own region that wrote it, which saw it at once; None for
+    messages of others and of activities.
+    """
+
+    channel: str
+    message: Any
+    sender: str
+    time: int
+    identity: Identity
+    written_by: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Completed:
+    """The activity that was started with `token` in the state `label` has returned."""
+
+    label: str
+    token: int
+
+
+@dataclass(frozen=True, slots=True)
+class Crashed:
+    """The activity that was started with `token` in the state `label` has raised."""
+
+    label: str
+    token: int
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Happened:
+    """An event that an activity raised."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """A variable that an activity wrote."""
+
+    variable: str
+    value: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Mail:
+    """An agent message for the protocol branch at `branch`, to wait there until something takes it."""
+
+    branch: str
+    performative: str
+    message: str
+    content: Any
+    participant: str
+    sender: str
+    identity: Identity
+
+
+Input = Arrived | Completed | Crashed | Happened | Written | Mail
+
+
+# ---- effects -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """Start the activity of the state `label`; what it answers must carry `token`."""
+
+    label: str
+    activity: str
+    token: int
+
+
+@dataclass(frozen=True, slots=True)
+class Cancel:
+    """Tell the activity started with `token` that its state was left."""
+
+    label: str
+    activity: str
+    token: int
+
+
+@dataclass(frozen=True, slots=True)
+class Publication:
+    """Publish `message`; to all when `host` is None. `region` is the label of the region that wrote it."""
+
+    channel: str
+    message: Any
+    host: str | None
+    region: str
+
+
+@dataclass(frozen=True, slots=True)
+class Sending:
+    """Send an agent message in the conversation of the protocol branch at `branch`."""
+
+    branch: str
+    performative: str
+    message: str
+    content: Any
+    participant: str
+
+
+@dataclass(frozen=True, slots=True)
+class MailTaken:
+    """A transition has taken the agent message with this identity."""
+
+    branch: str
+    identity: Identity
+
+
+@dataclass(frozen=True, slots=True)
+class Joined:
+    """The protocol branch at `branch` was entered."""
+
+    branch: str
+
+
+@dataclass(frozen=True, slots=True)
+class Left:
+    """The protocol branch at `branch` was left."""
+
+    branch: str
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionResult:
+    """A function of the document was called and gave `value`."""
+
+    function: str
+    value: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """Something in transition number `transition` of the plan could not be done."""
+
+    transition: int
+    reason: str
+
+
+Effect = Start | Cancel | Publication | Sending | MailTaken | Joined | Left | FunctionResult | Fault
+
+
+@dataclass(slots=True)
+class Outcome:
+    """What one step did.
+
+    `taken` holds the numbers (in the plan's order) of the transitions taken, those of a compound
+    transition together. `again` asks for another step at once, because a signal waits behind one that was
+    dropped. `failure` says why the agent stopped, where it did.
+    """
+
+    taken: list[tuple[int, ...]] = field(default_factory=list)
+    effects: list[Effect] = field(default_factory=list)
+    finished: bool = False
+    again: bool = False
+    failure: str | None = None
+
+    def of(self, kind: type[Any]) -> Iterable[Any]:
+        """The effects of one kind, in order."""
+        return (effect for effect in self.effects if isinstance(effect, kind))

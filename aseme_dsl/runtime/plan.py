@@ -1,0 +1,166 @@
+"""Plans: the declarative face of a statechart, registered by name, for people and tools to read.
+
+Nothing in the product interprets a plan; the class in `step.py` beside it is what runs.
+
+Conditions and values are nested tuples whose first item says what they are:
+
+    ("const", value)  ("enum", "PlayerState", "PLAYING", 3)  ("variable", name)
+    ("member", host or None, "vision.state.Ball", ("visible",))      (the message itself with an empty path)
+    ("call", name, value, …)  ("has", member)  ("age", member)  ("at", member, value)  ("mean", member, value)
+    ("expired", timer)  ("!", value)  ("&&", value, …)  ("||", value, …)  ("neg", value)
+    ("==" | "!=" | "<" | "<=" | ">" | ">=" | "+" | "-" | "*" | "/" | "%", value, value)
+
+Events are ("after", ns), ("received", performative, message, participant), ("raised", name), ("error",);
+actions ("assign", name, value), ("fill", member, value), ("publish", channel), ("read_messages",),
+("start_timer", name, value), ("send", performative, message, participant), ("evaluate", value).
+Durations are in ns; a value of kind duration that is computed is marked ("duration", value).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+Term = tuple[Any, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """A state: `type` is one of START END OR AND BASIC CONDITION, `at` its place in the source."""
+
+    label: str
+    name: str
+    type: str
+    parent: str | None = None
+    activity: str | None = None
+    branch: str | None = None
+    """`protocol.participant` where the state is the branch of a participant."""
+    at: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Transition:
+    """A transition with its expression, as data and (`text`) as written."""
+
+    source: str
+    target: str
+    priority: int = 0
+    events: tuple[Term, ...] = ()
+    when: bool = False
+    otherwise: bool = False
+    condition: Term | None = None
+    actions: tuple[Term, ...] = ()
+    text: str = ""
+    at: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A variable; `scope` is the label of the branch whose entry renews it, or None."""
+
+    name: str
+    type: str
+    initial: Any
+    scope: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """The root or an OR state directly inside an AND, and the channels its blackboard knows."""
+
+    label: str
+    reads: tuple[str, ...] = ()
+    writes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ActivityInfo:
+    """What the document says of an activity: `every` and `takes` in ns, `kind`, what it reads and writes."""
+
+    name: str
+    kind: str = "thread"
+    every: int | None = None
+    takes: int | None = None
+    reads: tuple[str, ...] = ()
+    writes: tuple[str, ...] = ()
+    variables: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelInfo:
+    """A channel: its message type, whether signals queue, how long data is kept (ns), its radio number."""
+
+    name: str
+    message: str
+    queued: bool = False
+    retention: int = 0
+    every: int | None = None
+    persist: bool = False
+    sources: tuple[str, ...] = ()
+    radio: int | None = None
+    """The most bytes a radio message of its topic may have, or None where it does not go by radio."""
+
+
+@dataclass(frozen=True, slots=True)
+class BranchInfo:
+    """A protocol branch in this plan: what its participant sends and receives as (performative, message)."""
+
+    label: str
+    protocol: str
+    participant: str
+    sends: tuple[tuple[str, str], ...] = ()
+    receives: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The statechart of a role, as declared in a `.aseme` file (P1 Figure 8, P2 Figure 3)."""
+
+    name: str
+    system: str
+    source: str
+    model: str
+    """The hash of the model this plan was generated from."""
+    states: tuple[State, ...]
+    transitions: tuple[Transition, ...]
+    variables: tuple[Variable, ...] = ()
+    regions: tuple[Region, ...] = ()
+    activities: tuple[ActivityInfo, ...] = ()
+    channels: tuple[ChannelInfo, ...] = ()
+    functions: tuple[tuple[str, str, str], ...] = ()
+    """Functions as (name in call terms, "module:name", result type)."""
+    branches: tuple[BranchInfo, ...] = ()
+
+    @cached_property
+    def by_label(self) -> dict[str, State]:
+        return {state.label: state for state in self.states}
+
+    def children(self, label: str) -> tuple[State, ...]:
+        """The states directly inside `label`, in document order."""
+        return tuple(state for state in self.states if state.parent == label)
+
+    def outgoing(self, label: str) -> tuple[tuple[int, Transition], ...]:
+        """The transitions of a source with their numbers, in the order in which they are tried."""
+        found = [(n, t) for n, t in enumerate(self.transitions) if t.source == label]
+        return tuple(sorted(found, key=lambda item: item[1].priority))
+
+
+_registry: dict[tuple[str, str], Plan] = {}
+
+
+def register(plan: Plan) -> Plan:
+    """Make a plan known under its system and name; a later one of the same name replaces it."""
+    _registry[plan.system, plan.name] = plan
+    return plan
+
+
+def plans() -> Iterator[Plan]:
+    """Every registered plan, by system and name."""
+    return (plan for _, plan in sorted(_registry.items()))
+
+
+def find_plan(name: str, system: str | None = None) -> Plan | None:
+    """The registered plan of that name (of that system, where several systems have one)."""
+    return next((p for p in plans() if p.name == name and system in (None, p.system)), None)
