@@ -89,6 +89,18 @@ class Message:
         return next((item for item in self.fields if item.name == name), None)
 
 
+@dataclass(frozen=True, slots=True)
+class ProtoFile:
+    """A .proto file that the system imports, or that such a file imports: what is needed on the wire.
+
+    `name` is what imports call it; `descriptor` is its serialized FileDescriptorProto, `text` its source.
+    """
+
+    name: str
+    descriptor: bytes
+    text: str
+
+
 @dataclass(frozen=True, slots=True, order=True)
 class Channel:
     """What a message is published on: topic, communication class and message type."""

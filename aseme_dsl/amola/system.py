@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from aseme_dsl.amola.aip import Aip
-from aseme_dsl.amola.messages import EnumType, Function, Message, Topic
+from aseme_dsl.amola.messages import EnumType, Function, Message, ProtoFile, Topic
 from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Statechart
@@ -46,6 +46,7 @@ class System:
     eacs: tuple[Statechart, ...] = ()
     iacs: tuple[Statechart, ...] = ()
     teams: tuple[Team, ...] = ()
+    protos: tuple[ProtoFile, ...] = ()  # imported .proto files, each after those that it imports
     sources: tuple[Source, ...] = ()
     span: Span | None = None
 

@@ -1,0 +1,1 @@
+"""Codegen: models to Python, descriptors and `.proto` text; shared by every backend."""

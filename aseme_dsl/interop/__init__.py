@@ -1,0 +1,1 @@
+"""Interop: one file a foreign format, each way."""
