@@ -19,6 +19,7 @@ FLOORS = {
     "grammar": 2,
     "diagrams": 2,
     "codegen": 2,
+    "interop": 2,
     "field": 2,
     "amola": 1,
     "runtime": 1,

@@ -51,11 +51,13 @@ class Comm(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class EnumType:
-    """An enumeration: constants with their numbers, in order."""
+    """An enumeration: constants with their numbers, in order. `imported` and `full_name` as for messages."""
 
     name: str
     constants: tuple[tuple[str, int], ...]
     span: Span
+    imported: str | None = None
+    full_name: str = ""
 
     def number(self, constant: str) -> int | None:
         return dict(self.constants).get(constant)
