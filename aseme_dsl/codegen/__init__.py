@@ -1,1 +1,1 @@
-"""Codegen: models to Python, descriptors and `.proto` text; shared by every backend."""
+"""Codegen: statecharts to step classes and plans, expressions to Python; shared by every backend."""

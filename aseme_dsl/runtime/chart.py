@@ -36,6 +36,9 @@ from aseme_dsl.runtime.plan import Plan
 ROUNDS = 1000
 """A step that has not settled after so many rounds never will."""
 
+ABSENT = "absent value"
+"""Why an action was not done that needs a message which is not there."""
+
 INACTIVE = -1
 """A region's number while its AND is not active."""
 
@@ -104,6 +107,8 @@ class Chart:
     """The numbers of the regions that read a channel."""
     RUNNING: ClassVar[Mapping[str, tuple[str, str, int]]] = {}
     """For each BASIC state the slots of its region's leaf and token, and its number while it runs."""
+    VARIABLES: ClassVar[Mapping[str, tuple[str, ...]]] = {}
+    """The slots that hold a variable: one, or one for each region that uses it."""
     REGIONS: ClassVar[tuple[str, ...]] = ()
 
     def __init__(self, agent: str) -> None:
@@ -156,17 +161,20 @@ class Chart:
         """The blackboard of each region, None where the region is not active."""
         raise NotImplementedError
 
-    def board_of(self, label: str) -> Board:
-        """The blackboard of the innermost region around the state `label`."""
-        raise NotImplementedError
+    # ---- questions between steps -----------------------------------------------------------
 
-    def set_variable(self, name: str, value: Any, by: int | None = None) -> None:
-        """Set every copy of a variable but that of region `by`."""
-        raise NotImplementedError
+    def board_of(self, label: str) -> Board:
+        """The blackboard of the region around a BASIC state."""
+        return getattr(self, "b" + self.RUNNING[label][0][1:])  # type: ignore[no-any-return]
+
+    def set_variable(self, name: str, value: Any) -> None:
+        """Set every copy of a variable."""
+        for slot in self.VARIABLES[name]:
+            setattr(self, slot, value)
 
     def variable(self, name: str) -> Any:
         """The value of a variable between steps."""
-        raise NotImplementedError
+        return getattr(self, self.VARIABLES[name][0])
 
     # ---- the step --------------------------------------------------------------------------
 

@@ -6,14 +6,16 @@ Conditions and values are nested tuples whose first item says what they are:
 
     ("const", value)  ("enum", "PlayerState", "PLAYING", 3)  ("variable", name)
     ("member", host or None, "vision.state.Ball", ("visible",))      (the message itself with an empty path)
-    ("call", name, value, …)  ("has", member)  ("age", member)  ("at", member, value)  ("mean", member, value)
-    ("expired", timer)  ("!", value)  ("&&", value, …)  ("||", value, …)  ("neg", value)
-    ("==" | "!=" | "<" | "<=" | ">" | ">=" | "+" | "-" | "*" | "/" | "%", value, value)
+    ("call", name, value, …)  ("builtin", name, value, …)
+    ("has", member)  ("age", member)  ("at", member, value)  ("mean", member, value)  ("expired", timer)
+    ("!", value)  ("&&", value, …)  ("||", value, …)  ("neg", value)
+    ("==" | "!=" | "<" | "<=" | ">" | ">=", value, value)
+    ("+" | "-" | "*" | "/" | "//" | "%", value, value)
 
 Events are ("after", ns), ("received", performative, message, participant), ("raised", name), ("error",);
 actions ("assign", name, value), ("fill", member, value), ("publish", channel), ("read_messages",),
 ("start_timer", name, value), ("send", performative, message, participant), ("evaluate", value).
-Durations are in ns; a value of kind duration that is computed is marked ("duration", value).
+Durations are in ns; ("duration", value) cuts a computed one to whole ns.
 """
 
 from __future__ import annotations

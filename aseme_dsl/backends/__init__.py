@@ -1,0 +1,1 @@
+"""Backends: models to code for a platform."""

@@ -1,0 +1,68 @@
+"""Backend: what one is, what it is given, and how it is found."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Protocol
+
+from aseme_dsl.amola.system import System
+
+GROUP = "aseme_dsl.backends"
+"""The entry point group under which a package offers its backend."""
+
+
+@dataclass(frozen=True, slots=True)
+class Artefact:
+    """A file that a backend writes: `path` relative to the backend's folder, with `/`.
+
+    `kept` files belong to the user once they exist: they are written only where there is none.
+    """
+
+    path: str
+    text: str
+    kept: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class BackendOptions:
+    """What a project may choose: a folder of templates that replace the backend's own, by name."""
+
+    templates: Path | None = None
+
+
+class Backend(Protocol):
+    """Turns a system into the files of a platform; the same system gives the same bytes."""
+
+    @property
+    def name(self) -> str:
+        """The name of the output folder and of `--backend`."""
+
+    def generate(self, system: System, options: BackendOptions) -> tuple[Artefact, ...]:
+        """All files of the system, generated ones and first versions of the user's."""
+
+
+class UnknownBackend(LookupError):
+    """There is no backend of that name; `known` are those that there are."""
+
+    def __init__(self, name: str, known: tuple[str, ...]) -> None:
+        super().__init__(f"there is no backend {name}; there are {', '.join(known)}")
+        self.known = known
+
+
+def backend_names() -> tuple[str, ...]:
+    """The names of all installed backends."""
+    return tuple(sorted({point.name for point in entry_points(group=GROUP)}))
+
+
+def find_backend(name: str) -> Backend:
+    """The backend of that name.
+
+    Raises:
+        UnknownBackend: nothing installed offers it.
+    """
+    for point in entry_points(group=GROUP):
+        if point.name == name:
+            return point.load()  # type: ignore[no-any-return]
+    raise UnknownBackend(name, backend_names())

@@ -1,0 +1,135 @@
+"""The monas backend: fills its templates with what `codegen` says."""
+
+from __future__ import annotations
+
+import hashlib
+import keyword
+import re
+from dataclasses import dataclass
+from pathlib import Path, PurePath
+from typing import TYPE_CHECKING
+
+from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.system import System
+from aseme_dsl.backends.backend import Artefact, BackendOptions
+from aseme_dsl.codegen.messages import generate_messages
+from aseme_dsl.codegen.plan import plan_sections
+from aseme_dsl.codegen.step import generate_step
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+ACTIVITIES = "activities"
+"""The folder of activity templates, relative to the backend's; a project may choose another."""
+
+
+def class_name(name: str) -> str:
+    """`walk_towards_ball` and `WalkTowardsBall` are both the class `WalkTowardsBall`."""
+    words = [word for word in name.split("_") if word]
+    return "".join(word[:1].upper() + word[1:] for word in words) or "_"
+
+
+def module_name(name: str) -> str:
+    """`WalkTowardsBall` is the module `walk_towards_ball`; Python's keywords get an underscore."""
+    spaced = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
+    return _usable(re.sub(r"_+", "_", spaced))
+
+
+def _usable(name: str) -> str:
+    return f"{name}_" if keyword.iskeyword(name) else name
+
+
+def _environment(options: BackendOptions) -> Environment:
+    from jinja2 import ChoiceLoader, Environment, FileSystemLoader, StrictUndefined
+
+    own = FileSystemLoader(Path(__file__).parent / "templates")
+    theirs = [FileSystemLoader(options.templates)] if options.templates else []
+    environment = Environment(
+        loader=ChoiceLoader([*theirs, own]),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+    environment.filters["quoted"] = repr
+    environment.filters["class_name"] = class_name
+    environment.filters["module_name"] = module_name
+    environment.filters["package"] = _usable
+    return environment
+
+
+@dataclass(frozen=True, slots=True)
+class MonasBackend:
+    """Emits per role `plan.py` and `step.py`, one `messages.py`, and a class template per activity."""
+
+    name: str = "monas"
+
+    def generate(self, system: System, options: BackendOptions) -> tuple[Artefact, ...]:
+        """The package of a system, and the activities under `activities/`."""
+        environment = _environment(options)
+        source = PurePath(system.span.source.path).name if system.span else system.name
+        artefacts = [Artefact(f"{system.name}/messages.py", generate_messages(system))]
+        hashes: list[str] = []
+        for chart in system.iacs:
+            folder = f"{system.name}/{_usable(chart.name)}"
+            sections = plan_sections(system, chart)
+            model = _hash(repr((chart.name, system.name, sections)), artefacts[0].text)
+            hashes.append(model)
+            known = {"system": system, "chart": chart, "source": source, "model": model}
+            plan = environment.get_template("plan.py.j2").render(known, sections=sections)
+            step = environment.get_template("step.py.j2").render(
+                known, step=generate_step(system, chart, f"{class_name(chart.name)}Step")
+            )
+            package = environment.get_template("role.py.j2").render(known)
+            artefacts += [
+                Artefact(f"{folder}/__init__.py", package),
+                Artefact(f"{folder}/plan.py", plan),
+                Artefact(f"{folder}/step.py", _tidy(step)),
+            ]
+        package = environment.get_template("system.py.j2").render(
+            system=system,
+            source=source,
+            model=_hash(*hashes),
+            agents=[agent for team in system.teams for agent in team.agents],
+        )
+        artefacts.insert(0, Artefact(f"{system.name}/__init__.py", package))
+        artefacts += self._activities(environment, system, source)
+        return tuple(artefacts)
+
+    def _activities(self, environment: Environment, system: System, source: str) -> list[Artefact]:
+        template = environment.get_template("activity.py.j2")
+        users: dict[str, list[Statechart]] = {}
+        for chart in system.iacs:
+            for node in chart.nodes:
+                if node.type is NodeType.BASIC and node.activity is not None:
+                    charts = users.setdefault(node.activity, [])
+                    if chart not in charts:
+                        charts.append(chart)
+        return [
+            Artefact(
+                f"{ACTIVITIES}/{module_name(name)}.py",
+                template.render(
+                    name=name,
+                    source=source,
+                    activity=system.activity(name),
+                    roles=[chart.name for chart in users[name]],
+                ),
+                kept=True,
+            )
+            for name in sorted(users)
+        ]
+
+
+def _hash(*texts: str) -> str:
+    return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:16]
+
+
+def _tidy(text: str) -> str:
+    """Two blank lines at the most, one newline at the end."""
+    return re.sub(r"\n{4,}", "\n\n\n", text).rstrip() + "\n"
+
+
+BACKEND = MonasBackend()
+
+__all__ = ["ACTIVITIES", "BACKEND", "MonasBackend", "class_name", "module_name"]

@@ -1,0 +1,282 @@
+"""Expressions to Python: conditions in two forms (it holds, it fails), values with what must be present.
+
+The three-valued logic of absent messages disappears at compile time: a condition is emitted as the Python
+condition under which it is true, its negation as the one under which it is false.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+from aseme_dsl.amola.expression import (
+    Age,
+    Arithmetic,
+    At,
+    Call,
+    Compare,
+    EnumConstant,
+    Expired,
+    Has,
+    Literal,
+    Logic,
+    Mean,
+    Member,
+    Named,
+    Negate,
+    Not,
+    Value,
+    VariableValue,
+)
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Type
+
+Known = Mapping[str, str]
+"""Slots that are known to hold a message at this point, with the local name of the message."""
+
+NOTHING: Known = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Python code of a value; `needs` must hold before it may be evaluated, in this order."""
+
+    code: str
+    needs: tuple[str, ...] = ()
+    known: Known = NOTHING
+
+
+@dataclass
+class Names:
+    """The names of one generated method and what the emitted code turned out to use."""
+
+    slots: Mapping[tuple[str, str | None], str]
+    """The board's slot for (channel, host)."""
+    variables: Mapping[str, str]
+    """The attribute of self for each variable."""
+    optional: Mapping[tuple[str, str], bool] = field(default_factory=dict)
+    """(message, field) that may be absent inside a message that is there."""
+    enums: set[tuple[str, str]] = field(default_factory=set)
+    prefix: str = ""
+    locals: int = 0
+    may_raise: bool = False
+
+    def local(self) -> str:
+        self.locals += 1
+        return f"m{self.prefix}{self.locals}"
+
+
+def function_key(call: Call) -> str:
+    """The name by which a plan knows an overload: `can_kick(Ball)`."""
+    return f"{call.function.name}({', '.join(str(kind) for _, kind in call.function.parameters)})"
+
+
+def enum_name(enum: str, constant: str) -> str:
+    """The module-level name of an enum constant: a global is read faster than an enum's attribute."""
+    return f"{enum}_{constant}"
+
+
+def holds(value: Value, names: Names, known: Known = NOTHING) -> tuple[str, Known]:
+    """The Python condition under which `value` is true, and what is known where it is."""
+    match value:
+        case Named(expression=inner):
+            return holds(inner, names, known)
+        case Not(operand=operand):
+            return fails(operand, names, known)
+        case Logic(operator="&&", operands=parts):
+            return _both(parts, holds, names, known)
+        case Logic(operands=parts):
+            return _either(parts, holds, names, known)
+        case Has(message=message):
+            return f"b.{_slot(message, names)} is not None", known
+        case Literal(value=constant):
+            return ("True" if constant else "False"), known
+    piece = evaluate(value, names, known)
+    return _conjunction(piece, piece.code), piece.known
+
+
+def fails(value: Value, names: Names, known: Known = NOTHING) -> tuple[str, Known]:
+    """The Python condition under which `value` is false, and what is known where it is."""
+    match value:
+        case Named(expression=inner):
+            return fails(inner, names, known)
+        case Not(operand=operand):
+            return holds(operand, names, known)
+        case Logic(operator="||", operands=parts):
+            return _both(parts, fails, names, known)
+        case Logic(operands=parts):
+            return _either(parts, fails, names, known)
+        case Has(message=message):
+            return f"b.{_slot(message, names)} is None", known
+        case Literal(value=constant):
+            return ("False" if constant else "True"), known
+    piece = evaluate(value, names, known)
+    match value:
+        case Compare(operator="=="):
+            code = piece.code.replace(" == ", " != ", 1) if piece.code.count(" == ") == 1 else None
+        case _:
+            code = None
+    return _conjunction(piece, code or f"not {_wrapped(piece.code)}"), piece.known
+
+
+def _both(parts: tuple[Value, ...], how, names: Names, known: Known) -> tuple[str, Known]:  # type: ignore[no-untyped-def]
+    codes = []
+    for part in parts:
+        code, known = how(part, names, known)
+        codes.append(code)
+    return " and ".join(codes), known
+
+
+def _either(parts: tuple[Value, ...], how, names: Names, known: Known) -> tuple[str, Known]:  # type: ignore[no-untyped-def]
+    codes = [f"({code})" if " and " in code else code for code, _ in (how(p, names, known) for p in parts)]
+    return f"({' or '.join(codes)})", known
+
+
+def _conjunction(piece: Piece, code: str) -> str:
+    return " and ".join((*piece.needs, code))
+
+
+def _wrapped(code: str) -> str:
+    plain = code.replace(".", "").replace("_", "").isalnum()
+    return code if plain or (code.startswith("self.call(") and code.count("(") == 1) else f"({code})"
+
+
+def _slot(message: Member, names: Names) -> str:
+    return names.slots[str(message.channel), message.host]
+
+
+def _present(message: Member, names: Names, known: Known) -> tuple[str, tuple[str, ...], Known]:
+    """The local name of a message, what must hold for it to be there, what is known then."""
+    slot = _slot(message, names)
+    if slot in known:
+        return known[slot], (), known
+    local = names.local()
+    return local, (f"({local} := b.{slot}) is not None",), {**known, slot: local}
+
+
+def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
+    """Python code that computes a value, and what must be present for it."""
+    match value:
+        case Named(expression=inner):
+            return evaluate(inner, names, known)
+        case Literal(value=constant):
+            return Piece(repr(constant), known=known)
+        case EnumConstant(constant=constant, type=kind):
+            names.enums.add((kind.name, constant))
+            return Piece(enum_name(kind.name, constant), known=known)
+        case VariableValue(name=name):
+            return Piece(f"self.{names.variables[name]}", known=known)
+        case Member():
+            return _member(value, names, known)
+        case Age(message=message):
+            slot = _slot(message, names)
+            _, needs, known = _present(message, names, known)
+            return Piece(f"(now - b.{slot}_time)", needs, known)
+        case At(message=message, offset=offset):
+            return _at(message, offset, names, known)
+        case Mean(message=message, window=window):
+            extent = evaluate(window, names, known)
+            local = names.local()
+            channel, member = str(message.channel), ".".join(message.path)
+            call = f"b.mean({channel!r}, {message.host!r}, now - {_wrapped(extent.code)}, {member!r})"
+            return Piece(local, (*extent.needs, f"({local} := {call}) is not None"), extent.known)
+        case Expired(timer=timer):
+            return Piece(f"b.timers.get({timer!r}, NEVER) <= now", known=known)
+        case Call():
+            return _call(value, names, known)
+        case Compare(operator=operator, left=left, right=right):
+            one, other = _pair(left, right, names, known)
+            return Piece(f"{one.code} {operator} {other.code}", one.needs + other.needs, other.known)
+        case Arithmetic():
+            return _arithmetic(value, names, known)
+        case Negate(operand=operand):
+            piece = evaluate(operand, names, known)
+            return Piece(f"(-{piece.code})", piece.needs, piece.known)
+        case Not() | Logic() | Has():
+            return _truth(value, names, known)
+
+
+def _pair(left: Value, right: Value, names: Names, known: Known) -> tuple[Piece, Piece]:
+    one = evaluate(left, names, known)
+    other = evaluate(right, names, one.known)
+    return _in_parentheses(one, left), _in_parentheses(other, right)
+
+
+def _in_parentheses(piece: Piece, value: Value) -> Piece:
+    while isinstance(value, Named):
+        value = value.expression
+    if isinstance(value, Compare | Expired):
+        return Piece(f"({piece.code})", piece.needs, piece.known)
+    return piece
+
+
+def _truth(value: Value, names: Names, known: Known) -> Piece:
+    """A logic expression as a plain value: True, False, or absent where it neither holds nor fails."""
+    if isinstance(value, Has):
+        return Piece(f"(b.{_slot(value.message, names)} is not None)", known=known)
+    yes, _ = holds(value, names, known)
+    no, _ = fails(value, names, known)
+    local = names.local()
+    need = f"({local} := True if {yes} else False if {no} else None) is not None"
+    return Piece(local, (need,), known)
+
+
+def _member(value: Member, names: Names, known: Known) -> Piece:
+    local, needs, known = _present(value, names, known)
+    return _path(local, value.channel.message, value.path, needs, names, known)
+
+
+def _path(
+    local: str, message: str, path: tuple[str, ...], needs: tuple[str, ...], names: Names, known: Known
+) -> Piece:
+    code = local
+    for step in path:
+        code = f"{code}.{step}"
+        if names.optional.get((message, step), False):
+            inner = names.local()
+            needs = (*needs, f"({inner} := {code}) is not None")
+            code = inner
+    return Piece(code, needs, known)
+
+
+def _at(message: Member, offset: Value, names: Names, known: Known) -> Piece:
+    extent = evaluate(offset, names, known)
+    local = names.local()
+    call = f"b.at({str(message.channel)!r}, {message.host!r}, now + {_wrapped(extent.code)})"
+    needs = (*extent.needs, f"({local} := {call}) is not None")
+    return _path(local, message.channel.message, message.path, needs, names, extent.known)
+
+
+def _call(value: Call, names: Names, known: Known) -> Piece:
+    codes: list[str] = []
+    needs: tuple[str, ...] = ()
+    for argument in value.arguments:
+        piece = _in_parentheses(evaluate(argument, names, known), argument)
+        codes.append(piece.code)
+        needs += piece.needs
+        known = piece.known
+    if value.function.target.startswith("builtin:"):
+        return Piece(f"{value.function.target[8:]}({', '.join(codes)})", needs, known)
+    names.may_raise = True
+    return Piece(f"self.call({', '.join([repr(function_key(value)), *codes])})", needs, known)
+
+
+def _arithmetic(value: Arithmetic, names: Names, known: Known) -> Piece:
+    one, other = _pair(value.left, value.right, names, known)
+    left, right = value.left.type, value.right.type
+    operator = value.operator
+    if operator in ("/", "%"):
+        names.may_raise = True
+    code = f"({one.code} {operator} {other.code})"
+    if value.type == DURATION and DURATION in (left, right) and left != right:
+        if operator == "/" and right == INT:
+            code = f"({one.code} // {other.code})"
+        elif DOUBLE in (left, right):
+            names.may_raise = True
+            code = f"int{code}"
+    return Piece(code, one.needs + other.needs, other.known)
+
+
+def converted(piece: Piece, source: Type, target: Type) -> str:
+    """The code of a value as another type takes it: an int becomes a double."""
+    return f"float({piece.code})" if target == DOUBLE and source == INT else piece.code

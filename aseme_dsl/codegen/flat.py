@@ -1,0 +1,336 @@
+"""The flattened chart: regions, the numbers of their leaves, compound transitions, uses of messages.
+
+Inside a region the hierarchy of OR states disappears: one integer says which leaf (START, BASIC, END or AND)
+is active. The leaves of a composite have consecutive numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from aseme_dsl.amola.expression import (
+    After,
+    Age,
+    Assign,
+    At,
+    Compare,
+    Expired,
+    Literal,
+    Mean,
+    Member,
+    Named,
+    Negate,
+    TransitionExpression,
+    Value,
+    VariableValue,
+    values_of,
+    walk,
+)
+from aseme_dsl.amola.messages import DURATION, Comm
+from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A transition by its number; into a CONDITION with the ways out of it, in the order they are tried."""
+
+    number: int
+    branches: tuple[Way, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Wait:
+    """Something that time alone may change while a source is active.
+
+    `kind` is "after" (`amount` ns after the entry of `source`), "timer" (`name`) or "age" (the message
+    `member` becomes `amount` ns old).
+    """
+
+    source: str
+    kind: str
+    amount: int = 0
+    name: str = ""
+    member: Member | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class FlatRegion:
+    """A region: its number, its label and how many numbers its leaves have."""
+
+    number: int
+    label: str
+    size: int
+
+
+class FlatChart:
+    """A statechart with everything that the generator asks about it."""
+
+    def __init__(self, chart: Statechart) -> None:
+        self.chart = chart
+        self.region_number: dict[str, int] = {}
+        """The number of the innermost region around each state."""
+        self.leaf: dict[str, int] = {}
+        """The number of each leaf in its region; a BASIC that is complete has the next one."""
+        self.range: dict[str, tuple[int, int]] = {}
+        """The first and last number of the leaves of each state inside its region."""
+        self.regions: tuple[FlatRegion, ...] = self._number()
+        self.transition_number = {id(t): n for n, t in enumerate(chart.transitions)}
+
+    def _number(self) -> tuple[FlatRegion, ...]:
+        labels: list[str] = []
+        sizes: list[int] = []
+        for node in self.chart.nodes:  # parents come before children, so document order
+            if self.chart.is_region(node.label):
+                self.region_number[node.label] = len(labels)
+                labels.append(node.label)
+                sizes.append(0)
+            else:
+                assert node.parent is not None
+                self.region_number[node.label] = self.region_number[node.parent]
+            if node.type in (NodeType.OR, NodeType.CONDITION):
+                continue
+            region = self.region_number[node.label]
+            width = 2 if node.type is NodeType.BASIC else 1
+            first, last = sizes[region], sizes[region] + width - 1
+            self.leaf[node.label] = first
+            sizes[region] += width
+            for around in self._inside_region(node.label):
+                known = self.range.get(around)
+                self.range[around] = (known[0] if known else first, last)
+        return tuple(FlatRegion(n, label, sizes[n]) for n, label in enumerate(labels))
+
+    def _inside_region(self, label: str) -> Iterator[str]:
+        """The label and the states around it up to its region, the region included."""
+        while True:
+            yield label
+            if self.chart.is_region(label):
+                return
+            parent = self.chart.node(label).parent
+            assert parent is not None
+            label = parent
+
+    def around(self, label: str) -> list[Node]:
+        """The OR states around a leaf inside its region, innermost first, the region itself excluded."""
+        found = list(self._inside_region(label))[1:]
+        return [self.chart.node(item) for item in found if not self.chart.is_region(item)]
+
+    def leaves(self, region: int) -> list[Node]:
+        """The leaves of a region in document order."""
+        return [
+            node
+            for node in self.chart.nodes
+            if node.label in self.leaf and self.region_number[node.label] == region
+        ]
+
+    def regions_of(self, label: str) -> list[FlatRegion]:
+        """The regions of an AND."""
+        return [self.regions[self.region_number[node.label]] for node in self.chart.children(label)]
+
+    def enclosing(self, region: int) -> int | None:
+        """The region around a region."""
+        parent = self.chart.node(self.regions[region].label).parent
+        return None if parent is None else self.region_number[parent]
+
+    @cached_property
+    def branches(self) -> tuple[Node, ...]:
+        """The states that are the branch of a participant."""
+        return tuple(node for node in self.chart.nodes if self.is_branch(node))
+
+    def is_branch(self, node: Node) -> bool:
+        """Whether a state is the outermost of what came from a participant."""
+        if node.origin.kind is not OriginKind.PROTOCOL or node.type is not NodeType.OR:
+            return False
+        parent = None if node.parent is None else self.chart.node(node.parent)
+        return parent is not None and parent.origin != node.origin
+
+    def branch_of(self, label: str) -> str | None:
+        """The label of the innermost protocol branch around a state, or of the state itself."""
+        node = self.chart.node(label)
+        if self.is_branch(node):
+            return label
+        return next((item.label for item in self.chart.ancestors(label) if self.is_branch(item)), None)
+
+    def transition(self, number: int) -> Transition:
+        """The transition of that number in the template's order."""
+        return self.chart.transitions[number]
+
+    def ways(self, label: str) -> tuple[Way, ...]:
+        """The ways out of a source in the order in which they are tried."""
+        return tuple(self._way(transition) for transition in self.chart.outgoing(label))
+
+    def _way(self, transition: Transition) -> Way:
+        target = self.chart.node(transition.target)
+        branches = self.ways(target.label) if target.type is NodeType.CONDITION else ()
+        return Way(self.transition_number[id(transition)], branches)
+
+    def waits_for_event(self, way: Way) -> bool:
+        """Whether a way may be taken while its source is not complete."""
+        expression = self.transition(way.number).expression
+        return bool(expression.events) or expression.when
+
+    def segments(self, label: str) -> Iterator[Transition]:
+        """The transitions out of a source and out of the CONDITIONs they lead to."""
+        stack = list(reversed(self.ways(label)))
+        while stack:
+            way = stack.pop()
+            yield self.transition(way.number)
+            stack.extend(reversed(way.branches))
+
+    @cached_property
+    def sources(self) -> tuple[str, ...]:
+        """The states that may be active and have transitions, in document order."""
+        return tuple(
+            node.label
+            for node in self.chart.nodes
+            if node.type is not NodeType.CONDITION and self.chart.outgoing(node.label)
+        )
+
+    @cached_property
+    def waits(self) -> tuple[Wait, ...]:
+        """Everything that time alone may change, by source."""
+        found: dict[Wait, None] = {}
+        for source in self.sources:
+            for transition in self.segments(source):
+                for wait in _waits(source, transition.expression):
+                    found.setdefault(wait)
+        return tuple(found)
+
+    @cached_property
+    def timed(self) -> frozenset[str]:
+        """The states whose moment of entry somebody asks for."""
+        return frozenset(wait.source for wait in self.waits if wait.kind == "after")
+
+    @cached_property
+    def members(self) -> dict[int, tuple[Member, ...]]:
+        """The messages that the expressions of each region look at, members and hosts included."""
+        found: dict[int, dict[tuple[str, str | None], Member]] = {}
+        for transition in self.chart.transitions:
+            region = self.region_number[transition.source]
+            for value in values_of(transition.expression):
+                if isinstance(value, Member):
+                    found.setdefault(region, {}).setdefault((str(value.channel), value.host), value)
+        return {
+            region: tuple(uses[key] for key in sorted(uses, key=_by_channel))
+            for region, uses in found.items()
+        }
+
+    @cached_property
+    def aged(self) -> frozenset[tuple[int, str, str | None]]:
+        """(region, channel, host) whose time of measurement somebody asks for."""
+        return frozenset(
+            (self.region_number[t.source], str(v.message.channel), v.message.host)
+            for t in self.chart.transitions
+            for v in values_of(t.expression)
+            if isinstance(v, Age)
+        )
+
+    @cached_property
+    def variable_regions(self) -> dict[str, tuple[int, ...]]:
+        """The regions whose expressions read, write or renew each variable."""
+        found: dict[str, set[int]] = {variable.name: set() for variable in self.chart.variables}
+        for variable in self.chart.variables:
+            if variable.scope is not None:
+                found[variable.name].add(self.region_number[variable.scope])
+        for transition in self.chart.transitions:
+            region = self.region_number[transition.source]
+            for name in _variables(transition.expression):
+                found[name].add(region)
+        return {name: tuple(sorted(regions)) for name, regions in found.items()}
+
+    @cached_property
+    def retention(self) -> dict[str, int]:
+        """How long the expressions look back at each data channel, in ns."""
+        found: dict[str, int] = {}
+        for transition in self.chart.transitions:
+            for value in values_of(transition.expression):
+                match value:
+                    case At(message=message, offset=extent) | Mean(message=message, window=extent):
+                        channel = str(message.channel)
+                        found[channel] = max(found.get(channel, 0), _extent(extent))
+        return found
+
+
+def _by_channel(key: tuple[str, str | None]) -> tuple[str, str]:
+    return key[0], key[1] or ""
+
+
+def _variables(expression: TransitionExpression) -> Iterator[str]:
+    for value in values_of(expression):
+        if isinstance(value, VariableValue):
+            yield value.name
+    for action in expression.actions:
+        if isinstance(action, Assign) and isinstance(action.target, VariableValue):
+            yield action.target.name
+
+
+def constant(value: Value) -> int | None:
+    """The value of a duration that is a constant, in ns (`-200ms` too)."""
+    match value:
+        case Literal(value=amount, type=kind) if kind == DURATION:
+            return int(amount)
+        case Negate(operand=operand):
+            inner = constant(operand)
+            return None if inner is None else -inner
+        case Named(expression=inner_value):
+            return constant(inner_value)
+    return None
+
+
+_MINUTE = 60_000_000_000
+
+
+def _extent(value: Value) -> int:
+    """How far back a history is asked for; a minute where the document computes it."""
+    amount = constant(value)
+    return _MINUTE if amount is None else abs(amount)
+
+
+def _waits(source: str, expression: TransitionExpression) -> Iterator[Wait]:
+    for event in expression.events:
+        if isinstance(event, After):
+            yield Wait(source, "after", event.duration)
+    if expression.condition is None:
+        return
+    for value in walk(expression.condition):
+        match value:
+            case Expired(timer=timer):
+                yield Wait(source, "timer", name=timer)
+            case Compare(operator=operator, left=left, right=right):
+                yield from _age_waits(source, operator, left, right)
+
+
+_FLIPPED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "==": "==", "!=": "!="}
+
+
+def _age_waits(source: str, operator: str, left: Value, right: Value) -> Iterator[Wait]:
+    left, right = _plain(left), _plain(right)
+    if isinstance(right, Age):
+        left, right, operator = right, left, _FLIPPED[operator]
+    amount = constant(right)
+    if not isinstance(left, Age) or amount is None:
+        return
+    if operator in ("<", ">=", "==", "!="):
+        yield Wait(source, "age", amount, member=left.message)
+    if operator in (">", "<=", "==", "!="):
+        yield Wait(source, "age", amount + 1, member=left.message)
+
+
+def _plain(value: Value) -> Value:
+    while isinstance(value, Named):
+        value = value.expression
+    return value
+
+
+def signals(values: Iterable[Value]) -> tuple[tuple[str, str | None], ...]:
+    """The signals (channel, host) among values, each once."""
+    found = {
+        (str(v.channel), v.host): None
+        for v in values
+        if isinstance(v, Member) and v.channel.comm is Comm.SIGNAL
+    }
+    return tuple(found)
+
+
+__all__ = ["FlatChart", "FlatRegion", "Wait", "Way", "constant", "signals"]

@@ -1,0 +1,238 @@
+"""A statechart to the text of its plan: the declarative face that people and tools read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from aseme_dsl.amola import expression as e
+from aseme_dsl.amola.aip import Participant
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT
+from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import Node, Statechart, Transition
+from aseme_dsl.amola.system import System
+from aseme_dsl.codegen.expressions import function_key
+from aseme_dsl.codegen.flat import FlatChart
+from aseme_dsl.codegen.place import place
+from aseme_dsl.codegen.step import retention
+
+Term = tuple[Any, ...]
+
+
+def value_term(value: e.Value) -> Term:
+    """A value as the nested tuple that `runtime/plan.py` describes."""
+    match value:
+        case e.Named(expression=inner):
+            return value_term(inner)
+        case e.Literal(value=constant):
+            return ("const", constant)
+        case e.EnumConstant(type=kind, constant=constant, number=number):
+            return ("enum", kind.name, constant, number)
+        case e.VariableValue(name=name):
+            return ("variable", name)
+        case e.Member(host=host, channel=channel, path=path):
+            return ("member", host, str(channel), path)
+        case e.Call(function=function, arguments=arguments):
+            values = tuple(value_term(argument) for argument in arguments)
+            if function.target.startswith("builtin:"):
+                return ("builtin", function.target[8:], *values)
+            return ("call", function_key(value), *values)
+        case e.Has(message=message):
+            return ("has", value_term(message))
+        case e.Age(message=message):
+            return ("age", value_term(message))
+        case e.At(message=message, offset=offset):
+            return ("at", value_term(message), value_term(offset))
+        case e.Mean(message=message, window=window):
+            return ("mean", value_term(message), value_term(window))
+        case e.Expired(timer=timer):
+            return ("expired", timer)
+        case e.Not(operand=operand):
+            return ("!", value_term(operand))
+        case e.Logic(operator=operator, operands=parts):
+            return (operator, *(value_term(part) for part in parts))
+        case e.Compare(operator=operator, left=left, right=right):
+            return (operator, value_term(left), value_term(right))
+        case e.Arithmetic():
+            return _arithmetic(value)
+        case e.Negate(operand=operand):
+            return ("neg", value_term(operand))
+
+
+def _arithmetic(value: e.Arithmetic) -> Term:
+    operator = value.operator
+    kinds = (value.left.type, value.right.type)
+    if value.type == DURATION and operator == "/" and kinds[1] == INT:
+        operator = "//"
+    term = (operator, value_term(value.left), value_term(value.right))
+    return ("duration", term) if value.type == DURATION and DOUBLE in kinds else term
+
+
+def event_term(event: e.Event) -> Term:
+    """An event as a tuple."""
+    match event:
+        case e.After(duration=duration):
+            return ("after", duration)
+        case e.Received(performative=performative, message=message, participant=participant):
+            return ("received", performative, message, participant)
+        case e.Raised(name=name):
+            return ("raised", name)
+        case e.Failed():
+            return ("error",)
+
+
+def action_term(action: e.Action) -> Term:
+    """An action as a tuple."""
+    match action:
+        case e.Assign(target=e.VariableValue(name=name), value=value):
+            return ("assign", name, value_term(value))
+        case e.Assign(target=target, value=value):
+            return ("fill", value_term(target), value_term(value))
+        case e.Publish(channel=channel):
+            return ("publish", str(channel))
+        case e.ReadMessages():
+            return ("read_messages",)
+        case e.StartTimer(timer=timer, duration=duration):
+            return ("start_timer", timer, value_term(duration))
+        case e.Send(performative=performative, message=message, participant=participant):
+            return ("send", performative, message, participant)
+        case e.Evaluate(value=value):
+            return ("evaluate", value_term(value))
+
+
+def _call(name: str, required: Sequence[Any], optional: Iterable[tuple[str, Any, Any]]) -> str:
+    """`name(…)` with the required arguments by place, the others by name where they are not the default."""
+    parts = [repr(item) for item in required]
+    parts += [f"{key}={value!r}" for key, value, default in optional if value != default]
+    return f"{name}({', '.join(parts)})"
+
+
+def _state(node: Node, flat: FlatChart) -> str:
+    branch = f"{node.origin.owner}.{node.origin.name}" if flat.is_branch(node) else None
+    return _call(
+        "State",
+        [node.label, node.name, node.type.value],
+        [
+            ("parent", node.parent, None),
+            ("activity", node.activity, None),
+            ("branch", branch, None),
+            ("at", place(node.span), ""),
+        ],
+    )
+
+
+def _transition(transition: Transition) -> str:
+    expression = transition.expression
+    condition = None if expression.condition is None else value_term(expression.condition)
+    return _call(
+        "Transition",
+        [transition.source, transition.target],
+        [
+            ("priority", transition.priority, 0),
+            ("events", tuple(event_term(event) for event in expression.events), ()),
+            ("when", expression.when, False),
+            ("otherwise", expression.otherwise, False),
+            ("condition", condition, None),
+            ("actions", tuple(action_term(action) for action in expression.actions), ()),
+            ("text", e.expression_text(expression), ""),
+            ("at", place(transition.span), ""),
+        ],
+    )
+
+
+def _activity(activity: Activity) -> str:
+    return _call(
+        "ActivityInfo",
+        [activity.name],
+        [
+            ("kind", activity.kind, "thread"),
+            ("every", activity.every, None),
+            ("takes", activity.takes, None),
+            ("reads", tuple(str(read.channel) for read in activity.reads if read.channel), ()),
+            ("writes", tuple(str(channel) for channel in activity.writes), ()),
+            ("variables", activity.writes_variables, ()),
+        ],
+    )
+
+
+def _participant(system: System, protocol: str, name: str) -> Participant | None:
+    aip = next((item for item in system.aips if item.name == protocol), None)
+    return aip.participant(name) if aip else None
+
+
+def plan_sections(system: System, chart: Statechart) -> list[tuple[str, list[str]]]:
+    """The parts of the plan as (keyword of Plan, source lines of the items)."""
+    flat = FlatChart(chart)
+    kept = retention(system, chart, flat)
+    used = {node.activity for node in chart.nodes if node.activity}
+    activities = [item for item in system.activities if item.name in used]
+    channels = {str(c) for region in chart.regions for c in (*region.reads, *region.writes)}
+    functions = {
+        function_key(value): value.function
+        for transition in chart.transitions
+        for value in e.values_of(transition.expression)
+        if isinstance(value, e.Call) and not value.function.target.startswith("builtin:")
+    }
+    sections = [
+        ("states", [_state(node, flat) for node in chart.nodes]),
+        ("transitions", [_transition(transition) for transition in chart.transitions]),
+        (
+            "variables",
+            [
+                _call("Variable", [v.name, str(v.type), v.initial.value], [("scope", v.scope, None)])
+                for v in chart.variables
+            ],
+        ),
+        (
+            "regions",
+            [
+                _call(
+                    "Region",
+                    [region.label],
+                    [
+                        ("reads", tuple(sorted(map(str, region.reads))), ()),
+                        ("writes", tuple(sorted(map(str, region.writes))), ()),
+                    ],
+                )
+                for region in chart.regions
+            ],
+        ),
+        ("activities", [_activity(activity) for activity in activities]),
+        (
+            "channels",
+            [
+                _call(
+                    "ChannelInfo",
+                    [str(rules.channel), rules.channel.message],
+                    [
+                        ("queued", rules.queued, False),
+                        ("retention", kept.get(str(rules.channel), 0), 0),
+                        ("every", rules.every, None),
+                        ("persist", rules.persist, False),
+                        ("sources", rules.sources, ()),
+                        ("radio", topic.radio, None),
+                    ],
+                )
+                for topic in system.topics
+                for rules in topic.channels
+                if str(rules.channel) in channels
+            ],
+        ),
+        (
+            "functions",
+            [repr((key, functions[key].target, str(functions[key].result))) for key in sorted(functions)],
+        ),
+        ("branches", [_branch(system, node) for node in flat.branches]),
+    ]
+    return [(name, items) for name, items in sections if items]
+
+
+def _branch(system: System, node: Node) -> str:
+    participant = _participant(system, node.origin.owner, node.origin.name)
+    sends = tuple((m.performative, m.message) for m in participant.sends) if participant else ()
+    receives = tuple((m.performative, m.message) for m in participant.receives) if participant else ()
+    return _call(
+        "BranchInfo",
+        [node.label, node.origin.owner, node.origin.name],
+        [("sends", sends, ()), ("receives", receives, ())],
+    )

@@ -1,0 +1,859 @@
+"""A statechart to the class that runs: one slotted class, one integer a region, everything else inlined.
+
+What the code does is written in the semantics; its form is the one that was measured to cost no more than
+what a careful person writes by hand. Methods of the class, for region 3:
+
+    _region_3   one round of the region: by its active leaf, the transitions that can be taken from there
+    _around_…   the transitions of a composite that may be taken while it is not complete
+    _enter_3    the region's AND is entered;  _leave_3: it is left
+    _holds_12   the condition of transition 12, where evaluating it may raise
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+
+from aseme_dsl.amola.expression import (
+    Action,
+    After,
+    Assign,
+    Evaluate,
+    Event,
+    Failed,
+    Member,
+    Publish,
+    Raised,
+    ReadMessages,
+    Received,
+    Send,
+    StartTimer,
+    TransitionExpression,
+    Value,
+    VariableValue,
+    expression_text,
+    values_of,
+    walk,
+)
+from aseme_dsl.amola.messages import Comm, Kind, Type
+from aseme_dsl.amola.statechart import Node, NodeType, Region, Statechart, Variable
+from aseme_dsl.amola.system import System
+from aseme_dsl.codegen.expressions import Names, Piece, converted, enum_name, evaluate, holds
+from aseme_dsl.codegen.flat import FlatChart, Wait, Way, signals
+from aseme_dsl.codegen.place import place
+
+TABLE = 64
+"""Regions with more numbers than this dispatch through a tuple of functions, others through comparisons."""
+
+_PYTHON = {
+    Kind.BOOL: "bool",
+    Kind.INT: "int",
+    Kind.DOUBLE: "float",
+    Kind.STRING: "str",
+    Kind.BYTES: "bytes",
+    Kind.DURATION: "int",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class StepCode:
+    """The parts of a step module: what it imports from the messages module, and its lines."""
+
+    class_name: str
+    messages: tuple[str, ...]
+    constants: tuple[tuple[str, str], ...]
+    """Module-level names of enum constants with the expression they stand for."""
+    boards: tuple[str, ...]
+    body: tuple[str, ...]
+    tables: tuple[str, ...]
+
+
+def generate_step(system: System, chart: Statechart, class_name: str) -> StepCode:
+    """The step class of a role's statechart."""
+    return _Generator(system, chart, class_name).generate()
+
+
+class _Identifiers:
+    """Python names for keys, each its own."""
+
+    def __init__(self) -> None:
+        self._taken: set[str] = set()
+        self._names: dict[object, str] = {}
+
+    def name(self, key: object, wish: str) -> str:
+        if key not in self._names:
+            base = re.sub(r"\W", "_", wish)
+            name, number = base, 2
+            while name in self._taken:
+                name, number = f"{base}_{number}", number + 1
+            self._taken.add(name)
+            self._names[key] = name
+        return self._names[key]
+
+
+@dataclass
+class _Method:
+    """The lines of a method being written, with the names it uses."""
+
+    names: Names
+    lines: list[str] = field(default_factory=list)
+
+    def add(self, depth: int, *lines: str) -> None:
+        self.lines += ["    " * depth + line for line in lines]
+
+
+class _Generator:
+    def __init__(self, system: System, chart: Statechart, class_name: str) -> None:
+        self.system = system
+        self.chart = chart
+        self.class_name = class_name
+        self.flat = FlatChart(chart)
+        self.identifiers = _Identifiers()
+        self.enums: set[tuple[str, str]] = set()
+        self.messages: set[str] = set()
+        self.published: set[str] = set()
+        self.methods: list[list[str]] = []
+        self.tables: list[str] = []
+        self.guards: set[int] = set()
+        self.slots = {region.number: self._region_slots(region.number) for region in self.flat.regions}
+        self.optional = {
+            (message.name, item.name): item.label == "optional"
+            for message in system.messages
+            for item in message.fields
+        }
+        self.variables = {variable.name: variable for variable in chart.variables}
+
+    # ---- names -----------------------------------------------------------------------------
+
+    def _region_slots(self, region: int) -> dict[tuple[str, str | None], str]:
+        found: dict[tuple[str, str | None], str] = {}
+        for member in self.flat.members.get(region, ()):
+            channel, host = str(member.channel), member.host
+            wish = f"{host}_{channel}" if host else channel
+            found[channel, host] = self.identifiers.name((channel, host), wish)
+        return found
+
+    def _variable(self, name: str, region: int) -> str:
+        """The attribute that holds a variable for the expressions of a region."""
+        plain = name.replace("@", "_")
+        regions = self.flat.variable_regions[name]
+        if len(regions) < 2:
+            return self.identifiers.name(("variable", name), f"v_{plain}")
+        return self.identifiers.name(("variable", name, region), f"v{region}_{plain}")
+
+    def _copies(self, name: str) -> list[str]:
+        regions = self.flat.variable_regions[name]
+        return list(dict.fromkeys(self._variable(name, region) for region in regions or (0,)))
+
+    def _time(self, label: str) -> str:
+        return self.identifiers.name(("time", label), f"t_{label}")
+
+    def _names(self, region: int, prefix: str = "") -> Names:
+        variables = {name: self._variable(name, region) for name in self.variables}
+        return Names(self.slots[region], variables, self.optional, self.enums, prefix)
+
+    def _place(self, number: int) -> str:
+        transition = self.chart.transitions[number]
+        text = expression_text(transition.expression)
+        ends = f"{transition.source} -> {transition.target}"
+        return "  ".join(part for part in (ends, text, f"({place(transition.span)})") if part)
+
+    # ---- the whole -------------------------------------------------------------------------
+
+    def generate(self) -> StepCode:
+        for region in self.flat.regions:
+            self._region(region.number)
+            self._leave(region.number)
+            if region.number:
+                self._enter_region(region.number)
+        self._enter_root()
+        self._frame()
+        boards = [line for region in self.flat.regions for line in self._board(region.number)]
+        body = [line for method in [self._head(), *self.methods] for line in [*method, ""]]
+        constants = tuple(
+            (enum_name(enum, constant), f"{enum}.{constant}") for enum, constant in sorted(self.enums)
+        )
+        used = self.messages | {enum for enum, _ in self.enums} | self.published
+        return StepCode(
+            self.class_name, tuple(sorted(used)), constants, tuple(boards), tuple(body), tuple(self.tables)
+        )
+
+    def _method(self, signature: str, document: str, method: _Method) -> None:
+        """Write a method, with only those locals that its lines use."""
+        region = next((r for r, slots in self.slots.items() if slots is method.names.slots), 0)
+        lines = [f"    def {signature}:", f'        """{document}"""']
+        text = "\n".join(method.lines)
+        if re.search(r"\bb\b", text) and "b:" not in signature:
+            lines.append(f"        b = self.b{region}")
+        lines += method.lines
+        self.methods.append(lines)
+
+    # ---- the class -------------------------------------------------------------------------
+
+    def _head(self) -> list[str]:
+        regions = self.flat.regions
+        attributes: list[tuple[str, str, str | None]] = []
+        for region in regions:
+            attributes += [
+                (f"r{region.number}", "int", "INACTIVE"),
+                (f"k{region.number}", "int", "0"),
+                (f"b{region.number}", f"Board{region.number}", f"Board{region.number}()"),
+            ]
+        attributes += [(self._time(label), "int", "0") for label in sorted(self.flat.timed)]
+        for variable in self.chart.variables:
+            attributes += [
+                (copy, self._python(variable.type), self._initial(variable))
+                for copy in self._copies(variable.name)
+            ]
+        names = ", ".join(f'"{name}"' for name, _, _ in sorted(attributes))
+        running = {
+            node.label: (f"r{region.number}", f"k{region.number}", self.flat.leaf[node.label])
+            for region in regions
+            for node in self.flat.leaves(region.number)
+            if node.type is NodeType.BASIC
+        }
+        variables = {v.name: tuple(self._copies(v.name)) for v in self.chart.variables}
+        lines = [
+            f"class {self.class_name}(Chart):",
+            f'    """Runs the statechart {self.chart.name} of {self.chart.system}."""',
+            "",
+            f"    __slots__ = ({names},)",
+            "",
+            "    PLAN = PLAN",
+            f"    REGIONS = {tuple(region.label for region in regions)!r}",
+            f"    READERS = {self._readers()!r}",
+            f"    RUNNING = {running!r}",
+            f"    VARIABLES = {variables!r}",
+            f"    MESSAGES = {self._message_classes()}",
+            "",
+            "    def __init__(self, agent: str) -> None:",
+            "        super().__init__(agent)",
+        ]
+        return lines + [f"        self.{name}: {kind} = {value}" for name, kind, value in attributes]
+
+    def _python(self, kind: Type) -> str:
+        if kind.kind in (Kind.ENUM, Kind.MESSAGE):
+            self.messages.add(kind.name)
+            return kind.name
+        return _PYTHON[kind.kind]
+
+    def _initial(self, variable: Variable) -> str:
+        value = variable.initial.value
+        if variable.type.kind is Kind.ENUM:
+            enum = self.system.enum(variable.type.name)
+            constants = {number: name for name, number in enum.constants} if enum else {}
+            if isinstance(value, int) and value in constants:
+                self.enums.add((variable.type.name, constants[value]))
+                return enum_name(variable.type.name, constants[value])
+        return repr(float(value)) if variable.type.kind is Kind.DOUBLE else repr(value)
+
+    def _readers(self) -> dict[str, tuple[int, ...]]:
+        found: dict[str, list[int]] = {}
+        for region in self.flat.regions:
+            for channel in self._reads(region.number):
+                found.setdefault(channel, []).append(region.number)
+        return {channel: tuple(numbers) for channel, numbers in sorted(found.items())}
+
+    def _reads(self, region: int) -> tuple[str, ...]:
+        return tuple(sorted(str(channel) for channel in self._region_model(region).reads))
+
+    def _region_model(self, region: int) -> Region:
+        label = self.flat.regions[region].label
+        return next((r for r in self.chart.regions if r.label == label), Region(label, (), ()))
+
+    def _message_classes(self) -> str:
+        found: dict[str, str] = {}
+        for transition in self.chart.transitions:
+            for action in transition.expression.actions:
+                if isinstance(action, Publish):
+                    found[str(action.channel)] = action.channel.message
+                elif isinstance(action, Send):
+                    found[action.message] = action.message
+        self.published |= set(found.values())
+        return "{" + ", ".join(f"{key!r}: {found[key]}" for key in sorted(found)) + "}"
+
+    def _board(self, number: int) -> list[str]:
+        region = self.flat.regions[number]
+        slots = self.slots[number]
+        reads = self._reads(number)
+        rules = {str(r.channel): r for topic in self.system.topics for r in topic.channels}
+        queued = sorted(channel for channel in reads if channel in rules and rules[channel].queued)
+        table: dict[str, tuple[tuple[str, str | None], ...]] = {}
+        typed: list[str] = []
+        timed: list[str] = []
+        for (channel, host), slot in sorted(slots.items(), key=lambda item: item[1]):
+            table[channel] = (*table.get(channel, ()), (slot, host))
+            message = channel.rsplit(".", 1)[1]
+            self.messages.add(message)
+            typed.append(f"    {slot}: {message} | None")
+            if (number, channel, host) in self.flat.aged:
+                timed.append(slot)
+                typed.append(f"    {slot}_time: int")
+        names = [line.split(":")[0].strip() for line in typed]
+        kept = {c: n for c, n in sorted(self._retention().items()) if c in reads}
+        lines = [
+            "",
+            "",
+            f"class Board{number}(Board):",
+            f'    """What region {region.label} knows."""',
+            "",
+            "    __slots__ = (" + "".join(f'"{name}", ' for name in sorted(names)).rstrip() + ")",
+            f"    CHANNELS = frozenset({list(reads)!r})",
+        ]
+        if queued:
+            lines.append(f"    QUEUED = frozenset({queued!r})")
+        if kept:
+            lines.append(f"    RETENTION = {kept!r}")
+        if table:
+            lines.append(f"    SLOTS = {table!r}")
+        if timed:
+            lines.append(f"    TIMED = frozenset({sorted(timed)!r})")
+        return lines + typed
+
+    def _retention(self) -> dict[str, int]:
+        return retention(self.system, self.chart, self.flat)
+
+    # ---- a round ---------------------------------------------------------------------------
+
+    def _region(self, region: int) -> None:
+        bodies: list[tuple[int, _Method]] = []
+        for leaf in self.flat.leaves(region):
+            number = self.flat.leaf[leaf.label]
+            numbers = [number, number + 1] if leaf.type is NodeType.BASIC else [number]
+            for state in numbers:
+                # locals of different leaves are typed differently, so they do not share names
+                method = _Method(self._names(region, f"{state}_"))
+                self._from_leaf(method, region, leaf, complete=self._leaf_complete(leaf, state))
+                if method.lines:
+                    bodies.append((state, method))
+        label = self.flat.regions[region].label
+        signature = f"_region_{region}(self, now: int) -> bool"
+        document = f"One round of region {label}."
+        if self.flat.regions[region].size > TABLE:
+            self._table(region, bodies, signature, document)
+            return
+        whole = _Method(self._names(region))
+        if bodies:
+            whole.add(2, f"r = self.r{region}")
+            self._tree(whole, bodies, 2)
+        whole.add(2, "return False")
+        self._method(signature, document, whole)
+
+    def _tree(self, whole: _Method, bodies: list[tuple[int, _Method]], depth: int) -> None:
+        """Find the body of the active leaf by comparisons; halves where there are many."""
+        if len(bodies) > 4:
+            middle = len(bodies) // 2
+            whole.add(depth, f"if r < {bodies[middle][0]}:")
+            self._tree(whole, bodies[:middle], depth + 1)
+            whole.add(depth, "else:")
+            self._tree(whole, bodies[middle:], depth + 1)
+            return
+        for index, (number, method) in enumerate(bodies):
+            whole.add(depth, f"{'elif' if index else 'if'} r == {number}:")
+            whole.lines += ["    " * (depth - 1) + line for line in method.lines]  # written two levels deep
+
+    def _table(self, region: int, bodies: list[tuple[int, _Method]], signature: str, document: str) -> None:
+        """Find the body of the active leaf in a tuple of functions."""
+        entries = ["None"] * self.flat.regions[region].size
+        for number, method in bodies:
+            method.add(2, "return False")
+            self._method(
+                f"_leaf_{region}_{number}(self, now: int) -> bool", f"{document[:-1]}: leaf {number}.", method
+            )
+            entries[number] = f"{self.class_name}._leaf_{region}_{number}"
+        whole = _Method(self._names(region))
+        whole.add(
+            2,
+            f"leaf = _LEAVES_{region}[self.r{region}]",
+            "return leaf is not None and leaf(self, now)",
+        )
+        self._method(signature, document, whole)
+        kind = f"tuple[Callable[[{self.class_name}, int], bool] | None, ...]"
+        self.tables += ["", f"_LEAVES_{region}: {kind} = ("]
+        self.tables += [f"    {entry}," for entry in entries]
+        self.tables += [")"]
+
+    def _leaf_complete(self, leaf: Node, number: int) -> str | bool:
+        """Whether a leaf is complete: known for the number, or a condition for an AND."""
+        match leaf.type:
+            case NodeType.START:
+                return True
+            case NodeType.BASIC:
+                return number != self.flat.leaf[leaf.label]
+            case NodeType.AND:
+                ends = []
+                for region in self.flat.regions_of(leaf.label):
+                    end = self.chart.end_of(region.label)
+                    if end is None:
+                        return False
+                    ends.append(f"self.r{region.number} == {self.flat.leaf[end.label]}")
+                return " and ".join(ends)
+        return False
+
+    def _from_leaf(self, method: _Method, region: int, leaf: Node, complete: str | bool) -> None:
+        """Everything that one round may do while `leaf` is active, innermost source first."""
+        depth = 2
+        if leaf.type is NodeType.AND:
+            first, *others = self.flat.regions_of(leaf.label)
+            method.add(depth, f"moved = self._region_{first.number}(now)")
+            for inner in others:
+                method.add(depth, f"if self._region_{inner.number}(now):", "    moved = True")
+            method.add(depth, "if moved:", "    return True")
+        self._ways(method, depth, region, leaf.label, leaf, complete)
+        inside = leaf
+        for around in self.flat.around(leaf.label):
+            is_complete = inside.type is NodeType.END and inside is leaf and leaf.parent == around.label
+            if is_complete:
+                self._ways(method, depth, region, around.label, leaf, True)
+            elif any(self.flat.waits_for_event(way) for way in self.flat.ways(around.label)):
+                method.add(depth, f"if self._around_{self._key(around.label)}(now):", "    return True")
+                self._around(region, around)
+
+    def _key(self, label: str) -> str:
+        return label.replace(".", "_")
+
+    def _around(self, region: int, source: Node) -> None:
+        """A method with the transitions that may leave a composite before it is complete."""
+        name = f"_around_{self._key(source.label)}(self, now: int) -> bool"
+        if any(method[0] == f"    def {name}:" for method in self.methods):
+            return
+        method = _Method(self._names(region))
+        self._ways(method, 2, region, source.label, None, False)
+        method.add(2, "return False")
+        self._method(name, f"What may leave {source.label} {source.name} before it is complete.", method)
+
+    def _ways(
+        self, method: _Method, depth: int, region: int, source: str, leaf: Node | None, complete: str | bool
+    ) -> None:
+        for way in self.flat.ways(source):
+            self._way(method, depth, region, source, leaf, complete, way, ())
+
+    def _way(
+        self,
+        method: _Method,
+        depth: int,
+        region: int,
+        source: str,
+        leaf: Node | None,
+        complete: str | bool,
+        way: Way,
+        before: tuple[int, ...],
+    ) -> None:
+        """The tests of a way, one inside the other, around what taking it does."""
+        expression = self.flat.transition(way.number).expression
+        tests: list[str] = []
+        if expression.events and not expression.when:
+            tests.append(" or ".join(self._there(region, source, event) for event in expression.events))
+        elif not expression.events and not expression.when and not before:
+            if complete is False:
+                return
+            if isinstance(complete, str):
+                tests.append(complete)
+        method.add(depth, f"# {self._place(way.number)}")
+        for test in tests:
+            method.add(depth, f"if {test}:")
+            depth += 1
+        if expression.condition is not None:
+            for channel, host in signals(walk(expression.condition)):
+                method.add(depth, f"b.ask({channel!r}, {host!r})")
+            test = self._guard(method, region, way.number, expression.condition)
+            if test != "True":
+                method.add(depth, f"if {test}:")
+                depth += 1
+        taken = (*before, way.number)
+        if way.branches:
+            for branch in way.branches:
+                self._way(method, depth, region, source, leaf, complete, branch, taken)
+            method.add(depth, "pass")
+            return
+        self._take(method, depth, region, source, leaf, complete, taken)
+        method.add(depth, "return True")
+
+    def _there(self, region: int, source: str, event: Event) -> str:
+        match event:
+            case After(duration=duration):
+                return f"now - self.{self._time(source)} >= {duration}"
+            case Received():
+                return f"self.waiting_mail({self._letter(source, event)}) is not None"
+            case Raised(name=name):
+                return f"self.happened({region}, {name!r})"
+            case Failed():
+                return f"self.failed_inside({source!r})"
+
+    def _letter(self, source: str, event: Received) -> str:
+        branch = self.flat.branch_of(source)
+        return f"{branch!r}, {event.performative!r}, {event.message!r}, {event.participant!r}"
+
+    def _guard(self, method: _Method, region: int, number: int, condition: Value) -> str:
+        """The condition in line, or as a method of its own where evaluating it may raise."""
+        before = method.names.may_raise
+        method.names.may_raise = False
+        code, _ = holds(condition, method.names)
+        raises, method.names.may_raise = method.names.may_raise, before
+        if not raises:
+            return code
+        if number not in self.guards:
+            self.guards.add(number)
+            guard = _Method(self._names(region))
+            code, _ = holds(condition, guard.names)
+            guard.add(2, "try:", f"    return {code}", "except Exception as error:")
+            guard.add(3, f"return self.fault({number}, error)")
+            signature = f"_holds_{number}(self, b: Board{region}, now: int) -> bool"
+            self._method(signature, f"The condition of {_docstring(self._place(number))}.", guard)
+        return f"self._holds_{number}(b, now)"
+
+    # ---- taking a transition ---------------------------------------------------------------
+
+    def _take(
+        self,
+        method: _Method,
+        depth: int,
+        region: int,
+        source: str,
+        leaf: Node | None,
+        complete: str | bool,
+        taken: tuple[int, ...],
+    ) -> None:
+        transitions = [self.flat.transition(number) for number in taken]
+        method.add(depth, f"self.taken.append({taken!r})")
+        for transition in transitions:
+            self._spend_event(method, depth, region, source, transition.expression)
+        scope = self.chart.scope_of(transitions[0])
+        target = transitions[-1].target
+        for transition in transitions[1:]:
+            other = self.chart.scope_of(transition)
+            scope = min(scope, other, key=len)
+        self._leave_leaf(method, depth, region, scope, leaf, complete is not False)
+        looked_at: dict[tuple[str, str | None], None] = {}
+        for number, transition in zip(taken, transitions, strict=True):
+            expression = transition.expression
+            if expression.condition is not None:
+                looked_at |= dict.fromkeys(signals(walk(expression.condition)))
+            for action in expression.actions:
+                for channel, host in signals(_read_by(action)):
+                    if (channel, host) not in looked_at:
+                        method.add(depth, f"b.ask({channel!r}, {host!r})")
+                        looked_at[channel, host] = None
+                self._action(method, depth, region, number, source, action)
+        self._enter(method, depth, region, scope, target)
+        for channel, host in looked_at:
+            method.add(depth, f"b.spend({channel!r}, {host!r})")
+
+    def _spend_event(
+        self, method: _Method, depth: int, region: int, source: str, expression: TransitionExpression
+    ) -> None:
+        """Spend the first event that is there; time and failures are not spent."""
+        spent: list[tuple[str, str]] = []
+        for event in expression.events:
+            match event:
+                case Received():
+                    spent.append(
+                        (self._there(region, source, event), f"self.take_mail({self._letter(source, event)})")
+                    )
+                case Raised(name=name):
+                    spent.append(
+                        (self._there(region, source, event), f"self.spend_event({region}, {name!r})")
+                    )
+                case _:
+                    spent.append((self._there(region, source, event), "pass"))
+        if all(action == "pass" for _, action in spent):
+            return
+        if len(spent) == 1 and not expression.when:
+            method.add(depth, spent[0][1])
+            return
+        for index, (test, action) in enumerate(spent):
+            method.add(depth, f"{'elif' if index else 'if'} {test}:", f"    {action}")
+
+    def _leave_leaf(
+        self, method: _Method, depth: int, region: int, scope: str, leaf: Node | None, complete: bool
+    ) -> None:
+        if leaf is None:
+            method.add(depth, f"self._leave_leaf_{region}()")
+            for branch in reversed(self.flat.branches):
+                if self.flat.region_number[branch.label] == region and branch.label.startswith(scope + "."):
+                    first, last = self.flat.range[branch.label]
+                    method.add(depth, f"if {first} <= self.r{region} <= {last}:")
+                    method.add(depth + 1, f"self.part({branch.label!r})")
+            return
+        if leaf.type is NodeType.BASIC and not complete:
+            method.add(depth, f"self.cancel({leaf.label!r}, {leaf.activity!r}, self.k{region})")
+        elif leaf.type is NodeType.AND:
+            for inner in self.flat.regions_of(leaf.label):
+                method.add(depth, f"self._leave_{inner.number}()")
+        for around in self.flat.around(leaf.label):
+            if len(around.label) > len(scope) and self.flat.is_branch(around):
+                method.add(depth, f"self.part({around.label!r})")
+
+    def _leave(self, region: int) -> None:
+        """Methods that leave whatever is active in a region."""
+        running = [n for n in self.flat.leaves(region) if n.type is NodeType.BASIC]
+        ands = [n for n in self.flat.leaves(region) if n.type is NodeType.AND]
+        method = _Method(self._names(region))
+        if running or ands:
+            method.add(2, f"r = self.r{region}")
+        if running:
+            method.add(2, f"running = _RUNNING_{region}.get(r)")
+            method.add(2, "if running is not None:", f"    self.cancel(*running, self.k{region})")
+            table = {self.flat.leaf[n.label]: (n.label, n.activity) for n in running}
+            self.tables += ["", f"_RUNNING_{region}: dict[int, tuple[str, str]] = {table!r}"]
+        for node in ands:
+            method.add(2, f"if r == {self.flat.leaf[node.label]}:")
+            for inner in self.flat.regions_of(node.label):
+                method.add(3, f"self._leave_{inner.number}()")
+        if not method.lines:
+            method.add(2, "return")
+        label = self.flat.regions[region].label
+        self._method(
+            f"_leave_leaf_{region}(self) -> None", f"Leave the active leaf of region {label}.", method
+        )
+        whole = _Method(self._names(region))
+        whole.add(2, f"self._leave_leaf_{region}()")
+        for branch in reversed(self.flat.branches):
+            if self.flat.region_number[branch.label] == region:
+                first, last = self.flat.range[branch.label]
+                whole.add(2, f"if {first} <= self.r{region} <= {last}:", f"    self.part({branch.label!r})")
+        whole.add(2, f"self.r{region} = INACTIVE")
+        self._method(f"_leave_{region}(self) -> None", f"Leave region {label}.", whole)
+
+    # ---- entering --------------------------------------------------------------------------
+
+    def _enter(self, method: _Method, depth: int, region: int, scope: str, target: str) -> None:
+        """Enter a state inside `scope`, outermost first."""
+        path = [target]
+        while (parent := self.chart.node(path[-1]).parent) not in (scope, None):
+            assert parent is not None
+            path.append(parent)
+        for label in reversed(path):
+            self._on_entry(method, depth, region, self.chart.node(label))
+        node = self.chart.node(target)
+        number = self.flat.leaf.get(target)
+        match node.type:
+            case NodeType.BASIC:
+                method.add(depth, f"self.r{region} = {number}")
+                method.add(depth, f"self.k{region} = self.begin({target!r}, {node.activity!r})")
+            case NodeType.AND:
+                method.add(depth, f"self.r{region} = {number}")
+                for inner in self.flat.regions_of(target):
+                    method.add(depth, f"self._enter_{inner.number}(now)")
+            case NodeType.OR:
+                self._activate_start(method, depth, region, target)
+            case _:
+                method.add(depth, f"self.r{region} = {number}")
+
+    def _on_entry(self, method: _Method, depth: int, region: int, node: Node) -> None:
+        if self.flat.is_branch(node):
+            method.add(depth, f"self.join({node.label!r})")
+        for variable in self.chart.variables:
+            if variable.scope == node.label:
+                self._write(method, depth, region, variable.name, self._initial(variable))
+        if node.label in self.flat.timed:
+            method.add(depth, f"self.{self._time(node.label)} = now")
+
+    def _activate_start(self, method: _Method, depth: int, region: int, label: str) -> None:
+        start = self.chart.start_of(label)
+        assert start is not None
+        method.add(depth, f"self.r{region} = {self.flat.leaf[start.label]}")
+        if start.label in self.flat.timed:
+            method.add(depth, f"self.{self._time(start.label)} = now")
+
+    def _enter_region(self, region: int) -> None:
+        label = self.flat.regions[region].label
+        method = _Method(self._names(region))
+        outer = self.flat.enclosing(region)
+        method.add(2, f"self.b{region} = Board{region}()", f"self.b{region}.inherit(self.b{outer})")
+        for name, regions in self.flat.variable_regions.items():
+            if len(regions) > 1 and region in regions:
+                around = outer
+                while around is not None and around not in regions:
+                    around = self.flat.enclosing(around)
+                if around is not None:
+                    method.add(
+                        2, f"self.{self._variable(name, region)} = self.{self._variable(name, around)}"
+                    )
+        self._on_entry(method, 2, region, self.chart.node(label))
+        self._activate_start(method, 2, region, label)
+        self._method(f"_enter_{region}(self, now: int) -> None", f"Enter region {label}.", method)
+
+    def _enter_root(self) -> None:
+        method = _Method(self._names(0))
+        root = self.chart.root
+        self._on_entry(method, 2, 0, root)
+        self._activate_start(method, 2, 0, root.label)
+        if any(re.search(r"\bnow\b", line) for line in method.lines):
+            method.lines.insert(0, "        now = self.now")
+        self._method("enter(self) -> None", "Enter the root.", method)
+
+    def _write(self, method: _Method, depth: int, region: int, name: str, code: str) -> None:
+        attribute = self._variable(name, region)
+        method.add(depth, f"self.{attribute} = {code}")
+        if len(self.flat.variable_regions[name]) > 1:
+            method.add(depth, f"self.writes.append(({region}, {name!r}, self.{attribute}))")
+
+    # ---- actions ---------------------------------------------------------------------------
+
+    def _action(
+        self, method: _Method, depth: int, region: int, number: int, source: str, action: Action
+    ) -> None:
+        match action:
+            case ReadMessages():
+                method.add(depth, f"self.read_messages({region}, b)")
+            case Publish(channel=channel):
+                method.add(depth, f"self.publish({region}, b, {str(channel)!r})")
+            case Send(performative=performative, message=message, participant=participant):
+                branch = self.flat.branch_of(source)
+                method.add(depth, f"self.send({branch!r}, {performative!r}, {message!r}, {participant!r})")
+            case StartTimer(timer=timer, duration=duration):
+                self._computed(
+                    method,
+                    depth,
+                    number,
+                    duration,
+                    lambda piece: [f"b.timers[{timer!r}] = now + {piece.code}"],
+                )
+            case Assign(target=target, value=value):
+                self._computed(
+                    method, depth, number, value, lambda piece: self._assignment(region, target, value, piece)
+                )
+            case Evaluate(value=value):
+                self._computed(method, depth, number, value, lambda piece: [piece.code])
+
+    def _assignment(
+        self, region: int, target: VariableValue | Member, value: Value, piece: Piece
+    ) -> list[str]:
+        code = converted(piece, value.type, target.type)
+        if isinstance(target, Member):
+            return [f"b.fill({str(target.channel)!r}, {target.host!r}, {target.path!r}, {code})"]
+        lines = _Method(self._names(region))
+        self._write(lines, 0, region, target.name, code)
+        return lines.lines
+
+    def _computed(
+        self,
+        method: _Method,
+        depth: int,
+        number: int,
+        value: Value,
+        use: Callable[[Piece], list[str]],
+    ) -> None:
+        """Compute a value and use it; an absent or raising one is a fault."""
+        before, method.names.may_raise = method.names.may_raise, False
+        piece = evaluate(value, method.names)
+        raises, method.names.may_raise = method.names.may_raise, before
+        if raises:
+            method.add(depth, "try:")
+            depth += 1
+        if piece.needs:
+            method.add(depth, f"if {' and '.join(piece.needs)}:")
+            method.add(depth + 1, *use(piece))
+            method.add(depth, "else:", f"    self.fault({number}, ABSENT)")
+        else:
+            method.add(depth, *use(piece))
+        if raises:
+            method.add(depth - 1, "except Exception as error:", f"    self.fault({number}, error)")
+
+    # ---- the rest --------------------------------------------------------------------------
+
+    def _frame(self) -> None:
+        regions = self.flat.regions
+        plain = _Method(self._names(0))
+        plain.add(2, "return self._region_0(self.now)")
+        self._method("round(self) -> bool", "One round over all regions.", plain)
+        leave = _Method(self._names(0))
+        leave.add(2, "self._leave_0()")
+        self._method("leave(self) -> None", "Leave everything.", leave)
+        end = self.chart.end_of(self.chart.root.label)
+        finished = _Method(self._names(0))
+        finished.add(2, f"return self.r0 == {self.flat.leaf[end.label]}" if end else "return False")
+        self._method("is_finished(self) -> bool", "Whether the root's END is active.", finished)
+        boards = _Method(self._names(0))
+        parts = ["self.b0"]
+        parts += [f"self.b{r.number} if self.r{r.number} >= 0 else None" for r in regions[1:]]
+        boards.add(2, f"return ({', '.join(parts)},)")
+        self._method("boards(self) -> tuple[Board | None, ...]", "The blackboard of each region.", boards)
+        self._due()
+        self._configuration()
+
+    def _configuration(self) -> None:
+        names = {
+            region.number: tuple(
+                label
+                for node in self.flat.leaves(region.number)
+                for label in [node.label] * (2 if node.type is NodeType.BASIC else 1)
+            )
+            for region in self.flat.regions
+        }
+        self.tables += ["", "_LABELS: tuple[tuple[str, ...], ...] = ("]
+        self.tables += [f"    {labels!r}," for labels in names.values()]
+        self.tables += [")"]
+        method = _Method(self._names(0))
+        numbers = ", ".join(f"self.r{region.number}" for region in self.flat.regions)
+        method.add(
+            2,
+            f"numbers = ({numbers},)",
+            "return tuple(labels[n] for labels, n in zip(_LABELS, numbers, strict=True) if n >= 0)",
+        )
+        self._method("configuration(self) -> tuple[str, ...]", "The labels of the active leaves.", method)
+
+    def _due(self) -> None:
+        method = _Method(self._names(0))
+        if not self.flat.waits:
+            method.add(2, "return None")
+        else:
+            method.add(2, "best = NEVER")
+            for wait in self.flat.waits:
+                self._wait(method, wait)
+            method.add(2, "return None if best == NEVER else best")
+        self._method(
+            "due(self, now: int) -> int | None", "The next moment at which time alone may matter.", method
+        )
+
+    def _wait(self, method: _Method, wait: Wait) -> None:
+        region = self.flat.region_number[wait.source]
+        if wait.source in self.flat.leaf:
+            number = self.flat.leaf[wait.source]
+            is_basic = self.chart.node(wait.source).type is NodeType.BASIC
+            first, last = number, number + 1 if is_basic else number
+        else:
+            first, last = self.flat.range[wait.source]
+        where = f"self.r{region} == {first}" if first == last else f"{first} <= self.r{region} <= {last}"
+        method.add(2, f"if {where}:")
+        depth = 3
+        board = f"self.b{region}"
+        match wait.kind:
+            case "after":
+                method.add(depth, f"at = self.{self._time(wait.source)} + {wait.amount}")
+            case "timer":
+                method.add(depth, f"at = {board}.timers.get({wait.name!r}, NEVER)")
+            case _:
+                assert wait.member is not None
+                slot = self.slots[region][str(wait.member.channel), wait.member.host]
+                method.add(depth, f"if {board}.{slot} is not None:")
+                depth += 1
+                method.add(depth, f"at = {board}.{slot}_time + {wait.amount}")
+        method.add(depth, "if now < at < best:", "    best = at")
+
+
+def _read_by(action: Action) -> Iterable[Value]:
+    return values_of(TransitionExpression(actions=(action,)))
+
+
+def _docstring(text: str) -> str:
+    return text.replace("\\", "\\\\").replace('"', "'")
+
+
+def retention(system: System, chart: Statechart, flat: FlatChart | None = None) -> dict[str, int]:
+    """How long each data channel must be kept, in ns: the longest history that anything asks for."""
+    found = dict((flat or FlatChart(chart)).retention)
+    used = {node.activity for node in chart.nodes if node.activity}
+    for activity in system.activities:
+        if activity.name not in used:
+            continue
+        for subscription in activity.reads:
+            if subscription.channel is not None and subscription.channel.comm is Comm.DATA:
+                channel = str(subscription.channel)
+                found[channel] = max(found.get(channel, 0), subscription.history)
+    return {channel: found[channel] for channel in sorted(found)}
+
+
+__all__ = ["StepCode", "generate_step", "retention"]
