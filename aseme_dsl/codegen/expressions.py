@@ -43,7 +43,7 @@ class Piece:
 
     code: str
     needs: tuple[str, ...] = ()
-    known: Known = NOTHING
+    known: Known = field(default_factory=lambda: NOTHING)
 
 
 @dataclass

@@ -465,7 +465,8 @@ class _Generator:
         if way.branches:
             for branch in way.branches:
                 self._way(method, depth, region, source, leaf, complete, branch, taken)
-            method.add(depth, "pass")
+            if method.lines[-1].rstrip().endswith(":") or method.lines[-1].lstrip().startswith("#"):
+                method.add(depth, "pass")  # no branch may be taken before the source is complete
             return
         self._take(method, depth, region, source, leaf, complete, taken)
         method.add(depth, "return True")

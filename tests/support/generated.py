@@ -1,0 +1,83 @@
+"""From a text to the generated package, imported: for tests that run what the compiler makes."""
+
+from __future__ import annotations
+
+import importlib
+import itertools
+import sys
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from aseme_dsl.amola.system import System
+from aseme_dsl.backends.backend import BackendOptions
+from aseme_dsl.backends.monas import BACKEND
+from aseme_dsl.compiler import analyse
+from aseme_dsl.diagnostics import has_errors, render_text
+from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.plan import Plan
+from aseme_dsl.source import Source
+
+_numbers = itertools.count(1)
+
+
+@dataclass(frozen=True)
+class Generated:
+    """A compiled system with its generated package."""
+
+    system: System
+    package: ModuleType
+    folder: Path
+
+    @property
+    def messages(self) -> ModuleType:
+        return importlib.import_module(f"{self.package.__name__}.messages")
+
+    def plan(self, role: str) -> Plan:
+        return self.charts[role].PLAN
+
+    @property
+    def charts(self) -> dict[str, type[Chart]]:
+        return self.package.CHARTS  # type: ignore[no-any-return]
+
+    def chart(self, role: str, agent: str = "robot") -> Chart:
+        """A new instance of the step class of a role."""
+        return self.charts[role](agent)
+
+    def message(self, name: str, **members: Any) -> Any:
+        return getattr(self.messages, name)(**members)
+
+
+def system_of(text: str, sources: Mapping[str, str] | None = None) -> System:
+    """The system of a text that must compile."""
+    analysis = analyse(Source("test.aseme", text), sources=sources)
+    assert not has_errors(analysis.diagnostics), "\n" + render_text(analysis.diagnostics)
+    assert analysis.system is not None
+    return analysis.system
+
+
+def generate(text: str, sources: Mapping[str, str] | None = None) -> Generated:
+    """Compile a text, write its package into a temporary folder and import it."""
+    return imported(system_of(text, sources))
+
+
+def imported(system: System) -> Generated:
+    """Write the package of a system into a temporary folder and import it under a name of its own."""
+    root = Path(tempfile.mkdtemp(prefix="aseme-test-"))
+    name = f"generated_{next(_numbers)}"
+    for artefact in BACKEND.generate(system, BackendOptions()):
+        top, _, rest = artefact.path.partition("/")
+        folder = name if top == system.name else top
+        path = root / folder / rest
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(artefact.text, encoding="utf-8")
+    sys.path.insert(0, str(root))
+    try:
+        importlib.invalidate_caches()
+        package = importlib.import_module(name)
+    finally:
+        sys.path.remove(str(root))
+    return Generated(system, package, root)
