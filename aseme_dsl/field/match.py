@@ -18,9 +18,9 @@ from aseme_dsl.field.ball import Ball, roll
 from aseme_dsl.field.collision import Contact, keep_on_carpet, separate, touch_ball
 from aseme_dsl.field.command import Command, Walk
 from aseme_dsl.field.event import Event, EventKind
-from aseme_dsl.field.geometry import Pose, clamp, turned, unit, wrap
+from aseme_dsl.field.geometry import Point, Pose, clamp, turned, unit, wrap
 from aseme_dsl.field.noise import bell
-from aseme_dsl.field.percept import GameSeen, Percept, PlayerState, Posture
+from aseme_dsl.field.percept import GameSeen, Percept, PlayerState, Posture, SetPlay
 from aseme_dsl.field.radio import Radio, RadioCount, RadioSettings
 from aseme_dsl.field.referee import Referee, Rules, keep_distance, open_match, touched, watch
 from aseme_dsl.field.robot import (
@@ -51,7 +51,7 @@ HEADING_NOISE = 2.0
 """The same for its heading, degrees."""
 FALL_SPEED = 25.0
 """Robots that run into each other faster than this may fall, cm/s …"""
-FALL_PROBABILITY = 0.004
+FALL_PROBABILITY = 0.002
 """… each with this probability per step."""
 
 # The error of the pose wanders: in one picture this much of it is kept, and the rest of its spread is new.
@@ -269,6 +269,29 @@ class Match:
             for robot in self._robots
         )
         return Truth(self._now_ns, self._referee.state, BallTruth(ball.x, ball.y, ball.vx, ball.vy), robots)
+
+    def put_ball(self, place: Point, vx: float = 0.0, vy: float = 0.0) -> None:
+        """Lay the ball somewhere, or let it roll from there with (vx, vy) cm/s: for training and tests.
+
+        It counts as touched by nobody, and a set play ends.
+        """
+        self._referee.touched_by = self._referee.touched_before_by = None
+        self._referee.set_play = SetPlay.NONE
+        self._ball.put(place.x, place.y)
+        self._ball.vx, self._ball.vy = vx, vy
+        self._trail.append(TrailPoint(self._now_ns, self._trail[-1].x, self._trail[-1].y, False))
+
+    def put_robot(self, name: str, pose: Pose, posture: Posture = Posture.STANDING) -> None:
+        """Set a robot down somewhere, as the home team sees the field: for training and tests.
+
+        Raises KeyError if nobody has that name.
+        """
+        robot = next((robot for robot in self._robots if robot.name == name), None)
+        if robot is None:
+            raise KeyError(name)
+        robot.raise_up()
+        robot.put(pose)
+        robot.posture = posture
 
     def advance(self, until_ns: int) -> None:
         """Play every step that ends at or before ``until_ns``. Raises ValueError for a time gone by."""

@@ -23,7 +23,7 @@ from aseme_dsl.field.field import (
 )
 from aseme_dsl.field.geometry import Pose, length, turned
 from aseme_dsl.field.percept import GameSeen, PlayerState, Posture, SetPlay
-from aseme_dsl.field.robot import RADIUS, TOUCH, Robot
+from aseme_dsl.field.robot import DIVE_REACH, RADIUS, TOUCH, Robot
 from aseme_dsl.field.team import TeamSheet, kick_off_places
 
 SECOND = 1_000_000_000
@@ -39,6 +39,8 @@ STUCK_MOVE = 30.0
 """A ball that moves less than this with both teams around it is stuck, cm."""
 SCRUM = 50.0
 """A robot this near to the ball is in the fight for it, cm."""
+PUT_CLEARANCE = 3.0
+"""Nobody stands nearer than this to a ball that is laid down, cm."""
 PUSH_SPEED = 8.0
 """Who walks into an opponent faster than this pushes, cm/s."""
 
@@ -196,7 +198,7 @@ def watch(
     robots: Sequence[Robot],
     contacts: Sequence[Contact],
 ) -> None:
-    """Look at the field after the step that ends at ``now_ns``; ``before`` it the ball was there."""
+    """Look at the field after the step that ends at ``now_ns``; the ball came from ``before``."""
     if referee.state is PlayerState.FINISHED:
         return
     if referee.half_ends_ns is not None and now_ns >= referee.half_ends_ns:
@@ -216,7 +218,7 @@ def watch(
             _enter(referee, now_ns, PlayerState.SET, ball)
     elif referee.state is PlayerState.SET:
         if passed >= rules.set_ns:
-            _kick_off(referee, now_ns, ball)
+            _kick_off(referee, now_ns, ball, robots)
     else:
         _watch_play(referee, now_ns, step_ns, ball, before, robots, contacts)
 
@@ -227,11 +229,11 @@ def _enter(referee: Referee, now_ns: int, state: PlayerState, ball: Ball) -> Non
     referee.note(now_ns, EventKind.STATE, ball, detail=state.name)
 
 
-def _kick_off(referee: Referee, now_ns: int, ball: Ball) -> None:
+def _kick_off(referee: Referee, now_ns: int, ball: Ball, robots: Sequence[Robot]) -> None:
     _enter(referee, now_ns, PlayerState.PLAYING, ball)
     if referee.half_ends_ns is None:
         referee.half_ends_ns = now_ns + referee.rules.half_ns
-    _put_ball(referee, now_ns, ball, 0.0, 0.0)
+    _put_ball(referee, now_ns, ball, 0.0, 0.0, robots)
     referee.straight_from_kick_off = True
     referee.set_play, referee.set_play_team = SetPlay.KICK_OFF, referee.kicking
     referee.note(now_ns, EventKind.KICK_OFF, ball, team=referee.sheets[referee.kicking].name)
@@ -268,12 +270,12 @@ def _watch_play(
     ):
         referee.set_play = SetPlay.NONE
     if abs(ball.x) > HALF_LENGTH + balls.RADIUS or abs(ball.y) > HALF_WIDTH + balls.RADIUS:
-        _ball_out(referee, now_ns, ball, before)
+        _ball_out(referee, now_ns, ball, before, robots)
     elif abs(ball.x - referee.stuck_x) > STUCK_MOVE or abs(ball.y - referee.stuck_y) > STUCK_MOVE:
         referee.stuck_x, referee.stuck_y, referee.stuck_since_ns = ball.x, ball.y, now_ns
     elif now_ns - referee.stuck_since_ns >= referee.rules.stuck_ns:
         if len({robot.team for robot in robots if _in_scrum(robot, ball)}) == 2:
-            _put_ball(referee, now_ns, ball, 0.0, 0.0)
+            _put_ball(referee, now_ns, ball, 0.0, 0.0, robots)
             referee.note(now_ns, EventKind.DROPPED_BALL, ball)
         referee.stuck_since_ns = now_ns
     _watch_robots(referee, now_ns, step_ns, ball, robots, contacts)
@@ -283,7 +285,9 @@ def _in_scrum(robot: Robot, ball: Ball) -> bool:
     return not robot.penalised and length(robot.x - ball.x, robot.y - ball.y) <= SCRUM
 
 
-def _ball_out(referee: Referee, now_ns: int, ball: Ball, before: tuple[float, float]) -> None:
+def _ball_out(
+    referee: Referee, now_ns: int, ball: Ball, before: tuple[float, float], robots: Sequence[Robot]
+) -> None:
     """The whole ball is over a line: a goal, or it is put back for the other team."""
     x, y, over = _crossing(ball, before)
     side = 1 if x > 0.0 else -1
@@ -295,7 +299,7 @@ def _ball_out(referee: Referee, now_ns: int, ball: Ball, before: tuple[float, fl
                 now_ns, EventKind.NO_GOAL, ball, team=referee.sheets[attacking].name, robot=last.name
             )
         else:
-            _goal(referee, now_ns, ball, attacking)
+            _goal(referee, now_ns, ball, attacking, robots)
             return
     else:
         who = {} if last is None else {"team": referee.sheets[last.team].name, "robot": last.name}
@@ -313,7 +317,7 @@ def _ball_out(referee: Referee, now_ns: int, ball: Ball, before: tuple[float, fl
     else:
         what = SetPlay.GOAL_KICK
         x, y = (HALF_LENGTH - GOAL_AREA_DEPTH) * side, GOAL_AREA_HALF_WIDTH * y_side
-    _put_ball(referee, now_ns, ball, x, y)
+    _put_ball(referee, now_ns, ball, x, y, robots)
     referee.set_play, referee.set_play_team = what, taker
     detail = what.name.lower().replace("_", " ")
     referee.note(now_ns, EventKind.SET_PLAY, ball, team=referee.sheets[taker].name, detail=detail)
@@ -335,7 +339,7 @@ def _crossing(ball: Ball, before: tuple[float, float]) -> tuple[float, float, st
     return before[0] + share * (ball.x - before[0]), before[1] + share * (ball.y - before[1]), line
 
 
-def _goal(referee: Referee, now_ns: int, ball: Ball, scoring: int) -> None:
+def _goal(referee: Referee, now_ns: int, ball: Ball, scoring: int, robots: Sequence[Robot]) -> None:
     referee.score[scoring] += 1
     last, before = referee.touched_by, referee.touched_before_by
     team = referee.sheets[scoring].name
@@ -347,16 +351,25 @@ def _goal(referee: Referee, now_ns: int, ball: Ball, scoring: int) -> None:
     else:
         referee.note(now_ns, EventKind.GOAL, ball, team=team, robot=last.name, detail="own goal")
     referee.kicking = 1 - scoring
-    _put_ball(referee, now_ns, ball, 0.0, 0.0)
+    _put_ball(referee, now_ns, ball, 0.0, 0.0, robots)
     _enter(referee, now_ns, PlayerState.READY, ball)
 
 
-def _put_ball(referee: Referee, now_ns: int, ball: Ball, x: float, y: float) -> None:
+def _put_ball(referee: Referee, now_ns: int, ball: Ball, x: float, y: float, robots: Sequence[Robot]) -> None:
+    """Lay the ball down, and have robots that stand in its place step aside: they have not touched it."""
     ball.put(x, y)
     referee.touched_by = referee.touched_before_by = None
     referee.straight_from_kick_off = False
     referee.set_play_since_ns = referee.stuck_since_ns = now_ns
     referee.stuck_x, referee.stuck_y = x, y
+    for robot in robots:
+        clear = TOUCH + PUT_CLEARANCE + (DIVE_REACH if robot.dived else 0.0)
+        dx, dy = robot.x - x, robot.y - y
+        away = length(dx, dy)
+        if away < clear and not robot.penalised:
+            if away == 0.0:
+                dx, away = (-1.0 if robot.team == 0 else 1.0), 1.0
+            robot.x, robot.y = x + dx / away * clear, y + dy / away * clear
 
 
 def _watch_robots(

@@ -19,12 +19,14 @@ from collections.abc import Sequence
 from aseme_dsl.field.ball import DECELERATION
 from aseme_dsl.field.command import Dive, Kick, Motion, Stand, Walk
 from aseme_dsl.field.field import (
+    CENTRE_CIRCLE_RADIUS,
     GOAL_HALF_WIDTH,
     HALF_LENGTH,
     HALF_WIDTH,
     OPPONENTS_GOAL,
     OWN_GOAL,
     PENALTY_AREA_DEPTH,
+    PENALTY_MARK,
 )
 from aseme_dsl.field.geometry import (
     Point,
@@ -37,7 +39,7 @@ from aseme_dsl.field.geometry import (
     unit,
     wrap,
 )
-from aseme_dsl.field.percept import BallSeen, Percept, Posture, RobotSeen
+from aseme_dsl.field.percept import BallSeen, Percept, Posture, RobotSeen, SetPlay
 from aseme_dsl.field.robot import (
     FORWARD_SPEED,
     HEAD_LIMIT,
@@ -51,6 +53,8 @@ from aseme_dsl.field.robot import (
 
 AIM_ERROR = 25.0
 """A robot that stands turned away from its aim by no more than this kicks round the rest, degrees."""
+NARROW = 8.0
+"""A goal that is seen under a smaller angle is not worth a shot, degrees."""
 CIRCLE = 40.0
 """The distance from the ball at which a robot walks round it, cm."""
 NEAR = 75.0
@@ -94,8 +98,8 @@ def gap(ball_distance: float) -> float:
 def walk_to(pose: Pose, place: Point | Pose, heading: float | None = None, speed: float = 1.0) -> Walk:
     """Walk to a place and stop there, in the end with a heading (None: any).
 
-    From afar the robot turns and walks straight on; near the place it walks sideways, too. ``speed`` is a share
-    of the fastest walk.
+    From afar the robot turns and walks straight on; near the place it walks sideways, too. ``speed`` is a
+    share of the fastest walk.
     """
     away = distance(pose, place)
     aside = bearing(pose, place)
@@ -176,7 +180,13 @@ def kick(pose: Pose, ball: Point, target: Point, beyond: float = 0.0) -> Kick:
 
 
 def aim(percept: Percept, ball: Point) -> Point:
-    """Where in the opponents' goal to shoot: where the robots that are seen leave most room."""
+    """Where to shoot: where in the opponents' goal the robots that are seen leave most room.
+
+    From beside the goal, where it is too narrow to hit, the penalty mark: there a team mate may wait.
+    """
+    left, right = Point(HALF_LENGTH, GOAL_HALF_WIDTH), Point(HALF_LENGTH, -GOAL_HALF_WIDTH)
+    if abs(wrap(towards(ball, left) - towards(ball, right))) < NARROW:
+        return Point(HALF_LENGTH - PENALTY_MARK, 0.0)
     seen = [place_of(percept.pose, robot.distance, robot.bearing) for robot in percept.robots]
     before = [robot for robot in seen if robot.x > ball.x]
     best, room = OPPONENTS_GOAL, -1.0
@@ -192,13 +202,19 @@ def aim(percept: Percept, ball: Point) -> Point:
 
 
 def shoot(pose: Pose, ball: Point, target: Point = OPPONENTS_GOAL) -> Kick:
-    """A shot at goal: as strong as it goes, unless the target is near."""
-    return kick(pose, ball, target, beyond=250.0)
+    """A kick at what :func:`aim` chose: a shot at goal goes hard, a cross comes to rest."""
+    return kick(pose, ball, target, beyond=250.0 if target.x >= HALF_LENGTH else 20.0)
 
 
 def pass_to(pose: Pose, ball: Point, mate: Point | Pose) -> Kick:
     """A pass that comes to rest a little behind a team mate."""
     return kick(pose, ball, Point(mate.x, mate.y), beyond=30.0)
+
+
+def kick_off(pose: Pose, ball: Point) -> Kick:
+    """A kick that plays the ball just out of the centre circle: a shot from there would not count."""
+    ahead = Point(ball.x + CENTRE_CIRCLE_RADIUS, ball.y)
+    return kick(pose, ball, ahead, beyond=25.0)
 
 
 def clear(pose: Pose, ball: Point) -> Kick:
@@ -215,11 +231,16 @@ def recover(percept: Percept) -> Motion | None:
 
 
 def attack(percept: Percept, ball: Point, target: Point = OPPONENTS_GOAL, speed: float = 1.0) -> Motion:
-    """Get up, line up behind the ball, and shoot it at the target: the whole of a simple striker."""
+    """Get up, line up behind the ball, and shoot it at the target: the whole of a simple striker.
+
+    From the kick-off, from where no goal counts, it plays the ball a little ahead instead.
+    """
     up = recover(percept)
     if up is not None:
         return up
     if can_kick(percept, ball, target):
+        if percept.game.set_play is SetPlay.KICK_OFF:
+            return kick_off(percept.pose, ball)
         return shoot(percept.pose, ball, target)
     walk = line_up(percept.pose, ball, target, speed)
     return avoid(walk, percept.robots, distance(percept.pose, ball))
