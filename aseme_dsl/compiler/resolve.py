@@ -2,74 +2,167 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 
-from aseme_dsl.amola.messages import (
-    Channel,
-    ChannelRules,
-    EnumType,
-    Function,
-    Message,
-    ProtoFile,
-    Topic,
-    Type,
-)
-from aseme_dsl.amola.system import Team
-from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.amola.messages import Function, Type
+from aseme_dsl.amola.system import Agent, Team
+from aseme_dsl.compiler.builtins import FORMS, FUNCTIONS, reserved
+from aseme_dsl.compiler.collector import Collector, type_named
+from aseme_dsl.compiler.message_types import enums, imported_types, messages
+from aseme_dsl.compiler.names import declared_twice, unknown
+from aseme_dsl.compiler.symbols import Symbols
+from aseme_dsl.compiler.topics import check_radio, topics
+from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
 from aseme_dsl.interop.proto import ProtoImport
+from aseme_dsl.source import Span
 
+__all__ = ["Symbols", "resolve"]
 
-@dataclass(frozen=True)
-class Symbols:
-    """Everything that has a name in the whole system. Sequences are in document order, imports first."""
+MOST_AGENTS = 1000
 
-    system: tree.System | None = None
-    enums: tuple[EnumType, ...] = ()
-    messages: tuple[Message, ...] = ()
-    topics: tuple[Topic, ...] = ()
-    functions: tuple[Function, ...] = ()  # the declared ones; built-in ones are in compiler/builtins.py
-    lets: tuple[tree.Let, ...] = ()  # those of files; typed by scope.global_scope
-    teams: tuple[Team, ...] = ()
-    protos: tuple[ProtoFile, ...] = ()
-
-    def enum(self, name: str) -> EnumType | None:
-        raise NotImplementedError
-
-    def message(self, name: str) -> Message | None:
-        raise NotImplementedError
-
-    def topic(self, name: str) -> Topic | None:
-        raise NotImplementedError
-
-    def type_named(self, name: str) -> Type | None:
-        """The built-in type, enum or message of this name."""
-        raise NotImplementedError
-
-    def channel(self, channel: Channel) -> ChannelRules | None:
-        raise NotImplementedError
-
-    def overloads(self, name: str) -> tuple[Function, ...]:
-        """The functions of this name, the built-in ones included."""
-        raise NotImplementedError
-
-    @property
-    def agents(self) -> frozenset[str]:
-        """The names of all agents of all teams: the hosts that a variable may name."""
-        raise NotImplementedError
-
-    def topics_reached(self, topic: str, reach: str) -> tuple[Topic, ...]:
-        """The topics that `reach` ("on", "above", "below", "around") means, `topic` itself included."""
-        raise NotImplementedError
+_TARGET = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*:[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", re.ASCII)
 
 
 def resolve(
     files: Sequence[tree.File], protos: Sequence[ProtoImport] = ()
 ) -> tuple[Symbols, tuple[Diagnostic, ...]]:
-    """Collect the declarations of `files`, with every duplicate, unknown type, reserved name and bad number reported.
+    """Collect the declarations of `files`; duplicates, unknown types, reserved names, … are reported.
 
     Also checked here: that there is at most one `system`, and that every agent's role is an `srm` or a
     `statechart` (E207).
     """
-    raise NotImplementedError
+    collector = Collector(files)
+    imported_enums, imported_messages, imported_files = imported_types(collector, protos)
+    all_enums = imported_enums + enums(collector)
+    own_messages = messages(collector, {item.name for item in all_enums}, imported_messages)
+    symbols = Symbols(
+        system=_system(collector),
+        enums=all_enums,
+        messages=imported_messages + own_messages,
+        protos=imported_files,
+        teams=_teams(collector),
+        wrong=frozenset(collector.wrong),
+    )
+    symbols = replace(
+        symbols,
+        topics=topics(collector, symbols),
+        functions=_functions(collector, symbols),
+        lets=_lets(collector),
+    )
+    check_radio(collector, symbols)
+    return replace(symbols, wrong=frozenset(collector.wrong)), tuple(collector.diagnostics)
+
+
+def _system(collector: Collector) -> tree.System | None:
+    first = None
+    for item in collector.every(tree.System):
+        if first is None:
+            first = item
+            continue
+        hint = None
+        if first.span.source is not item.span.source:
+            hint = "one of the imported files is a system of its own: move what both need into a third file"
+        related = Related(first.name.span, "first declared here")
+        collector.report("E201", "a system is declared twice", item.name.span, hint, related)
+    return first
+
+
+def _functions(collector: Collector, symbols: Symbols) -> tuple[Function, ...]:
+    found: dict[tuple[str, tuple[Type, ...]], Function] = {}
+    built_in = {item.name for item in FUNCTIONS} | set(FORMS)
+    enum_names = [item.name for item in symbols.enums]
+    message_names = [item.name for item in symbols.messages]
+    for item in collector.every(tree.Function):
+        name = item.name.text
+        reason = f"`{name}` is built in" if name in built_in else reserved(name)
+        if reason is not None:
+            collector.report("E202", f"a function cannot be called `{name}`", item.name.span, reason)
+            continue
+        kinds = [
+            type_named(collector, parameter.type, enum_names, message_names) for parameter in item.parameters
+        ]
+        result = type_named(collector, item.result, enum_names, message_names)
+        if not _TARGET.fullmatch(item.target.text):
+            collector.report(
+                "E214",
+                f"`{item.target.text}` does not say where the Python function is",
+                item.target.span,
+                'it is written "module:name", say "team.conditions:can_kick"',
+            )
+        seen: dict[str, Span] = {}
+        for parameter in item.parameters:
+            if parameter.name.text in seen:
+                first = seen[parameter.name.text]
+                collector.diagnostics.append(declared_twice("the parameter", parameter.name, first))
+            seen.setdefault(parameter.name.text, parameter.name.span)
+        if result is None or None in kinds:
+            collector.wrong.add(name)
+            continue
+        types = tuple(kind for kind in kinds if kind is not None)
+        function = Function(
+            name,
+            tuple(zip((parameter.name.text for parameter in item.parameters), types, strict=True)),
+            result,
+            item.target.text,
+            item.name.span,
+        )
+        first_one = found.setdefault((name, types), function)
+        if first_one is not function:
+            shown = ", ".join(str(kind) for kind in types)
+            collector.report(
+                "E201",
+                f"the function `{name}({shown})` is declared twice",
+                item.name.span,
+                "functions of one name differ in the types of their parameters",
+                Related(first_one.span, "first declared here"),
+            )
+    return tuple(found.values())
+
+
+def _lets(collector: Collector) -> tuple[tree.Let, ...]:
+    found: dict[str, tree.Let] = {}
+    for item in collector.every(tree.Let):
+        reason = reserved(item.name.text)
+        if reason is not None:
+            collector.report("E202", f"a let cannot be called `{item.name}`", item.name.span, reason)
+        first = found.setdefault(item.name.text, item)
+        if first is not item:
+            collector.diagnostics.append(declared_twice("the let", item.name, first.name.span))
+    return tuple(found.values())
+
+
+def _teams(collector: Collector) -> tuple[Team, ...]:
+    roles = {item.name.text for item in collector.every(tree.Srm)}
+    roles |= {item.name.text for item in collector.every(tree.Statechart)}
+    found: dict[str, Team] = {}
+    for item in collector.every(tree.Team):
+        team = Team(item.name.text, _agents(collector, item, roles), item.name.span)
+        first = found.setdefault(team.name, team)
+        if first is not team:
+            collector.diagnostics.append(declared_twice("the team", item.name, first.span))
+    return tuple(found.values())
+
+
+def _agents(collector: Collector, team: tree.Team, roles: set[str]) -> tuple[Agent, ...]:
+    found: dict[str, Agent] = {}
+    for line in team.agents:
+        if line.role.text not in roles:
+            collector.diagnostics.append(
+                unknown("E207", "there is no role", line.role, roles, "a role is an `srm` or a `statechart`")
+            )
+        for name, many in line.names:
+            if many is not None and not 0 <= many[1] - many[0] < MOST_AGENTS:
+                what = "is empty" if many[1] < many[0] else f"has more than {MOST_AGENTS} agents"
+                collector.report("E215", f"`{name}[{many[0]}..{many[1]}]` {what}", name.span)
+                continue
+            numbers = [""] if many is None else [str(number) for number in range(many[0], many[1] + 1)]
+            for number in numbers:
+                agent = Agent(name.text + number, line.role.text, name.span)
+                first = found.setdefault(agent.name, agent)
+                if first is not agent:
+                    called = tree.Name(agent.name, name.span)
+                    collector.diagnostics.append(declared_twice("the agent", called, first.span))
+    return tuple(found.values())

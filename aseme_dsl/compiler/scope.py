@@ -86,5 +86,5 @@ def protocol_scopes(
 def type_variables(
     variables: Sequence[tree.Var], scope: Scope
 ) -> tuple[tuple[DeclaredVariable, ...], tuple[Diagnostic, ...]]:
-    """Variables with their types and initial values; without one they start with 0, false, "" or the first constant."""
+    """Variables with their types and initial values; by default 0, false, "" or the first constant."""
     raise NotImplementedError

@@ -52,6 +52,10 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E211": ("error", "a message that does not fit the radio"),
     "E212": ("error", "a clause names something that is not there"),
     "E213": ("error", "a name that means several things"),
+    "E214": ("error", "a function without a Python function to call"),
+    "E215": ("error", "a range that is empty or too large"),
+    "E216": ("error", "an enum without constants"),
+    "E217": ("error", "topics that are below each other"),
     "W200": ("warning", "a name that is close to a declared one"),
     "W201": ("warning", "an activity without code and without a duration"),
     # Formulas (E3xx)
@@ -99,6 +103,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E512": ("error", "an unknown performative"),
     "E513": ("error", "an unknown host"),
     "E514": ("error", "an initial value that is not a constant"),
+    "E515": ("error", "a duration that is not a constant"),
+    "E516": ("error", "a number that is too large"),
     "W500": ("warning", "an action that no one sees"),
     "W501": ("warning", "a timer that is never started"),
     # Statecharts (E6xx): the structural rules of the papers' tools

@@ -1,0 +1,80 @@
+"""Radio: how many bytes a message takes on the bodies' small radio, member by member.
+
+A message travels as one byte that says which it is and then its members in order: bool 1 byte, enum 1,
+int 4 (signed), double 4 (single precision), duration 4 (whole milliseconds, signed). An optional member has
+one byte before it that says whether it is there; the members of a message inside stand in its place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from aseme_dsl.amola.messages import EnumType, Field, Kind, Message
+
+KIND_BYTES = 1
+SIZES = {Kind.BOOL: 1, Kind.ENUM: 1, Kind.INT: 4, Kind.DOUBLE: 4, Kind.DURATION: 4}
+MOST_KINDS = 256
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A member that is sent, by its path; `size` includes the byte of an optional one."""
+
+    path: tuple[Field, ...]
+    size: int
+
+    @property
+    def name(self) -> str:
+        return ".".join(field.name for field in self.path)
+
+
+@dataclass(frozen=True, slots=True)
+class Unfit:
+    """A member that no radio message can have, and why."""
+
+    path: tuple[Field, ...]
+    why: str
+
+    @property
+    def name(self) -> str:
+        return ".".join(field.name for field in self.path)
+
+
+def parts(
+    message: Message,
+    message_named: Callable[[str], Message | None],
+    enum_named: Callable[[str], EnumType | None],
+) -> tuple[Part | Unfit, ...]:
+    """What is sent for `message`, in order. An optional message inside is a part of its own, of one byte."""
+    found: list[Part | Unfit] = []
+    stack: list[tuple[tuple[Field, ...], tuple[str, ...]]] = [
+        ((field,), (message.name,)) for field in reversed(message.fields)
+    ]
+    while stack:
+        path, around = stack.pop()
+        field = path[-1]
+        extra = 1 if field.label == "optional" else 0
+        if field.label == "repeated":
+            found.append(Unfit(path, "it is repeated"))
+        elif field.type.kind is Kind.MESSAGE:
+            inner = message_named(field.type.name)
+            if inner is None:
+                continue
+            if inner.name in around:
+                found.append(Unfit(path, f"`{inner.name}` contains itself"))
+                continue
+            if extra:
+                found.append(Part(path, extra))
+            stack += [((*path, item), (*around, inner.name)) for item in reversed(inner.fields)]
+        elif field.type.kind is Kind.ENUM:
+            enum = enum_named(field.type.name)
+            if enum is not None and any(not 0 <= number <= 255 for _, number in enum.constants):
+                found.append(Unfit(path, f"a number of `{enum.name}` does not fit one byte"))
+            else:
+                found.append(Part(path, extra + SIZES[Kind.ENUM]))
+        elif field.type.kind in SIZES:
+            found.append(Part(path, extra + SIZES[field.type.kind]))
+        else:
+            found.append(Unfit(path, f"a {field.type} may be of any length"))
+    return tuple(found)

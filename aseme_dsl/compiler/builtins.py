@@ -1,0 +1,62 @@
+"""Builtins: the functions that need no import, and the names that nothing in a document can have."""
+
+from __future__ import annotations
+
+from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, Comm, Function, Type
+from aseme_dsl.source import Source, Span
+
+NOWHERE = Span(Source("<built in>", ""), 0, 0)
+"""The place of what no document declares."""
+
+
+def _same(name: str, count: int, kind: Type) -> Function:
+    names = ("a", "b")[:count]
+    return Function(name, tuple((item, kind) for item in names), kind, f"builtin:{name}", NOWHERE)
+
+
+FUNCTIONS: tuple[Function, ...] = tuple(
+    _same(name, count, kind)
+    for name, count in (("abs", 1), ("min", 2), ("max", 2))
+    for kind in (INT, DOUBLE, DURATION)
+)
+"""`abs`, `min` and `max`: of ints, doubles and durations."""
+
+FORMS: dict[str, str] = {
+    "has": "has(topic.state.Message)",
+    "age": "age(topic.state.Message)",
+    "at": "at(topic.data.Message.member, -200ms)",
+    "mean": "mean(topic.data.Message.member, 500ms)",
+    "expired": "expired(timer)",
+    "start_timer": "start_timer(timer, 200ms)",
+}
+"""What looks like a function and is part of the language, with an example of its use."""
+
+COMM_TYPES = tuple(comm.value for comm in Comm)
+WORDS = frozenset("else when and or not true false read_messages write_messages".split())
+OTHER_SPELLINGS = {
+    "float": "double",
+    "float32": "double",
+    "float64": "double",
+    "real": "double",
+    "number": "double",
+    "boolean": "bool",
+    "str": "string",
+    "text": "string",
+    "integer": "int",
+    "long": "int",
+    "int32": "int",
+    "int64": "int",
+    "uint32": "int",
+    "uint64": "int",
+    "time": "duration",
+}
+"""What other languages call a built-in type."""
+
+
+def reserved(name: str) -> str | None:
+    """Why nothing in a document can have this name, or None."""
+    if name in BUILT_IN:
+        return f"`{name}` is a built-in type"
+    if name in WORDS:
+        return f"`{name}` is a word of the expressions"
+    return None

@@ -1,0 +1,35 @@
+"""Names: the diagnostics about names that every phase gives in the same words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.grammar import tree
+from aseme_dsl.source import Span
+
+
+def unknown(
+    code: str, what: str, name: tree.Name, candidates: Iterable[str], hint: str | None = None
+) -> Diagnostic:
+    """`name` is not declared; a declared one that is close is offered, else `hint`, else all."""
+    pool = sorted(set(candidates))
+    near = closest(name.text, pool)
+    if near:
+        hint = f"did you mean `{near}`?"
+    elif hint is None and 0 < len(pool) <= 8:
+        hint = "there " + ("is " if len(pool) == 1 else "are ") + listed(pool)
+    return Diagnostic(code, f"{what} `{name.text}`", name.span, hint=hint, fix=near)
+
+
+def declared_twice(what: str, name: tree.Name, first: Span) -> Diagnostic:
+    """`name` has a declaration already, at `first`."""
+    return Diagnostic(
+        "E201", f"{what} `{name.text}` is declared twice", name.span, (Related(first, "first declared here"),)
+    )
+
+
+def listed(names: Iterable[str], word: str = "and") -> str:
+    """`a`, `b` and `c`."""
+    shown = [f"`{name}`" for name in names]
+    return " ".join([", ".join(shown[:-1]), word, shown[-1]]) if len(shown) > 1 else "".join(shown)
