@@ -1,0 +1,879 @@
+"""The oracle: an interpreter of the semantics that works on a plan, as plain as its text.
+
+What the text says stands in quotation marks above what does it. Everything is kept in sets and dictionaries
+of labels and looked up again whenever it is needed: nothing here is fast, and nothing here is clever.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from importlib import import_module
+from math import floor
+from typing import Any
+
+from aseme_dsl.runtime.inputs import (
+    Arrived,
+    Cancel,
+    Completed,
+    Crashed,
+    Fault,
+    FunctionResult,
+    Happened,
+    Identity,
+    Input,
+    Joined,
+    Left,
+    Mail,
+    MailTaken,
+    Outcome,
+    Publication,
+    Sending,
+    Start,
+    Written,
+)
+from aseme_dsl.runtime.plan import Plan, Term, Transition
+
+ROUNDS = 1000
+"""The "bound" of a step."""
+
+
+class Absent:
+    """A value that is not there: "a message that has not arrived", and what is computed from one."""
+
+    def __repr__(self) -> str:
+        return "absent"
+
+
+ABSENT = Absent()
+
+
+@dataclass
+class Region:
+    """What one active region has: its blackboard, its drafts, its timers and its copy of the variables."""
+
+    label: str
+    states: dict[str, list[Arrived]] = field(default_factory=dict)
+    data: dict[str, list[Arrived]] = field(default_factory=dict)
+    signals: dict[str, list[Arrived]] = field(default_factory=dict)
+    timers: dict[str, int] = field(default_factory=dict)
+    drafts: dict[tuple[str, str | None], dict[tuple[str, ...], Any]] = field(default_factory=dict)
+    variables: dict[str, Any] = field(default_factory=dict)
+    asked: list[Arrived] = field(default_factory=list)
+    """The signals that were looked at in this step."""
+    seen: dict[tuple[str, str | None], Arrived | None] = field(default_factory=dict)
+    """What was seen when a signal channel was last looked at in this step."""
+    read_ahead: set[Identity] = field(default_factory=set)
+    """What `read_messages` has put on the board before it comes as an input."""
+
+    def put(self, message: Arrived, queued: bool) -> None:
+        """Write a message onto the blackboard.
+
+        "`state`: the latest value of each sender (and of any). `data`: values with their time of measurement.
+        `signal`: … a newer one of the same sender, topic and type replaces an unread one unless the topic
+        says `queued`" (and takes its place in the order of arrival).
+        """
+        kind = message.channel.split(".")[1]
+        if kind == "state":
+            self.states.setdefault(message.channel, []).append(message)
+        elif kind == "data":
+            self.data.setdefault(message.channel, []).append(message)
+        else:
+            waiting = self.signals.setdefault(message.channel, [])
+            of_the_same_sender = [n for n, other in enumerate(waiting) if other.sender == message.sender]
+            if of_the_same_sender and not queued:
+                waiting[of_the_same_sender[0]] = message
+            else:
+                waiting.append(message)
+
+    def sees(self, channel: str, host: str | None) -> Arrived | None:
+        """What an expression sees: the latest state, the oldest waiting signal, the newest data."""
+        kind = channel.split(".")[1]
+        if kind == "state":
+            found = of_sender(self.states.get(channel, []), host)
+            return found[-1] if found else None
+        if kind == "signal":
+            found = of_sender(self.signals.get(channel, []), host)
+            return found[0] if found else None
+        return newest(of_sender(self.data.get(channel, []), host))
+
+    def look_at(self, channel: str, host: str | None) -> None:
+        """ "Whenever a condition that names a signal channel is evaluated … that channel is asked." """
+        message = self.sees(channel, host)
+        self.seen[channel, host] = message
+        if message is not None:
+            self.asked.append(message)
+
+    def drop(self, message: Arrived) -> bool:
+        """Take a signal away if it is still the same one; whether it was."""
+        waiting = self.signals.get(message.channel, [])
+        for n, other in enumerate(waiting):
+            if other is message:
+                del waiting[n]
+                return True
+        return False
+
+
+def of_sender(messages: list[Arrived], host: str | None) -> list[Arrived]:
+    return [message for message in messages if host is None or message.sender == host]
+
+
+def newest(messages: list[Arrived]) -> Arrived | None:
+    """The one measured last; of several measured at one moment the one that came last."""
+    found = None
+    for message in messages:
+        if found is None or message.time >= found.time:
+            found = message
+    return found
+
+
+class Reference:
+    """A running chart, like the generated step classes but interpreted from the plan's words.
+
+    `messages` gives the class of each message by its name. `pending` gives what has arrived since the step
+    began, for `read_messages`.
+    """
+
+    def __init__(self, plan: Plan, agent: str, messages: Mapping[str, Any]) -> None:
+        self.plan = plan
+        self.agent = agent
+        self.messages = messages
+        self.pending: Callable[[], Iterable[Arrived]] = tuple
+
+        self.now = 0
+        self.started = False
+        self.finished = False
+        self.failure: str | None = None
+
+        self.active: set[str] = set()
+        self.complete: set[str] = set()
+        """BASIC states whose activity has completed."""
+        self.failed: dict[str, str] = {}
+        """BASIC states whose activity has failed, with the reason."""
+        self.entered: dict[str, int] = {}
+        """When each active state was entered."""
+        self.token: dict[str, int] = {}
+        """With which token the activity of a BASIC state was started last."""
+        self.tokens = 0
+
+        self.regions: dict[str, Region] = {}
+        """The active regions by label."""
+        self.initial = {variable.name: variable.initial for variable in plan.variables}
+        self.writes: list[tuple[str, str, Any]] = []
+        """The writes of the step to variables: (region, variable, value)."""
+        self.mailbox: dict[str, list[Mail]] = {branch.label: [] for branch in plan.branches}
+        self.events: set[str] = set()
+        self.spent: set[tuple[str, str]] = set()
+        """(region, event): what a region has spent in this step."""
+        self.faulty: set[int] = set()
+        """Transitions of which a fault was recorded in this step."""
+        self.outcome = Outcome()
+
+    # ---- what the plan says -----------------------------------------------------------------
+
+    def type_of(self, label: str) -> str:
+        return self.plan.by_label[label].type
+
+    def children(self, label: str) -> list[str]:
+        """The states directly inside, in document order."""
+        return [state.label for state in self.plan.children(label)]
+
+    def root(self) -> str:
+        return next(state.label for state in self.plan.states if state.parent is None)
+
+    def parent(self, label: str) -> str | None:
+        return self.plan.by_label[label].parent
+
+    def around(self, label: str) -> list[str]:
+        """The states around `label`, innermost first."""
+        found = []
+        parent = self.parent(label)
+        while parent is not None:
+            found.append(parent)
+            parent = self.parent(parent)
+        return found
+
+    def is_region(self, label: str) -> bool:
+        """ "A *region* is the root or an OR child of an AND." """
+        parent = self.parent(label)
+        return parent is None or self.type_of(parent) == "AND"
+
+    def region_of(self, label: str) -> str:
+        """ "Conditions, actions and activities use the innermost region around them." """
+        return next(state for state in [label, *self.around(label)] if self.is_region(state))
+
+    def branch_of(self, label: str) -> str:
+        """The protocol branch in which `label` stands."""
+        return next(state for state in [label, *self.around(label)] if state in self.mailbox)
+
+    def place(self, label: str) -> int:
+        """The place of a state in document order."""
+        return [state.label for state in self.plan.states].index(label)
+
+    def scope(self, source: str, target: str) -> str:
+        """ "The scope of a transition is the lowest OR state that holds source and target."
+
+        Of a compound transition it is the outermost of its segments' scopes.
+        """
+        holds_target = self.around(target)
+        return next(s for s in self.around(source) if s in holds_target and self.type_of(s) == "OR")
+
+    # ---- what can be asked between steps ----------------------------------------------------
+
+    def leaf(self, region: str) -> str:
+        """The active leaf of a region: a state without active states in it, or an AND."""
+        label = region
+        while self.type_of(label) == "OR":
+            label = next(child for child in self.children(label) if child in self.active)
+        return label
+
+    def configuration(self) -> tuple[str, ...]:
+        """ "The *configuration* is one active path per region": the leaves, region by region."""
+        in_order = sorted(self.regions, key=self.place)
+        return tuple(self.leaf(region) for region in in_order if region in self.active)
+
+    def variable(self, name: str) -> Any:
+        return self.regions[self.root()].variables[name] if self.regions else self.initial[name]
+
+    # ---- the step ---------------------------------------------------------------------------
+
+    def step(self, now: int, inputs: Iterable[Input]) -> Outcome:
+        self.outcome = Outcome()
+        if self.finished or self.failure is not None:
+            self.outcome.finished = self.finished
+            self.outcome.failure = self.failure
+            return self.outcome
+        self.now = now
+
+        # "The first step enters the root (its START becomes active) and goes on with rounds."
+        if not self.started:
+            self.started = True
+            self.regions[self.root()] = Region(self.root(), variables=dict(self.initial))
+            self.enter(self.root())
+
+        # "1. Inputs, in the order given"
+        for item in inputs:
+            self.take_in(item)
+
+        # "2. Rounds until one moves nothing (bound: 1000 rounds, then the agent stops and the last
+        # transitions are named)."
+        rounds = 0
+        while self.failure is None and self.visit(self.root()):
+            rounds += 1
+            if rounds == ROUNDS:
+                self.stop("the step does not settle: " + self.last_transitions())
+
+        # "3. At the end: variable writes of the step become visible everywhere (of two writers the region
+        # later in document order wins);"
+        for _, name, value in sorted(self.writes, key=lambda write: self.place(write[0])):
+            for region in self.regions.values():
+                region.variables[name] = value
+        self.writes = []
+
+        # "signals that were looked at in this step are dropped in the region where they were;" and "`again` =
+        # some region still has a signal waiting behind one that was dropped."
+        for region in self.regions.values():
+            dropped = [message.channel for message in region.asked if region.drop(message)]
+            if any(region.signals[channel] for channel in dropped):
+                self.outcome.again = True
+            region.asked = []
+            region.seen = {}
+
+        # "if a failed state is still active the agent stops (its running activities are cancelled);"
+        if self.failed and self.failure is None:
+            label, reason = next(iter(self.failed.items()))
+            self.stop(f"{self.plan.by_label[label].name} of state {label} failed: {reason}")
+
+        # "an event raised is there … until the end of the step"; "a fault is recorded once per transition
+        # and step"
+        self.events = set()
+        self.spent = set()
+        self.faulty = set()
+
+        # "With the root's END active the agent has finished."
+        self.finished = self.failure is None and self.type_of(self.leaf(self.root())) == "END"
+        self.outcome.finished = self.finished
+        self.outcome.failure = self.failure
+        return self.outcome
+
+    def take_in(self, item: Input) -> None:
+        match item:
+            case Arrived():
+                # "an arrived message is put on the board of every active region that reads its channel (but
+                # not the region that wrote it, which saw it at once)"
+                for region in self.regions.values():
+                    if not self.reads(region.label, item.channel):
+                        continue
+                    if item.identity in region.read_ahead:
+                        region.read_ahead.remove(item.identity)
+                    elif region.label != item.written_by:
+                        region.put(item, self.queued(item.channel))
+            case Completed(label, token):
+                # "a completed activity makes its state complete if that state is active with the same token
+                # (else dropped)"
+                if self.runs(label) and self.token[label] == token:
+                    self.complete.add(label)
+            case Crashed(label, token, reason):
+                # "a failed one marks it failed"
+                if self.runs(label) and self.token[label] == token:
+                    self.failed[label] = reason
+            case Happened(name):
+                # "an event raised is there for every region until the end of the step or until that region
+                # spends it"
+                self.events.add(name)
+            case Written(name, value):
+                # "a variable written by an activity is set"
+                for region in self.regions.values():
+                    region.variables[name] = value
+            case Mail():
+                # "mail is put into the mailbox of the participation (protocol branch) it names"
+                self.mailbox[item.branch].append(item)
+
+    def reads(self, region: str, channel: str) -> bool:
+        return any(r.label == region and channel in r.reads for r in self.plan.regions)
+
+    def queued(self, channel: str) -> bool:
+        return any(c.name == channel and c.queued for c in self.plan.channels)
+
+    def runs(self, label: str) -> bool:
+        """Whether the activity of a BASIC state runs."""
+        return label in self.active and label not in self.complete and label not in self.failed
+
+    def last_transitions(self) -> str:
+        transitions = [self.plan.transitions[number] for way in self.outcome.taken[-8:] for number in way]
+        return ", ".join(f"{transition.source} -> {transition.target}" for transition in transitions)
+
+    def stop(self, reason: str) -> None:
+        """The agent stops: "its running activities are cancelled"."""
+        self.failure = reason
+        self.leave(self.root())
+
+    # ---- rounds -----------------------------------------------------------------------------
+
+    def visit(self, region: str) -> bool:
+        """ "visit(R): let L be R's active leaf." Whether R has moved."""
+        leaf = self.leaf(region)
+        # "If L is an AND: visit each of its regions in document order (all of them); if any moved, R has
+        # moved."
+        if self.type_of(leaf) == "AND":
+            moved = [self.visit(inner) for inner in self.children(leaf)]
+            if any(moved):
+                return True
+        # "Otherwise the sources L, then the OR states around it inside R, innermost first;"
+        around = self.around(leaf)
+        for source in [leaf, *around[: around.index(region)]]:
+            # "of each the outgoing transitions by priority; the first that is enabled is taken, and R has
+            # moved."
+            way = self.enabled_way(source)
+            if way is not None:
+                self.take(region, way)
+                return True
+        return False
+
+    def enabled_way(self, source: str) -> list[int] | None:
+        """The first enabled transition of an active source; with its branches it may be a compound one."""
+        return self.first_open(source, source, self.is_complete(source))
+
+    def first_open(self, node: str, source: str, complete: bool) -> list[int] | None:
+        """The first of the transitions of `node` that is enabled, while `source` waits."""
+        for number, transition in self.plan.outgoing(node):
+            # "`else`: source complete and no other outgoing transition (or branch) of the same source
+            # enabled". `else` is tried last, so that here no other one is.
+            if not self.is_enabled(number, transition, source, complete):
+                continue
+            if self.type_of(transition.target) != "CONDITION":
+                return [number]
+            # "If the target is a CONDITION, one of its outgoing branches must be enabled too (recursively),
+            # tried by priority: a branch's events/when/condition count the same way, but "complete" is what
+            # the first segment needed"
+            rest = self.first_open(transition.target, source, True)
+            if rest is not None:
+                return [number, *rest]
+        return None
+
+    def is_enabled(self, number: int, transition: Transition, source: str, complete: bool) -> bool:
+        if transition.events:
+            # "with events: one of them is there"
+            if not any(self.is_there(event, source) for event in transition.events):
+                return False
+        elif transition.when:
+            # "`when`: always"
+            pass
+        elif not complete:
+            # "nothing: source complete"
+            return False
+        # "And the condition, if any, holds."
+        return transition.condition is None or self.condition_holds(number, transition)
+
+    def is_complete(self, label: str) -> bool:
+        """ "Complete: BASIC when its activity completed; OR when its END is active; AND when every region's
+        END is active; START always." """
+        match self.type_of(label):
+            case "BASIC":
+                return label in self.complete
+            case "OR":
+                return any(c in self.active for c in self.children(label) if self.type_of(c) == "END")
+            case "AND":
+                return all(self.is_complete(region) for region in self.children(label))
+            case "START":
+                return True
+        return False
+
+    def is_there(self, event: Term, source: str) -> bool:
+        match event:
+            case ("after", duration):
+                # "once `d` has passed since the source was entered"; "`after` on a branch counts from the
+                # entry of the waiting source"
+                return bool(self.now - self.entered[source] >= duration)
+            case ("received", performative, message, participant):
+                return self.oldest_mail(source, performative, message, participant) is not None
+            case ("raised", name):
+                return name in self.events and (self.region_of(source), name) not in self.spent
+            case ("error",):
+                # "`error` (an activity inside failed; it bubbles outwards)"
+                return any(source in (label, *self.around(label)) for label in self.failed)
+        raise ValueError(event)
+
+    def oldest_mail(self, source: str, performative: str, message: str, participant: str) -> Mail | None:
+        for mail in self.mailbox[self.branch_of(source)]:
+            if (mail.performative, mail.message, mail.participant) == (performative, message, participant):
+                return mail
+        return None
+
+    # ---- taking a transition ----------------------------------------------------------------
+
+    def take(self, region: str, way: list[int]) -> None:
+        self.outcome.taken.append(tuple(way))
+        transitions = [self.plan.transitions[number] for number in way]
+        source, target = transitions[0].source, transitions[-1].target
+        board = self.regions[region]
+
+        # "the first listed that is there is the one spent"; "An event is spent by what takes it."
+        there = [[e for e in transition.events if self.is_there(e, source)] for transition in transitions]
+        for event in dict.fromkeys(events[0] for events in there if events):
+            self.spend(event, source)
+
+        # "Everything active inside the scope is left, innermost first;"
+        scope = min((self.scope(t.source, t.target) for t in transitions), key=self.place)
+        for child in self.children(scope):
+            if child in self.active:
+                self.leave(child)
+
+        # "then the actions run;" "actions of segment 1, then 2"
+        for number in way:
+            for action in self.plan.transitions[number].actions:
+                self.act(number, action, board)
+
+        # "the signals its segments' conditions and actions name are consumed (the one that was seen), after
+        # its actions."
+        for transition in transitions:
+            for channel, host in signals_of(transition.condition, *transition.actions):
+                message = board.seen.get((channel, host))
+                if message is not None:
+                    board.drop(message)
+
+        # "then the target is entered, outermost first."
+        path = [target, *self.around(target)]
+        self.enter_along(list(reversed(path[: path.index(scope)])))
+
+    def spend(self, event: Term, source: str) -> None:
+        match event:
+            case ("received", performative, message, participant):
+                mail = self.oldest_mail(source, performative, message, participant)
+                assert mail is not None
+                self.mailbox[mail.branch].remove(mail)
+                self.outcome.effects.append(MailTaken(mail.branch, mail.identity))
+            case ("raised", name):
+                self.spent.add((self.region_of(source), name))
+
+    def leave(self, label: str) -> None:
+        """ "an AND: its regions in document order, inner leaves first" """
+        for child in self.children(label):
+            if child in self.active:
+                self.leave(child)
+        self.active.remove(label)
+        state = self.plan.by_label[label]
+        if state.type == "BASIC":
+            # "a BASIC whose activity still runs gives Cancel"
+            if label not in self.complete and label not in self.failed:
+                assert state.activity is not None
+                self.outcome.effects.append(Cancel(label, state.activity, self.token[label]))
+            self.complete.discard(label)
+            self.failed.pop(label, None)
+        if label in self.mailbox:
+            # "entering/leaving a participation gives Joined/Left"; what waits in its conversation is given up
+            self.mailbox[label].clear()
+            self.outcome.effects.append(Left(label))
+        if label in self.regions and label != self.root():
+            # "leaving the region drops its timers", and its blackboard "is dropped when the AND is left"
+            del self.regions[label]
+
+    def enter_along(self, path: list[str]) -> None:
+        """Enter the first state of the path, and inside it the next instead of its START."""
+        self.enter(path[0], path[1:])
+
+    def enter(self, label: str, path: list[str] | None = None) -> None:
+        state = self.plan.by_label[label]
+        self.active.add(label)
+        self.entered[label] = self.now
+
+        # "Entering a node that is the scope of variables (a protocol branch) sets them to their initial
+        # values": they start anew, whatever was written to them in this step.
+        for variable in self.plan.variables:
+            if variable.scope == label:
+                self.writes = [write for write in self.writes if write[1] != variable.name]
+                for region in self.regions.values():
+                    region.variables[variable.name] = variable.initial
+        if label in self.mailbox:
+            self.outcome.effects.append(Joined(label))
+
+        match state.type:
+            case "BASIC":
+                # "BASIC gives Start with a new token (a counter of the chart, from 1)"
+                assert state.activity is not None
+                self.tokens += 1
+                self.token[label] = self.tokens
+                self.outcome.effects.append(Start(label, state.activity, self.tokens))
+            case "OR":
+                # "OR: its START becomes active"
+                if path:
+                    self.enter(path[0], path[1:])
+                else:
+                    start = [child for child in self.children(label) if self.type_of(child) == "START"]
+                    self.enter(start[0])
+            case "AND":
+                # "AND: each region in document order gets its board (a copy of the surrounding board's states
+                # and histories, no signals, no timers) and its START becomes active"
+                surrounding = self.regions[self.region_of(label)]
+                for inner in self.children(label):
+                    self.regions[inner] = Region(
+                        inner,
+                        states={channel: list(found) for channel, found in surrounding.states.items()},
+                        data={channel: list(found) for channel, found in surrounding.data.items()},
+                        # "they start with a copy"
+                        variables=dict(surrounding.variables),
+                    )
+                    self.enter(inner, path[1:] if path and path[0] == inner else None)
+
+    # ---- actions ----------------------------------------------------------------------------
+
+    def act(self, number: int, action: Term, region: Region) -> None:
+        # "… or an action reads one, that channel is asked in that region."
+        for channel, host in signals_of(action):
+            region.look_at(channel, host)
+        # "In an action, an absent or raising value means that this one action is not done, with a fault."
+        try:
+            values = [self.value(term, region) for term in values_of(action)]
+        except Exception as error:
+            self.fault(number, str(error))
+            return
+        if any(value is ABSENT for value in values):
+            self.fault(number, "a value is absent")
+            return
+        match action:
+            case ("assign", name, _):
+                # "A write to a variable is seen at once in its own region, and by regions entered later in
+                # the same step inside it (they start with a copy); elsewhere from the next step."
+                region.variables[name] = values[0]
+                self.writes.append((region.label, name, values[0]))
+            case ("fill", ("member", host, channel, path), _):
+                # "Drafts belong to the region: `t.c.M.f = v` fills one"
+                region.drafts.setdefault((channel, host), {})[path] = values[0]
+            case ("publish", channel):
+                self.publish(channel, region)
+            case ("read_messages",):
+                # "`read_messages` renews the executing region's snapshot"
+                for message in self.pending():
+                    if (
+                        self.reads(region.label, message.channel)
+                        and message.written_by != region.label
+                        and message.identity not in region.read_ahead
+                    ):
+                        region.read_ahead.add(message.identity)
+                        region.put(message, self.queued(message.channel))
+            case ("start_timer", name, _):
+                region.timers[name] = self.now + values[0]
+            case ("send", performative, message, participant):
+                branch = self.branch_of(self.plan.transitions[number].source)
+                content = self.messages[message]()
+                self.outcome.effects.append(Sending(branch, performative, message, content, participant))
+            case ("evaluate", _):
+                pass
+
+    def publish(self, channel: str, region: Region) -> None:
+        """ "`write_messages.t.c.M` publishes the region's drafts of the channel (one for all, one a host) in
+        the order they were begun, or a message of defaults if there is none, and the region itself sees it at
+        once if it reads the channel." """
+        kind = self.messages[next(info.message for info in self.plan.channels if info.name == channel)]
+        drafts = [(host, members) for (other, host), members in region.drafts.items() if other == channel]
+        for host, _ in drafts:
+            del region.drafts[channel, host]
+        for host, members in drafts or [(None, {})]:
+            message = kind()
+            for path, value in members.items():
+                message = with_member(message, path, value)
+            self.outcome.effects.append(Publication(channel, message, host, region.label))
+            # "with a `host.` it goes to that host alone"
+            if self.reads(region.label, channel) and host in (None, self.agent):
+                own = Arrived(channel, message, self.agent, self.now, (self.agent, 0), region.label)
+                region.put(own, self.queued(channel))
+
+    def fault(self, number: int, reason: str) -> None:
+        """ "a fault is recorded once per transition and step" """
+        if number not in self.faulty:
+            self.faulty.add(number)
+            self.outcome.effects.append(Fault(number, reason))
+
+    # ---- conditions and values --------------------------------------------------------------
+
+    def condition_holds(self, number: int, transition: Transition) -> bool:
+        region = self.regions[self.region_of(transition.source)]
+        assert transition.condition is not None
+        # "whenever a condition that names a signal channel is evaluated (whatever was short-circuited) …
+        # that channel is "asked" in that region"
+        for channel, host in signals_of(transition.condition):
+            region.look_at(channel, host)
+        # "A function (or division) that raises makes the whole condition not hold"
+        try:
+            return self.holds(transition.condition, region)
+        except Exception as error:
+            self.fault(number, str(error))
+            return False
+
+    def holds(self, term: Term, region: Region) -> bool:
+        match term:
+            case ("&&", *operands):
+                # "holds(a && b) = holds(a) then holds(b)"
+                return all(self.holds(operand, region) for operand in operands)
+            case ("||", *operands):
+                # "holds(a || b) = holds(a) or else holds(b)"
+                return any(self.holds(operand, region) for operand in operands)
+            case ("!", operand):
+                # "holds(!a) = fails(a)"
+                return self.fails(operand, region)
+        # "anything else: its value is True"
+        return self.value(term, region) is True
+
+    def fails(self, term: Term, region: Region) -> bool:
+        match term:
+            case ("&&", *operands):
+                # "fails(a && b) = fails(a) or else fails(b)"
+                return any(self.fails(operand, region) for operand in operands)
+            case ("||", *operands):
+                # "fails(a || b) = fails(a) then fails(b)"
+                return all(self.fails(operand, region) for operand in operands)
+            case ("!", operand):
+                # "fails(!a) = holds(a)"
+                return self.holds(operand, region)
+        # "anything else: its value … is False"
+        return self.value(term, region) is False
+
+    def value(self, term: Term, region: Region) -> Any:
+        """The value of a term, or ABSENT.
+
+        "An absent operand makes a comparison, arithmetic, call, member absent": what a term reads is looked
+        up first, and only if all of it is there the term is computed.
+        """
+        read = self.look_up(term, region)
+        return ABSENT if read is ABSENT else self.compute(read)
+
+    def look_up(self, term: Term, region: Region) -> Any:
+        """The term with what it reads put in, from the left; ABSENT if something of that is absent."""
+        match term:
+            case ("const", _):
+                return term
+            case ("enum", _, _, number):
+                return ("const", number)
+            case ("variable", name):
+                return ("const", region.variables[name])
+            case ("expired", timer):
+                # "`expired(t)` is false before `start_timer`, true from the due time until it is started
+                # again"
+                return ("const", timer in region.timers and self.now >= region.timers[timer])
+            case ("has", ("member", host, channel, path)):
+                # "`has(x)` is never absent."
+                return ("const", self.read_member(host, channel, path, region) is not ABSENT)
+            case ("member", host, channel, path):
+                found = self.read_member(host, channel, path, region)
+            case ("age", ("member", host, channel, _)):
+                # "`age(x)` = now - time of measurement."
+                message = region.sees(channel, host)
+                found = ABSENT if message is None else self.now - message.time
+            case ("at", ("member", host, channel, path), offset):
+                # "`at(x, -d)` = newest value whose time ≤ now - d, else absent."
+                found = self.value(offset, region)
+                if found is not ABSENT:
+                    history = of_sender(region.data.get(channel, []), host)
+                    message = newest([m for m in history if m.time <= self.now + found])
+                    found = ABSENT if message is None else member(message.message, path)
+            case ("mean", ("member", host, channel, path), window):
+                # "`mean(x.m, w)` = mean over values with time ≥ now - w, absent if none."
+                found = self.value(window, region)
+                if found is not ABSENT:
+                    history = of_sender(region.data.get(channel, []), host)
+                    values = [member(m.message, path) for m in history if m.time >= self.now - found]
+                    there = [value for value in values if value is not ABSENT]
+                    found = sum(there) / len(there) if there else ABSENT
+            case ("!" | "&&" | "||", *_):
+                # "As a plain value, a logic expression is True if it holds, False if it fails, else absent."
+                found = True if self.holds(term, region) else False if self.fails(term, region) else ABSENT
+            case _:
+                read = []
+                for operand in term[1:]:
+                    item = self.look_up(operand, region) if isinstance(operand, tuple) else operand
+                    if item is ABSENT:
+                        return ABSENT
+                    read.append(item)
+                return (term[0], *read)
+        return ABSENT if found is ABSENT else ("const", found)
+
+    def read_member(self, host: str | None, channel: str, path: tuple[str, ...], region: Region) -> Any:
+        message = region.sees(channel, host)
+        return ABSENT if message is None else member(message.message, path)
+
+    def compute(self, term: Term) -> Any:
+        """The value of a term in which everything has been looked up."""
+        match term:
+            case ("const", constant):
+                return constant
+            case ("duration", inner):
+                # "Time is an `int` of nanoseconds everywhere"
+                return floor(self.compute(inner))
+            case ("neg", inner):
+                return -self.compute(inner)
+            case ("builtin", name, *arguments):
+                return BUILT_IN[name](*[self.compute(argument) for argument in arguments])
+            case ("call", name, *arguments):
+                return self.call(name, [self.compute(argument) for argument in arguments])
+            case (operator, left, right):
+                return OPERATORS[operator](self.compute(left), self.compute(right))
+        raise ValueError(term)
+
+    def call(self, name: str, values: list[Any]) -> Any:
+        target = next(target for known, target, _ in self.plan.functions if known == name)
+        module, _, function = target.partition(":")
+        result = getattr(import_module(module), function)(*values)
+        self.outcome.effects.append(FunctionResult(name, result))
+        return result
+
+    # ---- time -------------------------------------------------------------------------------
+
+    def due(self, now: int) -> int | None:
+        """ "the earliest moment > now at which an active source's transition may become enabled by time
+        alone: `after`, a started timer named in its condition (or a branch's), `age(x)` crossing the constant
+        duration it is compared with (time + c; + 1 ns for `>` and `<=`)." """
+        moments = [moment for source in self.active for moment in self.moments(source, source)]
+        return min((moment for moment in moments if moment > now), default=None)
+
+    def moments(self, node: str, source: str) -> Iterator[int]:
+        region = self.regions[self.region_of(source)]
+        for _, transition in self.plan.outgoing(node):
+            for event in transition.events:
+                if event[0] == "after":
+                    yield self.entered[source] + event[1]
+            for term in parts(transition.condition):
+                match term:
+                    case ("expired", timer) if timer in region.timers:
+                        yield region.timers[timer]
+                    case ("<" | "<=" | ">" | ">=" | "==" | "!=" as operator, left, right):
+                        yield from self.crossings(operator, left, right, region)
+                        yield from self.crossings(MIRRORED[operator], right, left, region)
+            if self.type_of(transition.target) == "CONDITION":
+                yield from self.moments(transition.target, source)
+
+    def crossings(self, operator: str, age: Term, amount: Term, region: Region) -> Iterator[int]:
+        """When `age(x) operator amount` changes: "time + c; + 1 ns for `>` and `<=`" (`==` changes twice)."""
+        length = constant(amount)
+        if age[0] != "age" or length is None:
+            return
+        message = region.sees(age[1][2], age[1][1])
+        if message is not None and operator in ("<", ">=", "==", "!="):
+            yield message.time + length
+        if message is not None and operator in (">", "<=", "==", "!="):
+            yield message.time + length + 1
+
+
+OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
+    "==": lambda a, b: a == b,
+    "!=": lambda a, b: a != b,
+    "<": lambda a, b: a < b,
+    "<=": lambda a, b: a <= b,
+    ">": lambda a, b: a > b,
+    ">=": lambda a, b: a >= b,
+    "+": lambda a, b: a + b,
+    "-": lambda a, b: a - b,
+    "*": lambda a, b: a * b,
+    # "`/` on numbers gives double (int/int too); `%` is Python's"
+    "/": lambda a, b: a / b,
+    "%": lambda a, b: a % b,
+    # "duration / int" gives "duration": whole ns
+    "//": lambda a, b: a // b,
+}
+
+MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "==": "==", "!=": "!="}
+"""`c < age(x)` says `age(x) > c`."""
+
+BUILT_IN: dict[str, Callable[..., Any]] = {"abs": abs, "min": min, "max": max}
+
+
+def constant(term: Term) -> int | None:
+    """The duration that a constant term is."""
+    match term:
+        case ("const", amount):
+            return int(amount)
+        case ("neg", ("const", amount)):
+            return -int(amount)
+    return None
+
+
+def member(message: Any, path: tuple[str, ...]) -> Any:
+    """The member at a path, or ABSENT where it (or what it is in) is not there."""
+    for name in path:
+        message = getattr(message, name)
+        if message is None:
+            return ABSENT
+    return message
+
+
+def with_member(message: Any, path: tuple[str, ...], value: Any) -> Any:
+    """A copy of the message with another value at the path."""
+    if len(path) > 1:
+        value = with_member(getattr(message, path[0]), path[1:], value)
+    return replace(message, **{path[0]: value})
+
+
+def values_of(action: Term) -> list[Term]:
+    """The values that an action computes."""
+    match action:
+        case ("assign" | "fill" | "start_timer", _, value) | ("evaluate", value):
+            return [value]
+    return []
+
+
+def parts(term: Term | None) -> Iterator[Term]:
+    """A term and all terms in it."""
+    if term is None:
+        return
+    yield term
+    for item in term[1:]:
+        if isinstance(item, tuple) and item and term[0] != "member":
+            yield from parts(item)
+
+
+def signals_of(*terms: Term | None) -> list[tuple[str, str | None]]:
+    """The signals that conditions and actions name: (channel, host), each once; not what an action fills."""
+    found = []
+    for term in terms:
+        read = [term] if term is None or term[0] not in ACTIONS else values_of(term)
+        for value in read:
+            for part in parts(value):
+                if (
+                    part[0] == "member"
+                    and part[2].split(".")[1] == "signal"
+                    and (part[2], part[1]) not in found
+                ):
+                    found.append((part[2], part[1]))
+    return found
+
+
+ACTIONS = ("assign", "fill", "publish", "read_messages", "start_timer", "send", "evaluate")
