@@ -25,7 +25,9 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E007": ("error", "a .proto file cannot be imported"),
     "E008": ("error", "the file declares no system"),
     "E009": ("error", "the output cannot be written"),
+    "E010": ("error", "the project's configuration is wrong"),
     "W001": ("warning", "the file is empty"),
+    "W002": ("warning", "a generated file was edited and is left alone"),
     # Syntax (E1xx)
     "E100": ("error", "something else was expected here"),
     "E101": ("error", "a formula is malformed"),
