@@ -39,6 +39,10 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E107": ("error", "operators that need parentheses"),
     "E108": ("error", "a number or duration is malformed"),
     "E109": ("error", "an operator is still to be chosen"),
+    "E110": ("error", "a comment is not closed"),
+    "E111": ("error", "a block is not closed"),
+    "E112": ("error", "a brace that closes nothing"),
+    "E113": ("error", "too many mistakes to list"),
     # Names and declarations (E2xx)
     "E200": ("error", "an unknown name"),
     "E201": ("error", "a name is declared twice"),

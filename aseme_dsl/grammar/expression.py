@@ -1,0 +1,523 @@
+"""From the tokens of an expression or a transition expression to its tree.
+
+Precedence, loosest first: `||`, `&&`, comparisons, `+ -`, `* / %`, then `!` and the signs. Comparisons do not
+chain, and `!` takes an operand that is a value, a call or parenthesised: what may be read in two ways needs
+parentheses (E107).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.grammar import tree
+from aseme_dsl.grammar.formula import Malformed
+from aseme_dsl.grammar.lexer import UNITS, shown
+from aseme_dsl.grammar.token import Token, token
+from aseme_dsl.source import Source, Span
+
+DEEPEST = 100
+"""How many operators, calls and parentheses may stand one in the other."""
+
+_LOGIC = {"||": "||", "or": "||", "&&": "&&", "and": "&&"}
+_COMPARISON = ("<", "<=", ">", ">=", "==", "!=")
+_SUM = ("+", "-")
+_PRODUCT = ("*", "/", "%")
+_BINDING = (
+    {"||": 1, "&&": 2} | dict.fromkeys(_COMPARISON, 3) | dict.fromkeys(_SUM, 4) | dict.fromkeys(_PRODUCT, 5)
+)
+_TIGHTEST = 6
+
+_PATH = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+_NUMBER = re.compile(r"([0-9]+)(?:\.([0-9]+))?([a-z]*)")
+_LONGEST_NUMBER = 18
+
+RESERVED = ("else", "when", "and", "or", "not", "true", "false")
+"""Words that cannot be names in expressions."""
+
+_MEANT = {
+    "&": ("&&", "'&&' is and"),
+    "|": ("||", "'||' is or"),
+    "=": ("==", "write '==' to compare"),
+    "^": (None, "there is no power; multiply, or call a function"),
+    "?": (None, "there is no '? :'; use two transitions, or a function"),
+    ",": (None, None),
+    "->": (None, None),
+}
+
+
+def read_expression(source: Source, tokens: Sequence[Token]) -> tree.Expression:
+    """The expression that the tokens spell.
+
+    Raises:
+        Malformed: They spell none; with the first thing that is wrong (E102, E103, E107, E108).
+    """
+    reader = _Reader(source, tokens)
+    expression = reader.expression()
+    if reader.index < len(tokens):
+        raise reader.unexpected("an operator")
+    return expression
+
+
+def read_transition(source: Source, tokens: Sequence[Token], place: Span) -> tree.TransitionExpression:
+    """`event [condition] / action; action`; `place` is where an empty one stands.
+
+    Raises:
+        Malformed: As `read_expression`.
+    """
+    if not tokens:
+        return tree.TransitionExpression((), False, False, None, (), place)
+    return _Reader(source, tokens).transition()
+
+
+def read_duration(source: Source, text: Token) -> tree.Duration:
+    """A duration that the grammar has recognised.
+
+    Raises:
+        Malformed: It is too long, or not a whole number of nanoseconds (E108).
+    """
+    value = _Reader(source, [text]).value()
+    assert isinstance(value, tree.Duration)
+    return value
+
+
+def read_text(source: Source, text: Token) -> tree.Text:
+    """A text in quotes that the grammar has recognised, with its escapes resolved."""
+    inner = text[1:-1]
+    if "\\" in inner:
+        inner = re.sub(r"\\(.)", r"\1", inner)
+    return tree.Text(inner, Span(source, text.start, text.end))
+
+
+def read_path(source: Source, text: Token) -> tree.Path:
+    """A dotted name that the grammar has recognised."""
+    segments = tuple(
+        tree.Name(found.group(), Span(source, text.start + found.start(), text.start + found.end()))
+        for found in _PATH.finditer(text)
+    )
+    return tree.Path(segments, Span(source, text.start, text.end))
+
+
+class _Reader:
+    def __init__(self, source: Source, tokens: Sequence[Token]) -> None:
+        self.source = source
+        self.tokens = tokens
+        self.index = 0
+        self.open: list[Token] = []
+        self.heights: dict[int, int] = {}
+
+    # ---- tokens --------------------------------------------------------------------------------
+
+    @property
+    def next(self) -> str:
+        return self.tokens[self.index] if self.index < len(self.tokens) else ""
+
+    def take(self) -> Token:
+        taken = self.tokens[self.index]
+        self.index += 1
+        return taken
+
+    def need(self, text: str, opener: Token | None = None) -> Token:
+        if self.next == text:
+            return self.take()
+        if opener is not None and self.index == len(self.tokens):
+            raise self.unexpected(f"'{text}'", related=(self._still_open(opener),))
+        raise self.unexpected(f"'{text}'", related=(self._still_open(opener),) if opener else ())
+
+    def need_name(self, what: str) -> tree.Name:
+        if self.index == len(self.tokens) or not _is_name(self.next) or self.next in RESERVED:
+            raise self.unexpected(what)
+        taken = self.tokens[self.index]
+        if "." in taken:
+            raise self.error("E102", f"expected {what}, found {shown(taken)}", taken)
+        self.index += 1
+        return tree.Name(str(taken), self.span(taken))
+
+    def span(self, text: Token) -> Span:
+        return Span(self.source, text.start, text.end)
+
+    def since(self, start: int) -> Span:
+        return Span(self.source, start, self.tokens[self.index - 1].end)
+
+    # ---- transition expressions ----------------------------------------------------------------
+
+    def transition(self) -> tree.TransitionExpression:
+        start = self.tokens[0].start
+        events: list[tree.Event] = []
+        when = False
+        otherwise = False
+        condition: tree.Expression | None = None
+        actions: list[tree.Action] = []
+        if self.next == "else":
+            word = self.take()
+            otherwise = True
+            if self.next == "[":
+                raise self.error(
+                    "E102", "'else' stands for a condition: it cannot have one", word, hint="leave 'else' out"
+                )
+        elif self.next not in ("[", "/"):
+            while True:
+                if self.next == "when":
+                    self.take()
+                    when = True
+                else:
+                    events.append(self.event())
+                if self.next not in ("or", "||"):
+                    break
+                self.take()
+        if self.next == "[":
+            opener = self.take()
+            self.open.append(opener)
+            condition = self.expression()
+            self.need("]", opener)
+            self.open.pop()
+        elif when:
+            raise self.unexpected("'[' and a condition after 'when'")
+        if self.next == "/":
+            self.take()
+            while True:
+                actions.append(self.action())
+                if self.next != ";":
+                    break
+                self.take()
+        if self.index < len(self.tokens):
+            raise self._after_transition(bool(actions), condition is not None or otherwise)
+        return tree.TransitionExpression(
+            tuple(events), when, otherwise, condition, tuple(actions), self.since(start)
+        )
+
+    def event(self) -> tree.Event:
+        start = self.index
+        if not _is_name(self.next) or self.next in RESERVED:
+            if start == 0:
+                raise self._bare_condition(0)
+            raise self.unexpected("an event")
+        first = self.take()
+        following = self.next
+        if first in ("send", "read_messages") or first.startswith("write_messages"):
+            raise self.error(
+                "E102",
+                f"{shown(first)} is an action: '/' is missing before it",
+                first,
+                "write / before actions",
+            )
+        if first == "after" and following == "(":
+            opener = self.take()
+            duration = self.expression()
+            self.need(")", opener)
+            return tree.After(duration, self.since(first.start))
+        if (
+            following
+            and _is_name(following)
+            and following not in RESERVED
+            and "." not in first
+            and "." not in following
+        ):
+            self.index -= 1
+            performative = self.need_name("a performative")
+            message = self.need_name("a message")
+            if self.next != "from":
+                raise self._no_from(first, message)
+            self.take()
+            participant = self.need_name("the participant that sends the message")
+            return tree.Received(performative, message, participant, self.since(first.start))
+        if (
+            "." in first
+            or following in ("(", "and")
+            or (following in _BINDING and following not in ("||", "/"))
+        ):
+            raise self._bare_condition(start)
+        return tree.Raised(tree.Name(str(first), self.span(first)), self.span(first))
+
+    def action(self) -> tree.Action:
+        if self.index == len(self.tokens) or not (_is_name(self.next) and self.next not in RESERVED):
+            raise self.unexpected("an action")
+        first = self.tokens[self.index]
+        following = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else ""
+        if first == "send" and following and _is_name(following):
+            return self.send()
+        if first == "read_messages" and following != "(":
+            self.take()
+            return tree.ReadMessages(self.span(first))
+        head, dot, _ = first.partition(".")
+        if head.strip() == "write_messages" and following not in ("(", "="):
+            path = read_path(self.source, first)
+            self.take()
+            if not dot:
+                raise self.error(
+                    "E102",
+                    "expected '.topic.commType.Message' after 'write_messages'",
+                    first,
+                    hint="write_messages.team.state.Assignment",
+                )
+            return tree.Publish(tree.Path(path.segments[1:], path.segments[1].span.to(path.span)), path.span)
+        expression = self.expression()
+        if self.next != "=":
+            return tree.Evaluate(expression, self.since(first.start))
+        equals = self.take()
+        if not isinstance(expression, tree.Path):
+            raise self.error("E102", "only a variable or a member of a message can stand left of '='", equals)
+        value = self.expression()
+        return tree.Assign(expression, value, self.since(first.start))
+
+    def send(self) -> tree.Send:
+        start = self.take().start
+        performative = self.need_name("a performative after 'send'")
+        message = self.need_name(f"a message after {shown(performative.text)}")
+        if self.next != "to":
+            raise self.unexpected("'to' and a participant")
+        self.take()
+        participant = self.need_name("the participant that receives the message")
+        return tree.Send(performative, message, participant, self.since(start))
+
+    # ---- expressions ---------------------------------------------------------------------------
+
+    def expression(self, loosest: int = 1) -> tree.Expression:
+        left = self.unary()
+        negation = left if isinstance(left, tree.Unary) and left.operator == "!" else None
+        while True:
+            word = self.next
+            operator = _LOGIC.get(word, word)
+            binding = _BINDING.get(operator, 0)
+            if binding < loosest or binding == 0:
+                return left
+            at = self.tokens[self.index]
+            if negation is not None and binding > 2:
+                raise self._negated(negation, at)
+            self.index += 1
+            if binding <= 2:
+                operands = [left, self.expression(binding + 1)]
+                while _LOGIC.get(self.next, "") == operator:
+                    self.index += 1
+                    operands.append(self.expression(binding + 1))
+                left = self.grown(
+                    tree.Logic(operator, tuple(operands), operands[0].span.to(operands[-1].span)), *operands
+                )
+                continue
+            right = self.expression(binding + 1)
+            if isinstance(right, tree.Unary) and right.operator == "!":
+                pass  # `a == !b`: the types decide
+            span = left.span.to(right.span)
+            left = self.grown(tree.Binary(operator, left, right, self.span(at), span), left, right)
+            if binding == 3 and self.next in _COMPARISON:
+                raise self._chained(left, self.tokens[self.index])
+
+    def unary(self) -> tree.Expression:
+        signs: list[Token] = []
+        while self.next in ("!", "not", "-", "+"):
+            signs.append(self.take())
+            if len(signs) > DEEPEST:
+                raise self._too_deep(signs[-1])
+        operand = self.value()
+        for sign in reversed(signs):
+            operator = "!" if sign == "not" else str(sign)
+            operand = self.grown(
+                tree.Unary(operator, operand, Span(self.source, sign.start, operand.span.end)), operand
+            )
+        return operand
+
+    def value(self) -> tree.Expression:
+        if self.index == len(self.tokens):
+            raise self.unexpected("a value")
+        first = self.tokens[self.index]
+        initial = first[0]
+        if initial.isdigit():
+            return self.number(self.take())
+        if initial == '"':
+            self.index += 1
+            return read_text(self.source, first)
+        if first == "(":
+            self.take()
+            self._deeper(first)
+            inner = self.expression()
+            self.need(")", first)
+            self.open.pop()
+            return self.grown(tree.Parenthesised(inner, self.since(first.start)), inner)
+        if not _is_name(first) or first in ("and", "or", "else", "when"):
+            raise self.unexpected("a value")
+        self.index += 1
+        if first == "true" or first == "false":
+            return tree.Truth(first == "true", self.span(first))
+        path = read_path(self.source, first)
+        if self.next != "(":
+            return path
+        opener = self.take()
+        self._deeper(opener)
+        arguments: list[tree.Expression] = []
+        if self.next != ")":
+            arguments.append(self.expression())
+            while self.next == ",":
+                self.take()
+                arguments.append(self.expression())
+        if self.next != ")":
+            raise self.unexpected("',' or ')'", related=(self._still_open(opener),))
+        self.take()
+        self.open.pop()
+        return self.grown(tree.Call(path, tuple(arguments), self.since(first.start)), *arguments)
+
+    def number(self, text: Token) -> tree.Number | tree.Duration:
+        found = _NUMBER.fullmatch(text)
+        if found is None:
+            raise self.error("E108", f"{shown(text)} is not a number: it has more than one point", text)
+        whole, fraction, unit = found[1], found[2] or "", found[3]
+        if len(whole) > _LONGEST_NUMBER or len(fraction) > 100:
+            raise self.error("E108", f"{shown(text)} has too many digits", text)
+        if unit:
+            nanoseconds, rest = divmod(int(whole + fraction) * UNITS[unit], 10 ** len(fraction))
+            if rest:
+                raise self.error("E108", f"{shown(text)} is not a whole number of nanoseconds", text)
+            return tree.Duration(nanoseconds, self.span(text))
+        if self.next in UNITS:
+            following = self.tokens[self.index]
+            raise Malformed(
+                Diagnostic(
+                    "E108",
+                    f"a blank between the number {text} and its unit {following!s}",
+                    Span(self.source, text.start, following.end),
+                    hint=f"write {text}{following}",
+                    fix=f"{text}{following}",
+                )
+            )
+        return tree.Number(float(text) if fraction else int(whole), self.span(text))
+
+    def grown(self, made: tree.Expression, *parts: tree.Expression) -> tree.Expression:
+        """`made` of `parts`, with its height remembered and bounded."""
+        height = 1 + max((self.heights.pop(id(part), 0) for part in parts), default=0)
+        if height > DEEPEST:
+            raise Malformed(self._deep(made.span))
+        self.heights[id(made)] = height
+        return made
+
+    # ---- what can be wrong ---------------------------------------------------------------------
+
+    def error(
+        self,
+        code: str,
+        message: str,
+        at: Token,
+        hint: str | None = None,
+        fix: str | None = None,
+        related: tuple[Related, ...] = (),
+    ) -> Malformed:
+        return Malformed(Diagnostic(code, message, self.span(at), related, hint, fix))
+
+    def unexpected(self, wanted: str, related: tuple[Related, ...] = ()) -> Malformed:
+        if self.index == len(self.tokens):
+            last = self.tokens[-1]
+            return self.error(
+                "E102",
+                f"expected {wanted} after {shown(last)}, but the expression ends",
+                last,
+                related=related,
+            )
+        found = self.tokens[self.index]
+        previous = self.tokens[self.index - 1] if self.index else None
+        hint: str | None = None
+        fix: str | None = None
+        if found in _MEANT and previous is not None:
+            fix, hint = _MEANT[found]
+            if found == "|" and not self.open:
+                fix = hint = None
+        if found == "=" and previous in ("=", "<", ">", "!"):
+            hint, fix = "comparisons are written <= >= == !=", None
+        if found in RESERVED:
+            hint = f"{shown(found)} cannot be a name here"
+        if _is_name(found) and previous is not None and found in UNITS and previous[0].isdigit():
+            hint = f"write {previous}{found} without a blank"
+        after = f" after {shown(previous)}" if previous is not None else ""
+        return self.error(
+            "E102", f"expected {wanted}{after}, found {shown(found)}", found, hint, fix, related
+        )
+
+    def _still_open(self, opener: Token) -> Related:
+        return Related(self.span(opener), f"this '{opener}' is still open")
+
+    def _deeper(self, opener: Token) -> None:
+        self.open.append(opener)
+        if len(self.open) > DEEPEST:
+            raise self._too_deep(opener)
+
+    def _too_deep(self, at: Token) -> Malformed:
+        return Malformed(self._deep(self.span(at)))
+
+    def _deep(self, span: Span) -> Diagnostic:
+        return Diagnostic(
+            "E103",
+            f"this expression is nested more than {DEEPEST} deep",
+            span,
+            hint="give a part of it a name: let NAME = …",
+        )
+
+    def _negated(self, negation: tree.Unary, operator: Token) -> Malformed:
+        inner = self.source.text[negation.operand.span.start : negation.operand.span.end]
+        return self.error(
+            "E107",
+            f"'!' before {shown(operator)} can be read in two ways",
+            operator,
+            hint=f"write !({inner} {operator} …) or (!{inner}) {operator} …",
+            related=(Related(Span(self.source, negation.span.start, negation.span.start + 1), "this '!'"),),
+        )
+
+    def _chained(self, left: tree.Expression, operator: Token) -> Malformed:
+        assert isinstance(left, tree.Binary)
+        middle = left.right.span.text
+        return self.error(
+            "E107",
+            f"comparisons do not chain: {shown(left.operator)} and {shown(operator)} need parentheses",
+            operator,
+            hint=f"write {left.span.text} && {middle} {operator} …" if len(left.span.text) < 60 else None,
+            related=(Related(left.operator_span, "the first comparison"),),
+        )
+
+    def _no_from(self, first: Token, message: tree.Name) -> Malformed:
+        if self.index == len(self.tokens):
+            return self.unexpected(f"'from' and a participant after {shown(message.text)}")
+        found = self.tokens[self.index]
+        if _is_name(found) and closest(found, ("from",)):
+            return self.error(
+                "E102", f"expected 'from', found {shown(found)}", found, "did you mean 'from'?", "from"
+            )
+        return self.unexpected("'from' and a participant")
+
+    def _bare_condition(self, start: int) -> Malformed:
+        first = self.tokens[start]
+        for offset, word in enumerate(self.tokens[start:]):
+            if word in ("/", "["):
+                condition = self.tokens[start : start + offset]
+                break
+        else:
+            condition = self.tokens[start:]
+        if condition and (_is_name(first) or first in ("!", "(", "-") or first[0].isdigit()):
+            last = condition[-1]
+            span = Span(self.source, first.start, last.end)
+            bracketed = f"[{span.text}]"
+            return Malformed(
+                Diagnostic(
+                    "E102",
+                    "a condition stands in '[' and ']'",
+                    span,
+                    hint=f"write {bracketed}" if len(bracketed) < 60 and "\n" not in bracketed else None,
+                    fix=bracketed,
+                )
+            )
+        return self.error("E102", f"expected an event, '[' or '/', found {shown(first)}", first)
+
+    def _after_transition(self, has_actions: bool, has_condition: bool) -> Malformed:
+        if has_actions:
+            return self.unexpected("';' and an action, or the end of the entry,")
+        if has_condition:
+            return self.unexpected("'/' and an action, or the end of the entry,")
+        if self.next == "=":
+            at = self.tokens[self.index]
+            return self.error(
+                "E102", "an assignment is an action: '/' is missing before it", at, "write / before actions"
+            )
+        return self.unexpected("'[', '/' or the end of the entry")
+
+
+def _is_name(text: str) -> bool:
+    return text[:1].isalpha() or text[:1] == "_"
+
+
+__all__ = ["Malformed", "read_duration", "read_expression", "read_path", "read_transition", "token"]

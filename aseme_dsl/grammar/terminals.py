@@ -1,0 +1,238 @@
+"""The textX grammar as a parser that knows all places and goes on after an error.
+
+textX stops at the first error, gives no place to a name in a list, and says what it expected in regular
+expressions. Three changes to the parser that it builds from the grammar mend this:
+
+- every terminal's value is a `Token`, a `str` that knows where it stands;
+- the failure that lies farthest in the text is remembered with all terminals that were tried there: when a
+  repeated entry matches no alternative of the grammar, that failure is the mistake;
+- the `Junk…` terminals, last alternative of every repeated entry, note the mistake and skip to where the
+  next entry begins; `JunkHeader` and `JunkEnd` stand for a missing `{` and `}`.
+
+An entry that has been begun by `{` never fails, so no block is parsed twice and the whole takes linear time.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from arpeggio import EndOfFile, Match, NoMatch, ParsingExpression, RegExMatch, Terminal
+
+from aseme_dsl.grammar.lexer import Lexed, clean
+from aseme_dsl.grammar.recovery import BLOCKS, end_of_header, end_of_junk, is_outside
+from aseme_dsl.grammar.token import token
+from aseme_dsl.source import Source
+
+
+@dataclass(frozen=True, slots=True)
+class Mistake:
+    """Where the text was left and taken up again, and what would have been right at `place`."""
+
+    kind: str  # the name of the Junk terminal
+    start: int
+    end: int
+    place: int
+    expected: tuple[Any, ...]  # terminals, in the order in which they were tried
+    opener: int | None  # where the block was opened
+
+
+@dataclass
+class Progress:
+    """What the parser of one text knows beyond textX."""
+
+    lexed: Lexed
+    farthest: int = -1
+    expected: list[Any] = field(default_factory=list)
+    blank_from: int = -1
+    blank_to: int = -1
+    quiet_before: int = -1
+    openers: list[int] = field(default_factory=list)
+    mistakes: list[Mistake] = field(default_factory=list)
+
+    def note(self, kind: str, start: int, end: int, place: int, expected: tuple[Any, ...]) -> None:
+        """Remember a mistake, unless nothing has been understood since the last one."""
+        tokens = self.lexed.tokens
+        if tokens.at(start) != self.quiet_before:
+            opener = self.openers[-1] if self.openers else None
+            self.mistakes.append(Mistake(kind, start, end, place, expected, opener))
+        self.quiet_before = tokens.at(end)
+        self.farthest = -1
+
+
+class _Parser:
+    """What is laid over the parser class that textX makes."""
+
+    def parse(self, text: str, file_name: str | None = None) -> Any:
+        lexed = clean(Source(file_name or "<text>", text))
+        self.progress = Progress(lexed)
+        return super().parse(lexed.text, file_name=file_name)  # type: ignore[misc]
+
+    def _nm_raise(self, rule: Any, position: int, parser: Any) -> None:
+        # Arpeggio raises one exception object again and again, whose traceback grows.
+        raise NoMatch([rule], position, parser)
+
+
+@lru_cache(maxsize=1)
+def metamodel() -> Any:
+    """The textX metamodel of the language, made once."""
+    from textx import metamodel_from_file
+
+    made = metamodel_from_file(str(Path(__file__).with_name("aseme.tx")), autokwd=True)
+    parser = made._parser_blueprint
+    parser.comments_model = None  # `clean` has blanked them
+    parser.__class__ = type("AsemeParser", (_Parser, type(parser)), {})
+    braces = {"Open": _open, "Close": _close}
+    for rule, owner in terminals(made):
+        if rule.rule_name in BLOCKS:
+            rule.parse = _junk(rule)
+        elif rule.rule_name == "JunkHeader":
+            rule.parse = _missing_open(rule)
+        elif rule.rule_name == "JunkEnd":
+            rule.parse = _missing_close(rule)
+        else:
+            rule.parse = _terminal(rule, braces.get(owner))
+    return made
+
+
+def terminals(made: Any) -> list[tuple[Any, str]]:
+    """Every terminal of the grammar with the name of the rule in which it stands."""
+    found: dict[int, tuple[Any, str]] = {}
+    seen: set[int] = set()
+    todo: list[tuple[Any, str]] = [(made._parser_blueprint.parser_model, "")]
+    while todo:
+        rule, owner = todo.pop()
+        if id(rule) in seen:
+            continue
+        seen.add(id(rule))
+        if rule.rule_name and rule.root and not rule.rule_name.startswith("__asgn"):
+            owner = rule.rule_name
+        if isinstance(rule, Match):
+            if not isinstance(rule, EndOfFile):
+                found[id(rule)] = (rule, owner)
+            continue
+        parts: list[ParsingExpression] = list(reversed(rule.nodes))
+        separator = getattr(rule, "sep", None)
+        if separator is not None:
+            parts.append(separator)
+        todo += [(part, owner) for part in parts]
+    return list(found.values())
+
+
+_BLANKS = re.compile(r"[ \t\r\n]*")
+
+
+def _skip_blanks(parser: Any) -> int:
+    progress = parser.progress
+    position: int = parser.position
+    if position != progress.blank_from:
+        progress.blank_from = position
+        progress.blank_to = _BLANKS.match(parser.input, position).end()  # type: ignore[union-attr]
+    return progress.blank_to  # type: ignore[no-any-return]
+
+
+def _terminal(rule: Any, brace: Callable[[Progress, int], None] | None) -> Callable[[Any], Any]:
+    """The terminal's `parse`: what Arpeggio does, with the place in the value and the failure remembered."""
+    if isinstance(rule, RegExMatch):
+        match = rule.regex.match
+    else:
+        match = re.compile(re.escape(rule.to_match)).match
+
+    def parse(parser: Any) -> Any:
+        progress = parser.progress
+        position = _skip_blanks(parser)
+        found = match(parser.input, position)
+        if found is None:
+            if position > progress.farthest:
+                progress.farthest = position
+                progress.expected = [rule]
+            elif position == progress.farthest:
+                progress.expected.append(rule)
+            raise NoMatch([rule], position, parser)
+        if brace is not None:
+            brace(progress, position)
+        parser.position = found.end()
+        return Terminal(rule, position, token(found.group(), position))
+
+    return parse
+
+
+def _open(progress: Progress, position: int) -> None:
+    progress.openers.append(position)
+
+
+def _close(progress: Progress, position: int) -> None:
+    progress.openers.pop()
+
+
+def _nothing(rule: Any, position: int) -> Any:
+    return Terminal(rule, position, token("", position))
+
+
+def _junk(rule: Any) -> Callable[[Any], Any]:
+    """`parse` of a Junk terminal: skips what is no entry of its block."""
+    block = BLOCKS[rule.rule_name]
+
+    def parse(parser: Any) -> Any:
+        progress: Progress = parser.progress
+        start = _skip_blanks(parser)
+        tokens = progress.lexed.tokens
+        first = tokens.at(start)
+        if first == len(tokens) or is_outside(tokens, first, block):
+            raise NoMatch([rule], start, parser)
+        place = max(start, progress.farthest)
+        expected = tuple(progress.expected) if place == progress.farthest else ()
+        end = end_of_junk(tokens, first, tokens.at(place), block)
+        progress.note(rule.rule_name, start, end, place, expected)
+        parser.position = end
+        return Terminal(rule, start, token(parser.input[start:end], start))
+
+    return parse
+
+
+def _missing_open(rule: Any) -> Callable[[Any], Any]:
+    """`parse` of JunkHeader: goes on behind the `{` of the line, or as if one had been written."""
+
+    def parse(parser: Any) -> Any:
+        progress: Progress = parser.progress
+        start = parser.position
+        tokens = progress.lexed.tokens
+        place = max(_skip_blanks(parser), progress.farthest)
+        expected = tuple(progress.expected) if place == progress.farthest else ()
+        end = end_of_header(tokens, tokens.at(_skip_blanks(parser)), start)
+        progress.note("JunkHeader", start, end, place, expected)
+        progress.openers.append(end)
+        parser.position = end
+        return _nothing(rule, end)
+
+    return parse
+
+
+def _missing_close(rule: Any) -> Callable[[Any], Any]:
+    """`parse` of JunkEnd: goes on as if the `}` had been written."""
+
+    def parse(parser: Any) -> Any:
+        progress: Progress = parser.progress
+        place = _skip_blanks(parser)
+        progress.note("JunkEnd", place, place, place, ())
+        progress.openers.pop()
+        return _nothing(rule, parser.position)
+
+    return parse
+
+
+def read(source: Source) -> tuple[Any, Progress]:
+    """The textX objects of a text, and what the parser has noted."""
+    from textx.model_params import ModelParams
+
+    parser = metamodel()._parser_blueprint.clone()
+    model = parser.get_model_from_str(
+        source.text,
+        pre_ref_resolution_callback=lambda made: setattr(made, "_tx_model_params", ModelParams({})),
+    )
+    parser.parse_tree = None  # two thirds of the memory
+    return model, parser.progress
