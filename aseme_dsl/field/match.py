@@ -276,6 +276,7 @@ class Match:
         It counts as touched by nobody, and a set play ends.
         """
         self._referee.touched_by = self._referee.touched_before_by = None
+        self._referee.straight_from_kick_off = False
         self._referee.set_play = SetPlay.NONE
         self._ball.put(place.x, place.y)
         self._ball.vx, self._ball.vy = vx, vy

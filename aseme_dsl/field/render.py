@@ -164,11 +164,11 @@ def _build_ups(match: Match, goals: Iterable[Event]) -> Iterator[str]:
         yield _label(goal.x, goal.y, str(number), 18, _COLOURS[team])
 
 
-def _label(x: float, y: float, text: str, size: int) -> str:
+def _label(x: float, y: float, text: str, size: int, colour: str = "#ffffff") -> str:
     # The drawing grows upwards, letters would be upside down.
     return (
         f'<text transform="translate({_number(x)} {_number(y)}) scale(1 -1)" y="{size * 0.36:.1f}" '
-        f'font-size="{size}" font-weight="bold" fill="#ffffff" text-anchor="middle">{text}</text>'
+        f'font-size="{size}" font-weight="bold" fill="{colour}" text-anchor="middle">{text}</text>'
     )
 
 

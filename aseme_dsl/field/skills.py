@@ -1,12 +1,16 @@
 """What a player's activities need to calculate: from what was sensed to what to do, as pure functions.
 
 Every function takes plain values of :mod:`~aseme_dsl.field.percept` (or what an activity remembers of them)
-and gives a place, a yes or no, or a motion; none keeps anything. A loop that plays::
+and gives a place, a yes or no, or a motion; none keeps anything. A turn of a loop that plays::
 
     percept = body.sense()
-    if percept.ball is not None:
-        ball = place_of(percept.pose, percept.ball.distance, percept.ball.bearing)
+    ball = ball_place(percept)
+    if ball is None:
+        body.act(Command(search(percept.pose, percept.time_ns), scan(percept.time_ns)))
+    else:
         body.act(Command(attack(percept, ball, aim(percept, ball)), look_at(percept.pose, ball)))
+
+A better player remembers for some seconds where the ball was: now and then it is missed in a picture.
 
 Places are those of the own team: cm, x towards the opponents' goal; directions are degrees, left positive.
 """
@@ -53,6 +57,8 @@ from aseme_dsl.field.robot import (
 
 AIM_ERROR = 25.0
 """A robot that stands turned away from its aim by no more than this kicks round the rest, degrees."""
+SEARCH_NS = 18_000_000_000
+"""How long a robot looks for the ball in one half before it goes to the other."""
 NARROW = 8.0
 """A goal that is seen under a smaller angle is not worth a shot, degrees."""
 CIRCLE = 40.0
@@ -70,8 +76,16 @@ def scan(time_ns: int, period_ns: int = 4_000_000_000) -> float:
     return HEAD_LIMIT * (4.0 * abs(phase - 0.5) - 1.0)
 
 
-def search(time_ns: int) -> Walk:
-    """How to walk in search of a ball that the head alone does not find: turn on the spot."""
+def search(pose: Pose, time_ns: int) -> Walk:
+    """How to walk in search of a ball that the head alone does not find.
+
+    From the middle of each half a robot sees as far as the lines: it goes to the one and to the other by
+    turns, and looks round there. (If half of a team adds :data:`SEARCH_NS` to the time, they part.)
+    """
+    side = 1.0 if time_ns // SEARCH_NS % 2 else -1.0
+    spot = Point(side * HALF_LENGTH / 2, 0.0)
+    if distance(pose, spot) > 30.0:
+        return walk_to(pose, spot)
     return Walk(turn=TURN_SPEED / 2)
 
 

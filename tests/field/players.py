@@ -8,6 +8,7 @@ from aseme_dsl.field.geometry import Point, distance
 from aseme_dsl.field.match import Match
 from aseme_dsl.field.percept import Percept, PlayerState
 from aseme_dsl.field.skills import (
+    SEARCH_NS,
     aim,
     attack,
     ball_place,
@@ -72,7 +73,7 @@ class HandPlayer:
         if percept.goalie:
             place = keeper_place(Point(0.0, 0.0))
             return recover(percept) or walk_to(percept.pose, place, place.heading)
-        return recover(percept) or search(percept.time_ns)
+        return recover(percept) or search(percept.pose, percept.time_ns + percept.jersey % 2 * SEARCH_NS)
 
     def _motion(self, percept: Percept, ball: Point, mine: float) -> Motion:
         if percept.game.state is PlayerState.READY:

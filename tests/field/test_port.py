@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import ast
 import sys
+import threading
 from pathlib import Path
 
 import pytest
 
 import aseme_dsl.field
 from aseme_dsl.field.command import Command, Dive, Kick, Sit, Stand, Walk
-from aseme_dsl.field.match import STEP_NS, FieldBody, Match
+from aseme_dsl.field.match import STEP_NS, Match
 from aseme_dsl.field.percept import Percept, PlayerState
 from aseme_dsl.field.radio import RadioSettings
 from aseme_dsl.field.team import Player, TeamSheet, team_sheet
@@ -174,5 +175,23 @@ def test_the_field_needs_nothing_but_the_port_and_the_standard_library() -> None
                 assert own or name in allowed or name.split(".")[0] in allowed, f"{path.name} imports {name}"
 
 
-def test_the_body_class_is_the_one_that_is_handed_out() -> None:
-    assert all(isinstance(body, FieldBody) for body in Match().bodies.values())
+def test_bodies_may_be_used_from_any_thread() -> None:
+    match = Match(radio=RadioSettings(loss=0.0, interval_ns=0))
+    heard: dict[str, int] = dict.fromkeys(match.bodies, 0)
+    said = 200
+
+    def live(body: Body[Percept, Command]) -> None:
+        for number in range(said):
+            assert body.say(bytes([number]))
+            body.act(Command(Walk(turn=number), head=body.sense().head))
+            heard[body.name] += len(body.hear())
+
+    threads = [threading.Thread(target=live, args=(body,)) for body in match.bodies.values()]
+    for thread in threads:
+        thread.start()
+    while any(thread.is_alive() for thread in threads):
+        match.advance(match.now_ns + STEP_NS)
+    match.advance(match.now_ns + SECOND)
+    for name, body in match.bodies.items():
+        assert heard[name] + len(body.hear()) == 3 * said
+    assert match.radio[0].delivered == 4 * 3 * said

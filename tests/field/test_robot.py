@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from aseme_dsl.field import robot as limits
-from aseme_dsl.field.ball import RADIUS, Ball, roll
+from aseme_dsl.field.ball import Ball, roll
 from aseme_dsl.field.command import Command, Dive, Kick, Motion, Sit, Stand, Walk
 from aseme_dsl.field.event import EventKind
 from aseme_dsl.field.geometry import Point, Pose, direction, distance, length, place_of, unit, wrap
@@ -252,7 +252,3 @@ def test_robots_that_run_into_each_other_fall_now_and_then() -> None:
         assert set(fallen) <= set(events(match, EventKind.FALL))
         falls += bool(fallen)
     assert 5 < falls < 20
-
-
-def test_a_ball_has_a_size() -> None:
-    assert limits.TOUCH == limits.RADIUS + RADIUS
