@@ -1,0 +1,262 @@
+"""Configuration: what a project says about itself in `[tool.asemec]` of its pyproject.toml."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from aseme_dsl.build.duration import duration
+from aseme_dsl.diagnostics import Diagnostic, closest
+from aseme_dsl.source import Source, Span
+
+FILE = "pyproject.toml"
+TABLE = "tool.asemec"
+RUN_TABLE = "tool.asemec.run"
+
+
+@dataclass(frozen=True, slots=True)
+class RunConfiguration:
+    """How `asemec run` plays the project.
+
+    `world`, `progress` and `summary` are functions, as `module:name`, found from the project's folder.
+    """
+
+    team: str | None = None
+    """The team that plays; None: the only one, or the first."""
+    world: str | None = None
+    """Called with `seed=…`; gives the `aseme_dsl.runtime.body.World` whose bodies the agents have."""
+    progress: str | None = None
+    """Called with the world; gives all that is worth telling so far, of which the new lines are shown."""
+    summary: str | None = None
+    """Called with the world at the end; gives the closing lines."""
+    duration: int | None = None
+    """How long is played, in ns of the run's own time."""
+    seed: int | None = None
+    trace: Path | None = None
+    """Where the trace goes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Configuration:
+    """What a project chooses; None where it says nothing. Paths are as seen from the working directory."""
+
+    folder: Path
+    """The folder of the pyproject.toml, or where it was looked for if there is none."""
+    path: Path | None = None
+    files: tuple[Path, ...] = ()
+    """What a command works on if nothing is named."""
+    output: Path | None = None
+    backends: tuple[str, ...] | None = None
+    activities: Path | None = None
+    templates: Path | None = None
+    max_states: int | None = None
+    labels: str | None = None
+    expressions: str | None = None
+    run: RunConfiguration | None = None
+
+
+def find_configuration(start: Path) -> tuple[Configuration, tuple[Diagnostic, ...]]:
+    """The configuration of the project that `start` (a folder) is in: of the nearest pyproject.toml upwards.
+
+    A pyproject.toml without `[tool.asemec]` counts, too: it ends the search, since the folders above are
+    another project's. A table with mistakes gives a diagnostic for each, and the rest of what it says.
+    """
+    start = start if str(start) else Path()
+    # `start / ..` rather than an absolute path: people are shown the way they came.
+    folder = start
+    for _ in range(len(start.absolute().resolve().parts)):
+        if (folder / FILE).is_file():
+            return read_configuration(folder / FILE)
+        folder = folder.parent if folder.name not in ("", "..") else folder / ".."
+    return Configuration(start), ()
+
+
+def read_configuration(path: Path) -> tuple[Configuration, tuple[Diagnostic, ...]]:
+    """The configuration in a pyproject.toml."""
+    nothing = Configuration(path.parent, path)
+    try:
+        text = path.read_bytes().decode("utf-8")
+    except OSError as problem:
+        message = f"{path} cannot be read: {problem.strerror or problem}"
+        return nothing, (Diagnostic("E001", message, None, path=str(path)),)
+    except UnicodeDecodeError:
+        return nothing, (Diagnostic("E002", f"{path} is not UTF-8", None, path=str(path)),)
+    source = Source(str(path), text.replace("\r\n", "\n"))
+    try:
+        document = tomllib.loads(source.text)
+    except tomllib.TOMLDecodeError as problem:
+        return nothing, (_malformed(source, problem),)
+    tool = document.get("tool")
+    table = tool.get("asemec", {}) if isinstance(tool, dict) else {}
+    reader = _Reader(source)
+    given = reader.table(table, TABLE, _keys(path.parent))
+    return Configuration(path.parent, path, **given), tuple(reader.diagnostics)
+
+
+class _Wrong(ValueError):
+    """A value that does not fit; the text says what is expected instead."""
+
+
+_Convert = Callable[[Any], Any]
+
+
+def _keys(folder: Path) -> dict[str, _Convert | dict[str, _Convert]]:
+    """Every key of `[tool.asemec]`, with what makes a value of what is written there."""
+
+    def path(value: Any) -> Path:
+        if not isinstance(value, str) or not value or "\0" in value:
+            raise _Wrong('a path in quotes, such as "out"')
+        return folder / value
+
+    def paths(value: Any) -> tuple[Path, ...]:
+        if not isinstance(value, list) or not all(isinstance(item, str) and item for item in value):
+            raise _Wrong('a list of paths, such as ["team.aseme"]')
+        return tuple(folder / item for item in value)
+
+    return {
+        "files": paths,
+        "output": path,
+        "backends": _names,
+        "activities": path,
+        "templates": path,
+        "max_states": _count,
+        "labels": _one_of("plain", "original"),
+        "expressions": _one_of("numbered", "inline", "none"),
+        "run": {
+            "team": _name,
+            "world": _function,
+            "progress": _function,
+            "summary": _function,
+            "duration": _duration,
+            "seed": _seed,
+            "trace": path,
+        },
+    }
+
+
+def _names(value: Any) -> tuple[str, ...]:
+    if not isinstance(value, list) or not value or not all(isinstance(item, str) and item for item in value):
+        raise _Wrong('a list of names, such as ["monas"]')
+    return tuple(value)
+
+
+def _name(value: Any) -> str:
+    if not isinstance(value, str) or not value:
+        raise _Wrong("a name in quotes")
+    return value
+
+
+def _count(value: Any) -> int:
+    if not isinstance(value, int) or isinstance(value, bool) or value < 1:
+        raise _Wrong("a whole number from 1 on")
+    return value
+
+
+def _seed(value: Any) -> int:
+    if not isinstance(value, int) or isinstance(value, bool):
+        raise _Wrong("a whole number")
+    return value
+
+
+def _function(value: Any) -> str:
+    if not isinstance(value, str) or not re.fullmatch(r"[\w.]+:[\w.]+", value):
+        raise _Wrong('a Python function, such as "module:name"')
+    return value
+
+
+def _duration(value: Any) -> int:
+    try:
+        nanoseconds = duration(value) if isinstance(value, str) else 0
+    except ValueError:
+        nanoseconds = 0
+    if nanoseconds <= 0:
+        raise _Wrong('a duration in quotes, such as "60s"')
+    return nanoseconds
+
+
+def _one_of(*choices: str) -> _Convert:
+    def convert(value: Any) -> str:
+        if value not in choices:
+            raise _Wrong(f"one of {', '.join(choices)}, in quotes")
+        return str(value)
+
+    return convert
+
+
+@dataclass(slots=True)
+class _Reader:
+    """Reads tables and collects what is wrong in them."""
+
+    source: Source
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+
+    def table(
+        self, table: Any, name: str, keys: Mapping[str, _Convert | Mapping[str, _Convert]]
+    ) -> dict[str, Any]:
+        """The values of a table, converted; each mistake becomes a diagnostic and is left out."""
+        if not isinstance(table, dict):
+            self._report(name, None, f"`{name}` must be a table")
+            return {}
+        given: dict[str, Any] = {}
+        for key, value in table.items():
+            convert = keys.get(key)
+            if convert is None:
+                near = closest(key, keys)
+                known = f"did you mean `{near}`?" if near else f"the table knows {', '.join(keys)}"
+                self._report(name, key, f"[{name}] has no key `{key}`", known)
+            elif isinstance(convert, Mapping):
+                if isinstance(value, dict):
+                    given[key] = RunConfiguration(**self.table(value, f"{name}.{key}", convert))
+                else:
+                    self._report(name, key, f"`{key}` must be a table: [{name}.{key}]")
+            else:
+                try:
+                    given[key] = convert(value)
+                except _Wrong as expected:
+                    self._report(name, key, f"`{key}` must be {expected}")
+        return given
+
+    def _report(self, table: str, key: str | None, message: str, hint: str | None = None) -> None:
+        self.diagnostics.append(Diagnostic("E010", message, _place(self.source, table, key), hint=hint))
+
+
+def _place(source: Source, table: str, key: str | None) -> Span:
+    """Where a key of a table is written, as well as lines can tell (the TOML parser keeps no places).
+
+    Falls back on the header of the table, then on the first line.
+    """
+    current, best, start = "", Span(source, 0, len(source.line(1))), 0
+    for line in source.text.split("\n"):
+        header = re.match(r"\s*\[\s*([^\[\]]+?)\s*\]", line)
+        if header is not None:
+            current = re.sub(r"""[\s"']""", "", header[1])
+            if current == table:
+                best = Span(source, start + header.start(1), start + header.end(1))
+            elif key is not None and current == f"{table}.{key}":
+                return Span(source, start + header.start(1), start + header.end(1))
+        elif key is not None:
+            written = re.match(r"""\s*([\w."' -]+?)\s*=""", line)
+            dotted = re.sub(r"""[\s"']""", "", written[1]) if written else ""
+            full = f"{current}.{dotted}" if current else dotted
+            if written and (full == f"{table}.{key}" or full.startswith(f"{table}.{key}.")):
+                return Span(source, start + written.start(1), start + written.end(1))
+        start += len(line) + 1
+    return best
+
+
+def _malformed(source: Source, problem: tomllib.TOMLDecodeError) -> Diagnostic:
+    """What tomllib says, with the place that is in its text ("… (at line 3, column 5)")."""
+    text = str(problem)
+    where = re.search(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)", text)
+    message = f"{source.path} is no valid TOML: {text[: where.start()] if where else text}"
+    if where is None or where[1] is None:
+        start = max(len(source.text.rstrip()) - 1, 0)
+        return Diagnostic("E010", message, Span(source, start, start + 1))
+    line, column = int(where[1]), int(where[2])
+    start = sum(len(other) + 1 for other in source.text.split("\n")[: line - 1]) + column - 1
+    start = min(start, len(source.text))
+    return Diagnostic("E010", message, Span(source, start, min(start + 1, len(source.text))))
