@@ -1,0 +1,82 @@
+"""Diagrams: every model of a system as Graphviz drawings in the look of the papers.
+
+`drawings` is pure and needs no Graphviz; `render` and `draw` run it and check what it has drawn.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.system import System
+from aseme_dsl.diagrams import aip, division, sag, srm, statechart, suc, tree
+from aseme_dsl.diagrams.drawing import (
+    DEFAULT,
+    Drawing,
+    Expressions,
+    Layout,
+    NoSuchState,
+    Options,
+    of_sheet,
+)
+from aseme_dsl.diagrams.drawn import Drawn, draw
+from aseme_dsl.diagrams.layout import FORMATS, DrawingFailed, GraphvizMissing, program, render
+from aseme_dsl.diagrams.view import view
+
+__all__ = [
+    "FORMATS",
+    "Drawing",
+    "DrawingFailed",
+    "Drawn",
+    "Expressions",
+    "GraphvizMissing",
+    "Layout",
+    "NoSuchState",
+    "Options",
+    "draw",
+    "draw_statechart",
+    "drawings",
+    "program",
+    "render",
+]
+
+
+def drawings(system: System, options: Options = DEFAULT) -> list[Drawing]:
+    """A drawing of every model that the system has, named as its file will be.
+
+    `sag`, `suc`, `aip.<protocol>`, `srm.<role>`, `eac.<protocol>`, `iac.<role>`, and for the trees of the
+    statecharts `eac.<protocol>.tree`, `iac.<role>.tree`. With `options.at`, only statecharts that have this
+    state are drawn, and its label is added to the name; raises NoSuchState if none has.
+    """
+    if options.at is not None:
+        charts = [chart for chart in system.statecharts if options.at in chart.by_label]
+        if not charts:
+            raise NoSuchState(f"no statechart of {system.name} has a state {options.at}")
+        return [drawing for chart in charts for drawing in draw_statechart(chart, options)]
+    made = []
+    if system.sag.actors:
+        made.append(of_sheet(sag.sheet(system.sag, "sag")))
+    if system.suc.roles or system.suc.usecases:
+        made.append(of_sheet(suc.sheet(system.suc, "suc")))
+    made += [of_sheet(aip.sheet(item, f"aip.{item.name}")) for item in system.aips]
+    made += [of_sheet(srm.sheet(system, item, f"srm.{item.name}")) for item in system.srms]
+    for chart in system.statecharts:
+        made += draw_statechart(chart, options)
+    return made
+
+
+def draw_statechart(chart: Statechart, options: Options = DEFAULT) -> list[Drawing]:
+    """The nested drawing and the tree of a statechart, or the one that `options.layout` asks for.
+
+    Raises NoSuchState if the chart has no state `options.at`.
+    """
+    shown = view(chart, at=options.at, depth=options.depth)
+    made = []
+    for layout in Layout if options.layout is None else (options.layout,):
+        name = f"{chart.kind.lower()}.{chart.name}{'.tree' if layout is Layout.TREE else ''}"
+        name = division.piece_name(name, options.at) if options.at is not None else name
+        sheet = tree.sheet if layout is Layout.TREE else statechart.sheet
+        drawer = partial(sheet, expressions=options.expressions)
+        pieces = partial(division.pieces, shown, name, drawer)
+        made.append(of_sheet(drawer(shown, name, {}), states=len(shown.states), pieces=pieces))
+    return made

@@ -1,0 +1,47 @@
+"""Drawn: a drawing in one file, or where Graphviz cannot draw it whole, in several with an index."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from aseme_dsl.diagrams.drawing import Drawing
+from aseme_dsl.diagrams.layout import TIME_LIMIT, DrawingFailed, GraphvizMissing, render
+
+WHOLE = 1500
+"""The most states that are tried in one picture: more take minutes, and nobody can read them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """Files by name, and what must be said of them: nothing if the drawing is in one file."""
+
+    files: tuple[tuple[str, bytes], ...]
+    notes: tuple[str, ...] = ()
+
+
+def draw(drawing: Drawing, format: str, *, time_limit: float = TIME_LIMIT) -> Drawn:
+    """The drawing as `svg`, `png`, `pdf` or `dot`: one file, or an index and more where it must be divided.
+
+    `time_limit` is for one run of Graphviz, in seconds. Raises DrawingFailed if not even the pieces can be
+    drawn, GraphvizMissing without Graphviz.
+    """
+    files: list[tuple[str, bytes]] = []
+    notes: list[str] = []
+    waiting = [drawing]
+    while waiting:
+        item = waiting.pop(0)
+        reason = f"{item.name} has {item.states} states, which is too much for one picture"
+        if format == "dot" or item.states <= WHOLE or item.pieces is None:
+            try:
+                files.append((f"{item.name}.{format}", render(item, format, time_limit=time_limit)))
+                continue
+            except GraphvizMissing:
+                raise
+            except DrawingFailed as failure:
+                if item.pieces is None:
+                    raise
+                reason = str(failure)
+        pieces = item.pieces()
+        waiting[:0] = pieces
+        notes.append(f"{reason}; it is drawn in {len(pieces)} files, {item.name}.{format} is where to begin")
+    return Drawn(tuple(files), tuple(notes))

@@ -1,0 +1,112 @@
+"""Marks: how a state shows its type, that it came from a protocol, and that it is closed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from aseme_dsl.amola.expression import expression_text
+from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.diagrams import style
+from aseme_dsl.diagrams.dot import Attributes
+from aseme_dsl.diagrams.labels import Cell, Html, escaped, font, table, wrapped
+from aseme_dsl.diagrams.tips import inside_text
+from aseme_dsl.diagrams.view import View, Way
+
+NAME_WIDTH = 34
+"""Characters in a line of a state's name."""
+
+NAME_LINES = 4
+"""A name of more lines is cut; the tip has all of it."""
+
+FILLS = {
+    NodeType.OR: style.OR_COLOUR,
+    NodeType.AND: style.AND_COLOUR,
+    NodeType.BASIC: style.BASIC_COLOUR,
+}
+
+Label = tuple[dict[str, str], tuple[str, ...]]
+"""The attributes that label something, and the lines of text they show."""
+
+
+def state_id(label: str) -> str:
+    """The id that a state has in every drawing and in the SVG."""
+    return f"n{label}"
+
+
+def class_of(node: Node) -> dict[str, str]:
+    """The SVG class of a state: `state` and its type."""
+    return {"class": f"state {node.type.value}"}
+
+
+def protocol_border(view: View, node: Node) -> dict[str, str]:
+    """The border of what came from a protocol."""
+    return {"color": style.PROTOCOL_COLOUR, "penwidth": "1.8"} if view.is_from_protocol(node.label) else {}
+
+
+def small(text: str, ink: str = style.PALE_INK) -> Cell:
+    """A line of small print."""
+    return Cell((text,), size=style.SMALL_SIZE, ink=ink, align="CENTER")
+
+
+def name_lines(node: Node, width: int = NAME_WIDTH) -> tuple[str, ...]:
+    """The lines of a state's name; a label is never broken."""
+    return (node.name,) if node.name == node.label else wrapped(node.name, width, NAME_LINES)
+
+
+def branch_mark(view: View, node: Node) -> list[Cell]:
+    """`«attack.center»` on the first state of a protocol's branch."""
+    branch = view.branch(node.label)
+    return [] if branch is None else [small(f"«{branch}»", style.PROTOCOL_COLOUR)]
+
+
+def closed_marks(view: View, node: Node, links: Mapping[str, str]) -> tuple[list[Cell], dict[str, str]]:
+    """What a closed state says of its inside, and how it looks; nothing for any other state."""
+    if node.label not in view.closed:
+        return [], {}
+    cells = [small(inside_text(view.closed[node.label]))]
+    look = {"peripheries": "2"}
+    if node.label in links:
+        cells.append(small(links[node.label]))
+        look["URL"] = links[node.label]
+    return cells, look
+
+
+def cells_label(cells: list[Cell]) -> Label:
+    """The label of a box: plain if it is only a name, else a small table."""
+    lines = tuple(line for cell in cells for line in cell.lines)
+    if len(cells) == 1 and cells[0].size == style.TEXT_SIZE:
+        return {"label": "\n".join(lines)}, lines
+    return {"label": table([[cell] for cell in cells], cell_border=0, padding=1)}, lines
+
+
+def way_label(numbers: Mapping[int, int], way: Way, inline_width: int | None) -> Label:
+    """The label of a transition: its number, else its expression in lines of `inline_width`, else nothing."""
+    if way.place in numbers:
+        number = str(numbers[way.place])
+        return {"label": _padded(font(number, colour=style.NUMBER_COLOUR, bold=True))}, (number,)
+    text = expression_text(way.transition.expression)
+    if inline_width is None or not text:
+        return {}, ()
+    lines = wrapped(text, inline_width)
+    content = "".join(f'{escaped(line)}<BR ALIGN="LEFT"/>' for line in lines)
+    return {"label": _padded(font(content, size=style.SMALL_SIZE))}, lines
+
+
+def _padded(content: str) -> Html:
+    return Html(f'<TABLE BORDER="0" CELLBORDER="0" CELLPADDING="2"><TR><TD>{content}</TD></TR></TABLE>')
+
+
+def outside_mark(view: View, way: Way, box_id: str) -> tuple[str, Attributes, tuple[str, ...]]:
+    """The id, look and text of the mark for an end of a transition that the view does not show."""
+    label = way.transition.source if way.source_outside else way.transition.target
+    words = f"from {label}" if way.source_outside else f"to {label}"
+    node = view.chart.node(label)
+    lines = (words,) if node.name == label else (words, *name_lines(node))
+    look = {
+        "style": "dashed",
+        "color": style.PALE_INK,
+        "fontcolor": style.PALE_INK,
+        "fontsize": str(style.SMALL_SIZE),
+        "label": "\n".join(lines),
+    }
+    return box_id, look, lines

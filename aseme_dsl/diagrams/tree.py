@@ -1,0 +1,100 @@
+"""The labelled tree of a statechart: every state joined to the one around it (P1, Figure 5)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from aseme_dsl.amola.statechart import Node
+from aseme_dsl.diagrams import legend, style
+from aseme_dsl.diagrams.dot import Box, Line, Sheet
+from aseme_dsl.diagrams.drawing import Expressions
+from aseme_dsl.diagrams.labels import Cell
+from aseme_dsl.diagrams.marks import (
+    FILLS,
+    Label,
+    branch_mark,
+    cells_label,
+    class_of,
+    closed_marks,
+    name_lines,
+    outside_mark,
+    protocol_border,
+    small,
+    state_id,
+    way_label,
+)
+from aseme_dsl.diagrams.tips import state_tip, way_tip
+from aseme_dsl.diagrams.view import View, Way
+
+_FEW_LEAVES = 14
+"""Up to so many leaves the tree grows downwards as in the paper, else to the right, which is less wide."""
+
+_NAME_WIDTH = 26
+_INLINE_WIDTH = 30
+
+
+def sheet(
+    view: View, name: str, links: Mapping[str, str] | None = None, *, expressions: Expressions
+) -> Sheet:
+    """The drawing of a view. `links` are the files that closed states lead to."""
+    numbers = legend.numbers(view) if expressions is Expressions.NUMBERED else {}
+    inline_width = _INLINE_WIDTH if expressions is Expressions.INLINE else None
+    boxes = [_box(view, node, links or {}) for node in view.states]
+    boxes += [
+        Box(*outside_mark(view, way, _outside_id(way)))
+        for way in view.ways
+        if way.source_outside or way.target_outside
+    ]
+    parents = [_parent_line(node) for node in view.states if node.label != view.top]
+    ways = [_way_line(view, way, way_label(numbers, way, inline_width)) for way in view.ways]
+    leaves = sum(not view.is_group(node.label) for node in view.states)
+    downwards = leaves <= _FEW_LEAVES
+    graph = style.GRAPH | {
+        "rankdir": "TB" if downwards else "LR",
+        "ordering": "out",
+        "nodesep": "0.3" if downwards else "0.24",
+        "ranksep": "0.4" if downwards else "0.5",
+    }
+    rows = legend.rows(view, expressions)
+    drawn = Sheet(name, tuple(boxes), (*parents, *ways), graph, style.NODE, style.EDGE)
+    return legend.below(drawn, rows, width=90.0 * (leaves if downwards else view.chart.levels))
+
+
+def _box(view: View, node: Node, links: Mapping[str, str]) -> Box:
+    closed, look = closed_marks(view, node, links)
+    if node.name == node.label:
+        cells = [Cell((node.label,), size=10, align="CENTER"), small(node.type.value)]
+    else:
+        cells = [
+            Cell(name_lines(node, _NAME_WIDTH), align="CENTER"),
+            small(f"{node.type.value} {node.label}"),
+        ]
+    label, lines = cells_label([*cells, *branch_mark(view, node), *closed])
+    fill = {"fillcolor": FILLS.get(node.type, style.PAPER), "margin": "0.05,0.02"}
+    tip = {"tooltip": state_tip(view, node)}
+    return Box(
+        state_id(node.label), class_of(node) | fill | label | protocol_border(view, node) | look | tip, lines
+    )
+
+
+def _parent_line(node: Node) -> Line:
+    assert node.parent is not None
+    look = {"color": style.PARENT_COLOUR, "dir": "none", "weight": "2", "class": "parent"}
+    return Line(state_id(node.parent), state_id(node.label), f"p{node.label}", look)
+
+
+def _way_line(view: View, way: Way, label: Label) -> Line:
+    attributes, lines = label
+    source = _outside_id(way) if way.source_outside else state_id(way.source)
+    target = _outside_id(way) if way.target_outside else state_id(way.target)
+    look = {
+        "color": style.TRANSITION_COLOUR,
+        "class": "transition",
+        "tooltip": way_tip(view, way),
+        "constraint": "false",  # the tree alone decides where the states stand
+    }
+    return Line(source, target, way.id, look | attributes, lines)
+
+
+def _outside_id(way: Way) -> str:
+    return f"{way.id}.outside"
