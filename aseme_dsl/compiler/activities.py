@@ -3,16 +3,134 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
-from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.messages import Channel, Comm
+from aseme_dsl.amola.srm import Activity, Subscription
+from aseme_dsl.compiler.checker import Checker
+from aseme_dsl.compiler.library import providers
+from aseme_dsl.compiler.names import unknown
+from aseme_dsl.compiler.paths import channel_of
 from aseme_dsl.compiler.scope import Scope
-from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
+
+KINDS = ("thread", "async", "process", "step")
+REACHES = ("on", "above", "below", "around")
 
 
 def type_activity(written: tree.Activity, scope: Scope) -> tuple[Activity, tuple[Diagnostic, ...]]:
     """One role's statement about an activity; `kind` is "" where it does not say. `scope` is the role's."""
-    raise NotImplementedError
+    checker = Checker(scope)
+    kind = ""
+    if written.kind is not None:
+        if written.kind.text in KINDS:
+            kind = written.kind.text
+        else:
+            checker.diagnostics.append(unknown("E200", "there is no kind of activity", written.kind, KINDS))
+    reads = [_read(checker, item) for item in written.reads]
+    writes: list[Channel] = []
+    variables: list[str] = []
+    for path in written.writes:
+        _write(checker, path, writes, variables)
+    activity = Activity(
+        written.name.text,
+        tuple(name.text for name in written.uses),
+        None if written.every is None else written.every.nanoseconds,
+        None if written.takes is None else written.takes.nanoseconds,
+        kind,
+        tuple(item for item in reads if item is not None),
+        tuple(dict.fromkeys(writes)),
+        tuple(dict.fromkeys(variables)),
+        written.span,
+    )
+    return activity, tuple(checker.diagnostics)
+
+
+def _read(checker: Checker, written: tree.ActivityRead) -> Subscription | None:
+    path, history = written.path, written.history
+    if len(path.segments) == 1:
+        topic = path.segments[0]
+        symbols = checker.scope.symbols
+        if symbols.topic(topic.text) is None:
+            if not symbols.is_excused(topic.text):
+                pool = [item.name for item in symbols.topics]
+                hint = providers(topic.text)
+                if symbols.message(topic.text) is not None:
+                    channels = symbols.channels_of(topic.text)
+                    hint = f"it is a message: `{channels[0]}`" if channels else "it is a message"
+                checker.diagnostics.append(unknown("E502", "there is no topic", topic, pool, hint))
+            return None
+        if history is not None:
+            hint = f"name the message: `{topic}.data.Message for {history.span.text}`"
+            checker.report("E503", "a whole topic has no history", history.span, hint)
+        return Subscription(None, topic.text, written.reach, 0, None, written.span)
+    found = channel_of(checker, path)
+    if found is None:
+        return None
+    host, channel, used = found
+    if len(path.segments) > used:
+        hint = f"write `{'.'.join(item.text for item in path.segments[:used])}`"
+        checker.report("E502", "an activity reads whole messages", path.segments[used].span, hint)
+    if written.reach != "on":
+        hint = f"write `{written.reach} {channel.topic}`"
+        checker.report("E502", f"`{written.reach}` is followed by a topic", path.span, hint)
+        return None
+    kept = 0
+    if history is not None and channel.comm is not Comm.DATA:
+        problem = f"only data has a history; `{channel}` is a {channel.comm}"
+        checker.report("E503", problem, path.segments[used - 2].span)
+    elif history is not None:
+        kept = history.nanoseconds
+    return Subscription(channel, channel.topic, written.reach, kept, host, written.span)
+
+
+def _write(checker: Checker, path: tree.Path, channels: list[Channel], variables: list[str]) -> None:
+    """`writes vision.state.Ball` or the variable `budget` of the role."""
+    scope = checker.scope
+    first = path.segments[0]
+    if len(path.segments) == 1:
+        if first.text in scope.variables:
+            variables.append(first.text)
+        elif first.text in scope.lets:
+            related = (Related(scope.lets[first.text].span, "declared here"),)
+            checker.report(
+                "E507", f"`{first}` is a let: nothing can be written to it", path.span, None, related
+            )
+        elif not scope.symbols.is_excused(first.text):
+            pool = set(scope.variables)
+            hint = "an activity writes a variable of its role or `topic.state.Message`"
+            found = [str(channel) for channel in scope.symbols.channels_of(first.text)]
+            if scope.symbols.topic(first.text) is not None:
+                hint = f"it is a topic: name the message, `{first}.state.Message`"
+            elif found:
+                hint = f"it is a message: `{found[0]}`"
+            checker.diagnostics.append(unknown("E200", "there is no variable", first, pool, hint))
+        return
+    channel = channel_of(checker, path)
+    if channel is None:
+        return
+    host, written, used = channel
+    if host is not None:
+        checker.report("E502", "an activity publishes as its own agent", path.segments[0].span)
+        return
+    if len(path.segments) > used:
+        hint = f"write `{written}`"
+        checker.report("E502", "an activity publishes whole messages", path.segments[used].span, hint)
+    channels.append(written)
+
+
+# ---- merging -----------------------------------------------------------------------------------
+
+_CLAUSES = {
+    "uses": "uses",
+    "every": "every",
+    "takes": "takes",
+    "kind": "as",
+    "reads": "reads",
+    "writes": "writes",
+    "writes_variables": "writes",
+}
 
 
 def merge_activities(
@@ -20,6 +138,47 @@ def merge_activities(
 ) -> tuple[tuple[Activity, ...], tuple[Diagnostic, ...]]:
     """One activity for each name, in order: same or disjoint clauses join, different ones are E203.
 
-    `kind` is "thread" where no role says otherwise.
+    `kind` is "thread" where no role says otherwise. Variables belong to the roles, so each role's are added.
     """
-    raise NotImplementedError
+    merged: dict[str, Activity] = {}
+    said: dict[tuple[str, str], Activity] = {}
+    diagnostics: list[Diagnostic] = []
+    for item in statements:
+        known = merged.setdefault(item.name, replace(item, writes_variables=()))
+        for clause, word in _CLAUSES.items():
+            value = getattr(item, clause)
+            if value in (None, "", ()):
+                continue
+            first = said.setdefault((item.name, clause), item)
+            if clause == "writes_variables":
+                both = tuple(dict.fromkeys((*known.writes_variables, *value)))
+                known = replace(known, writes_variables=both)
+            elif first is item:
+                known = replace(known, **{clause: value})
+            elif _different(getattr(first, clause), value):
+                diagnostics.append(
+                    Diagnostic(
+                        "E203",
+                        f"`{item.name}` has two different `{word}`: an activity belongs to the whole system",
+                        item.span,
+                        (Related(first.span, "the other statement"),),
+                        hint="leave one of them out, or give one of the activities another name",
+                    )
+                )
+        merged[item.name] = known
+    return tuple(item if item.kind else replace(item, kind="thread") for item in merged.values()), tuple(
+        diagnostics
+    )
+
+
+def _different(first: object, second: object) -> bool:
+    """Lists are compared without their order, and reads without their places."""
+    if isinstance(first, tuple) and isinstance(second, tuple):
+        return {_plain(item) for item in first} != {_plain(item) for item in second}
+    return first != second
+
+
+def _plain(item: object) -> object:
+    if isinstance(item, Subscription):
+        return (item.channel, item.topic, item.reach, item.history, item.host)
+    return item

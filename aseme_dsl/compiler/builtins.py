@@ -31,6 +31,15 @@ FORMS: dict[str, str] = {
 }
 """What looks like a function and is part of the language, with an example of its use."""
 
+PERFORMATIVES = tuple(
+    """
+    accept_proposal agree cancel cfp confirm disconfirm failure inform inform_if inform_ref not_understood
+    propagate propose proxy query_if query_ref refuse reject_proposal request request_when request_whenever
+    subscribe
+    """.split()
+)
+"""The 22 communicative acts of FIPA (SC00037J), with underscores."""
+
 COMM_TYPES = tuple(comm.value for comm in Comm)
 WORDS = frozenset("else when and or not true false read_messages write_messages".split())
 OTHER_SPELLINGS = {

@@ -23,6 +23,8 @@ class Collector:
     files: Sequence[tree.File]
     types: dict[str, Span] = field(default_factory=dict)
     wrong: set[str] = field(default_factory=set)
+    lost: frozenset[str] = frozenset()
+    complete: bool = True
     diagnostics: list[Diagnostic] = field(default_factory=list)
 
     def every(self, kind: type[D]) -> Iterator[D]:
@@ -31,6 +33,10 @@ class Collector:
             for item in file.declarations:
                 if isinstance(item, kind):
                     yield item
+
+    def is_excused(self, name: str) -> bool:
+        """Whether it is a consequence of another problem that this name is not known."""
+        return name in self.wrong or name in self.lost or not self.complete
 
     def report(self, code: str, message: str, span: Span, hint: str | None = None, *related: Related) -> None:
         self.diagnostics.append(Diagnostic(code, message, span, related, hint))
@@ -46,6 +52,8 @@ def type_named(
         return Type(Kind.ENUM, name.text)
     if name.text in messages:
         return Type(Kind.MESSAGE, name.text)
+    if collector.is_excused(name.text):
+        return None
     other = OTHER_SPELLINGS.get(name.text)
     if other is not None:
         collector.diagnostics.append(

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import stat
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, has_errors
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
@@ -24,6 +25,14 @@ LANGUAGE = 1
 """The version of the language that this compiler knows."""
 
 
+UNREAD = ("E001", "E002", "E003", "E004", "E006", "E007")
+"""What leaves a file unread."""
+
+_DECLARED = re.compile(
+    r"\b(?:enum|message|topic|function|let|var|actor|role|usecase|aip|participant|srm)\s+(\w+)"
+)
+
+
 @dataclass(frozen=True, slots=True)
 class Loaded:
     """What was read. `files` come in import order, each after those that it imports, the root last.
@@ -34,6 +43,10 @@ class Loaded:
     files: tuple[tree.File, ...]
     protos: tuple[ProtoImport, ...]
     diagnostics: tuple[Diagnostic, ...]
+    lost: frozenset[str] = frozenset()
+    """Names that a file with syntax errors declares where it could not be read."""
+    complete: bool = True
+    """Whether every file that is imported could be read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +77,7 @@ class _Loader:
     files: list[tree.File] = field(default_factory=list)
     protos: list[ProtoImport] = field(default_factory=list)
     diagnostics: list[Diagnostic] = field(default_factory=list)
+    lost: set[str] = field(default_factory=set)
 
 
 def load(
@@ -79,7 +93,14 @@ def load(
     parsed = _parsed(loader, root if isinstance(root, Source) else place, None)
     if parsed is not None:
         _follow(loader, _Reading(place, parsed, _imports(parsed), None))
-    return Loaded(tuple(loader.files), tuple(loader.protos), tuple(loader.diagnostics))
+    complete = not any(item.code in UNREAD for item in loader.diagnostics)
+    return Loaded(
+        tuple(loader.files),
+        tuple(loader.protos),
+        tuple(loader.diagnostics),
+        frozenset(loader.lost),
+        complete,
+    )
 
 
 def _key(path: str) -> str:
@@ -193,6 +214,8 @@ def _parsed(loader: _Loader, given: Source | _Place, item: tree.Import | None) -
         loader.diagnostics.append(newer)
         return None
     loader.diagnostics.extend(found)
+    if has_errors(found):
+        loader.lost |= set(_DECLARED.findall(source.text))
     return parsed
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from aseme_dsl.compiler.builtins import PERFORMATIVES
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
@@ -27,6 +28,11 @@ def declared_twice(what: str, name: tree.Name, first: Span) -> Diagnostic:
     return Diagnostic(
         "E201", f"{what} `{name.text}` is declared twice", name.span, (Related(first, "first declared here"),)
     )
+
+
+def unknown_performative(name: tree.Name) -> Diagnostic:
+    """E512."""
+    return unknown("E512", "FIPA has no performative", name, PERFORMATIVES, f"it has {listed(PERFORMATIVES)}")
 
 
 def listed(names: Iterable[str], word: str = "and") -> str:

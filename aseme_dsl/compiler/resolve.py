@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from dataclasses import replace
 
 from aseme_dsl.amola.messages import Function, Type
 from aseme_dsl.amola.system import Agent, Team
 from aseme_dsl.compiler.builtins import FORMS, FUNCTIONS, reserved
 from aseme_dsl.compiler.collector import Collector, type_named
+from aseme_dsl.compiler.load import Loaded
 from aseme_dsl.compiler.message_types import enums, imported_types, messages
 from aseme_dsl.compiler.names import declared_twice, unknown
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.compiler.topics import check_radio, topics
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
-from aseme_dsl.interop.proto import ProtoImport
 from aseme_dsl.source import Span
 
 __all__ = ["Symbols", "resolve"]
@@ -26,16 +25,14 @@ MOST_AGENTS = 1000
 _TARGET = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*:[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", re.ASCII)
 
 
-def resolve(
-    files: Sequence[tree.File], protos: Sequence[ProtoImport] = ()
-) -> tuple[Symbols, tuple[Diagnostic, ...]]:
-    """Collect the declarations of `files`; duplicates, unknown types, reserved names, … are reported.
+def resolve(loaded: Loaded) -> tuple[Symbols, tuple[Diagnostic, ...]]:
+    """Collect the declarations of all files; duplicates, unknown types, reserved names, … are reported.
 
     Also checked here: that there is at most one `system`, and that every agent's role is an `srm` or a
     `statechart` (E207).
     """
-    collector = Collector(files)
-    imported_enums, imported_messages, imported_files = imported_types(collector, protos)
+    collector = Collector(loaded.files, lost=loaded.lost, complete=loaded.complete)
+    imported_enums, imported_messages, imported_files = imported_types(collector, loaded.protos)
     all_enums = imported_enums + enums(collector)
     own_messages = messages(collector, {item.name for item in all_enums}, imported_messages)
     symbols = Symbols(
@@ -45,6 +42,8 @@ def resolve(
         protos=imported_files,
         teams=_teams(collector),
         wrong=frozenset(collector.wrong),
+        lost=loaded.lost,
+        complete=loaded.complete,
     )
     symbols = replace(
         symbols,
@@ -149,7 +148,7 @@ def _teams(collector: Collector) -> tuple[Team, ...]:
 def _agents(collector: Collector, team: tree.Team, roles: set[str]) -> tuple[Agent, ...]:
     found: dict[str, Agent] = {}
     for line in team.agents:
-        if line.role.text not in roles:
+        if line.role.text not in roles and not collector.is_excused(line.role.text):
             collector.diagnostics.append(
                 unknown("E207", "there is no role", line.role, roles, "a role is an `srm` or a `statechart`")
             )

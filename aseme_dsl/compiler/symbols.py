@@ -19,8 +19,9 @@ from aseme_dsl.amola.messages import (
     Type,
 )
 from aseme_dsl.amola.system import Team
-from aseme_dsl.compiler.builtins import FUNCTIONS
+from aseme_dsl.compiler.builtins import FUNCTIONS, NOWHERE
 from aseme_dsl.grammar import tree
+from aseme_dsl.source import Span
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,11 @@ class Symbols:
     teams: tuple[Team, ...] = ()
     protos: tuple[ProtoFile, ...] = ()
     wrong: frozenset[str] = frozenset()
-    """Names of types whose declaration is wrong: what follows from that is not reported again."""
+    """Names whose declaration is wrong: their uses are not reported again."""
+    lost: frozenset[str] = frozenset()
+    """Names whose declaration could not be read, as it seems."""
+    complete: bool = True
+    """Whether every file was read: if not, a name that is not known may be declared in one that was not."""
 
     @cached_property
     def _enums(self) -> Mapping[str, EnumType]:
@@ -74,6 +79,15 @@ class Symbols:
     def type_names(self) -> tuple[str, ...]:
         """The names of all types: built-in ones, enums, messages."""
         return (*BUILT_IN, *self._enums, *self._messages)
+
+    @property
+    def nowhere(self) -> Span:
+        """The place of what no document says."""
+        return NOWHERE
+
+    def is_excused(self, name: str) -> bool:
+        """Whether it is a consequence of another problem that this name is not known."""
+        return name in self.wrong or name in self.lost or not self.complete
 
     def enum(self, name: str) -> EnumType | None:
         return self._enums.get(name)

@@ -34,7 +34,11 @@ def topics(collector: Collector, symbols: Symbols) -> tuple[Topic, ...]:
         if name in found:
             collector.diagnostics.append(declared_twice("the topic", item.name, found[name].span))
             continue
-        if item.under is not None and item.under.text not in declared_names:
+        if (
+            item.under is not None
+            and item.under.text not in declared_names
+            and not collector.is_excused(item.under.text)
+        ):
             collector.diagnostics.append(
                 unknown("E502", "there is no topic", item.under, declared_names - {name})
             )
@@ -101,7 +105,7 @@ def _channels(
         if entry.queued and comm is not Comm.SIGNAL:
             collector.report("E503", f"a {comm} is never queued", entry.span, "only signals wait in a queue")
         for source in entry.sources:
-            if source.text not in publishers:
+            if source.text not in publishers and not symbols.is_excused(source.text):
                 collector.diagnostics.append(
                     unknown("E200", "there is no role, agent or activity", source, publishers)
                 )
@@ -109,10 +113,11 @@ def _channels(
             collector.report("E503", f"a {comm} does not persist", entry.span, "only states are kept")
         for name in entry.messages:
             if symbols.message(name.text) is None:
-                if name.text not in symbols.wrong:
+                if not symbols.is_excused(name.text):
                     pool = [item.name for item in symbols.messages]
                     hint = "it is an enum" if symbols.enum(name.text) else None
                     collector.diagnostics.append(unknown("E502", "there is no message", name, pool, hint))
+                    collector.wrong.add(name.text)
                 continue
             channel = Channel(topic.name.text, comm, name.text)
             if channel in found:

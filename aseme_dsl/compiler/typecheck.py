@@ -2,36 +2,407 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola import expression
-from aseme_dsl.amola.messages import Type
+from collections.abc import Iterator
+
+from aseme_dsl.amola import expression as amola
+from aseme_dsl.amola.expression import Literal, Named, Value, operands
+from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, STRING, Kind, Type
+from aseme_dsl.compiler.builtins import PERFORMATIVES
+from aseme_dsl.compiler.calls import (
+    assignable,
+    call,
+    constant_duration,
+    function_name,
+    timer,
+    wrong_form,
+)
+from aseme_dsl.compiler.checker import Checker
+from aseme_dsl.compiler.constants import NotConstant, fold
+from aseme_dsl.compiler.names import unknown, unknown_performative
+from aseme_dsl.compiler.operators import COMPARISONS, arithmetic, compare, is_condition, negate
+from aseme_dsl.compiler.paths import channel_of, member_of, through_optional, value_of_path
 from aseme_dsl.compiler.scope import Scope
-from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
+from aseme_dsl.source import Span
+
+DEEPEST = 100
+"""How deep an expression may be nested, with its lets written out: everything after walks it by recursion."""
+
+MOST_PARTS = 10_000
+"""How many parts an expression may have, with its lets written out."""
+
+LARGEST_INT = 2**63 - 1
 
 
 def type_expression(
     written: tree.TransitionExpression, scope: Scope
-) -> tuple[expression.TransitionExpression, tuple[Diagnostic, ...]]:
+) -> tuple[amola.TransitionExpression, tuple[Diagnostic, ...]]:
     """Type events, condition and actions. What is wrong is left out of the result and has a diagnostic.
 
     The duration of `after` and the second argument of `at` and `mean` are constants: `At.offset` and
-    `Mean.window` are always `Literal`.
+    `Mean.window` are always `Literal`. A part that an error has removed may leave an expression that means
+    something else, so nothing is to be generated from it.
     """
-    raise NotImplementedError
+    checker = Checker(scope)
+    events = [_event(checker, event) for event in written.events]
+    condition = None
+    if written.condition is not None:
+        value = _whole(checker, written.condition)
+        if is_condition(checker, value, "a condition"):
+            condition = value
+    elif written.when:
+        checker.report("E505", "`when` needs a condition", written.span, "write `when [condition]`")
+    actions = [_action(checker, action) for action in written.actions]
+    typed = amola.TransitionExpression(
+        tuple(event for event in events if event is not None),
+        written.when,
+        written.otherwise,
+        condition,
+        tuple(action for action in actions if action is not None),
+        written.span,
+    )
+    return typed, tuple(checker.diagnostics)
 
 
 def type_value(
     written: tree.Expression, scope: Scope, expected: Type | None = None
-) -> tuple[expression.Value | None, tuple[Diagnostic, ...]]:
+) -> tuple[Value | None, tuple[Diagnostic, ...]]:
     """Type a value; with `expected`, it must be assignable to that type. None when it is wrong."""
-    raise NotImplementedError
+    checker = Checker(scope)
+    value = _whole(checker, written)
+    if value is not None and expected is not None and not assignable(checker, value, expected):
+        value = None
+    return value, tuple(checker.diagnostics)
 
 
 def constant(
     written: tree.Expression, expected: Type, scope: Scope
-) -> tuple[expression.Literal | None, tuple[Diagnostic, ...]]:
+) -> tuple[Literal | None, tuple[Diagnostic, ...]]:
     """The constant that an expression of literals, enum constants and lets comes to (E514 otherwise).
 
     The value of an enum's Literal is the constant's name.
     """
-    raise NotImplementedError
+    checker = Checker(scope)
+    value = _whole(checker, written)
+    if value is None or not assignable(checker, value, expected):
+        return None, tuple(checker.diagnostics)
+    try:
+        result = fold(value)
+    except NotConstant as problem:
+        hint = "this is known only at run time"
+        checker.report("E514", "an initial value is a constant", problem.value.span, hint)
+        return None, tuple(checker.diagnostics)
+    except ArithmeticError as problem:
+        checker.report("E516", f"the value cannot be computed: {problem}", value.span)
+        return None, tuple(checker.diagnostics)
+    if expected == DOUBLE:
+        assert not isinstance(result, str)
+        result = float(result)
+    if not isinstance(result, bool) and isinstance(result, int) and abs(result) > LARGEST_INT:
+        checker.report("E516", f"{result} does not fit 64 bits", value.span)
+        return None, tuple(checker.diagnostics)
+    return Literal(result, expected, written.span), tuple(checker.diagnostics)
+
+
+# ---- size --------------------------------------------------------------------------------------
+
+
+def measure(value: Value, scope: Scope) -> tuple[int, int]:
+    """How deep a typed value is nested and how many parts it has, with its lets written out."""
+    height, size = 0, 0
+    stack = [(value, 1)]
+    while stack:
+        item, depth = stack.pop()
+        size += 1
+        if isinstance(item, Named):
+            let = scope.lets[item.name]
+            size += let.size
+            depth += let.height
+        else:
+            stack.extend((part, depth + 1) for part in operands(item))
+        height = max(height, depth)
+    return height, size
+
+
+def paths_in(written: tree.Expression) -> Iterator[tree.Path]:
+    """Every dotted name of an expression that is a value (not the functions', nor the timers')."""
+    stack = [written]
+    while stack:
+        item = stack.pop()
+        match item:
+            case tree.Path():
+                yield item
+            case tree.Call(arguments=arguments):
+                if item.function.text in ("expired", "start_timer"):
+                    arguments = arguments[1:]
+                stack.extend(reversed(arguments))
+            case tree.Unary(operand=operand):
+                stack.append(operand)
+            case tree.Binary(left=left, right=right):
+                stack += [right, left]
+            case tree.Logic(operands=parts):
+                stack.extend(reversed(parts))
+            case tree.Parenthesised(inner=inner):
+                stack.append(inner)
+
+
+def _whole(checker: Checker, written: tree.Expression) -> Value | None:
+    """A complete expression: typed, and not too deep or too large for what comes after."""
+    value = _value(checker, written, 1)
+    if value is None:
+        return None
+    height, size = measure(value, checker.scope)
+    if height > DEEPEST:
+        problem = f"the expression is nested {height} deep, with its lets written out; {DEEPEST} is the limit"
+        checker.report("E103", problem, written.span)
+        return None
+    if size > MOST_PARTS:
+        problem = f"the expression has {size} parts, with its lets written out; {MOST_PARTS} is the limit"
+        checker.report("E304", problem, written.span)
+        return None
+    return value
+
+
+# ---- values ------------------------------------------------------------------------------------
+
+
+def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | None:
+    """Recursive: `depth` bounds it, whatever the parser lets through."""
+    while isinstance(written, tree.Parenthesised):
+        written = written.inner
+    if depth > DEEPEST:
+        checker.report("E103", f"an expression is not nested more than {DEEPEST} deep", written.span)
+        return None
+    match written:
+        case tree.Number(value=number, span=span):
+            return _number(checker, number, span)
+        case tree.Duration(nanoseconds=nanoseconds, span=span):
+            return Literal(nanoseconds, DURATION, span)
+        case tree.Truth(value=truth, span=span):
+            return Literal(truth, BOOL, span)
+        case tree.Text(text=text, span=span):
+            return Literal(text, STRING, span)
+        case tree.Path():
+            return value_of_path(checker, written)
+        case tree.Call():
+            return _call(checker, written, depth)
+        case tree.Unary():
+            return _unary(checker, written, depth)
+        case tree.Binary():
+            left = _value(checker, written.left, depth + 1)
+            right = _value(checker, written.right, depth + 1)
+            if left is None or right is None:
+                return None
+            typed = compare if written.operator in COMPARISONS else arithmetic
+            return typed(checker, written, left, right)
+        case tree.Logic(operator=operator):
+            parts = [_value(checker, part, depth + 1) for part in written.operands]
+            fits = [is_condition(checker, part, f"an operand of `{operator}`") for part in parts]
+            if not all(fits):
+                return None
+            return amola.Logic(operator, tuple(part for part in parts if part is not None), written.span)
+
+
+def _number(checker: Checker, number: int | float, span: Span) -> Value | None:
+    if isinstance(number, int) and number > LARGEST_INT:
+        checker.report("E516", f"{number} does not fit 64 bits", span)
+        return None
+    return Literal(number, INT if isinstance(number, int) else DOUBLE, span)
+
+
+def _unary(checker: Checker, written: tree.Unary, depth: int) -> Value | None:
+    operand = _value(checker, written.operand, depth + 1)
+    if operand is None:
+        return None
+    if written.operator != "!":
+        return negate(checker, written, operand)
+    return amola.Not(operand, written.span) if is_condition(checker, operand, "the operand of `!`") else None
+
+
+def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
+    name = function_name(checker, written)
+    if name == "expired":
+        found = timer(checker, written, name, 1)
+        return None if found is None else amola.Expired(found, written.span)
+    if name == "start_timer":
+        wrong_form(checker, name, written.span, "`start_timer` is an action, not a value")
+        return None
+    arguments = [_value(checker, argument, depth + 1) for argument in written.arguments]
+    typed = [argument for argument in arguments if argument is not None]
+    if name is None or len(typed) < len(arguments):
+        return None
+    return call(checker, name, written, typed)
+
+
+# ---- events ------------------------------------------------------------------------------------
+
+
+def _event(checker: Checker, written: tree.Event) -> amola.Event | None:
+    match written:
+        case tree.After(duration=duration, span=span):
+            value = _whole(checker, duration)
+            if value is None:
+                return None
+            nanoseconds = constant_duration(checker, "the time of `after`", value, 0, None)
+            return None if nanoseconds is None else amola.After(nanoseconds, span)
+        case tree.Received(span=span):
+            if not _is_exchanged(checker, written.performative, written.message, written.participant, False):
+                return None
+            parts = (written.performative.text, written.message.text, written.participant.text)
+            return amola.Received(*parts, span)
+        case tree.Raised(name=name, span=span):
+            if name.text == "error":
+                return amola.Failed(span)
+            if name.text in PERFORMATIVES:
+                hint = f"an agent message is `{name} Message from participant`"
+                checker.report("E512", f"the message of `{name}` is missing", span, hint)
+                return None
+            return amola.Raised(name.text, span)
+
+
+def _is_exchanged(
+    checker: Checker, performative: tree.Name, message: tree.Name, other: tree.Name, sending: bool
+) -> bool:
+    """Whether the participant sends (or receives) this message to (from) the other one: E205, E511, E512."""
+    scope = checker.scope
+    if performative.text not in PERFORMATIVES:
+        checker.diagnostics.append(unknown_performative(performative))
+        return False
+    if scope.participant is None:
+        what = "sent" if sending else "received"
+        hint = "write it in the `control` of a participant of an `aip`"
+        problem = f"an agent message is {what} by a participant of a protocol"
+        checker.report("E205", problem, performative.span.to(other.span), hint)
+        return False
+    if other.text not in scope.parties:
+        if not scope.symbols.is_excused(other.text):
+            pool = set(scope.parties)
+            checker.diagnostics.append(unknown("E205", "the protocol has no participant", other, pool))
+        return False
+    if scope.symbols.is_excused(message.text) and scope.symbols.message(message.text) is None:
+        return False
+    own, peer = scope.parties[scope.participant], scope.parties[other.text]
+    sent, received = ("sends", own.sends), ("receives", peer.receives)
+    if not sending:
+        sent, received = ("receives", own.receives), ("sends", peer.sends)
+    said = f"{performative} {message}"
+    for party, (verb, listed) in ((own, sent), (peer, received)):
+        texts = [f"{item.performative} {item.message}" for item in listed]
+        if said in texts:
+            continue
+        hint = f"write `{verb} {said}` there" + (f"; it {verb} {', '.join(texts)}" if texts else "")
+        related = (Related(party.span, "the participant"),)
+        span = performative.span.to(message.span)
+        checker.report("E511", f"`{party.name}` does not list `{verb} {said}`", span, hint, related)
+        return False
+    return True
+
+
+# ---- actions -----------------------------------------------------------------------------------
+
+
+def _action(checker: Checker, written: tree.Action) -> amola.Action | None:
+    match written:
+        case tree.Assign():
+            return _assign(checker, written)
+        case tree.Publish(path=path, span=span):
+            return _publish(checker, path, span)
+        case tree.ReadMessages(span=span):
+            return amola.ReadMessages(span)
+        case tree.Send(span=span):
+            if not _is_exchanged(checker, written.performative, written.message, written.participant, True):
+                return None
+            parts = (written.performative.text, written.message.text, written.participant.text)
+            return amola.Send(*parts, span)
+        case tree.Evaluate(expression=tree.Call(function=function) as inner, span=span) if (
+            function.text == "start_timer"
+        ):
+            return _start_timer(checker, inner, span)
+        case tree.Evaluate(expression=inner, span=span):
+            value = _whole(checker, inner)
+            if value is None:
+                return None
+            hint = "`=` assigns" if isinstance(value, amola.Compare) and value.operator == "==" else None
+            checker.report("W500", "the value is computed and dropped", span, hint)
+            return amola.Evaluate(value, span)
+
+
+def _start_timer(checker: Checker, written: tree.Call, span: Span) -> amola.Action | None:
+    found = timer(checker, written, "start_timer", 2)
+    if found is None:
+        return None
+    duration = _whole(checker, written.arguments[1])
+    if duration is None:
+        return None
+    if duration.type != DURATION:
+        constant_duration(checker, "the time of `start_timer`", duration, None, None)
+        return None
+    try:
+        fold(duration)
+    except NotConstant:
+        return amola.StartTimer(found, duration, span)
+    except ArithmeticError:
+        checker.report("E516", "the time of `start_timer` cannot be computed", duration.span)
+        return None
+    if constant_duration(checker, "the time of `start_timer`", duration, 0, None) is None:
+        return None
+    return amola.StartTimer(found, duration, span)
+
+
+def _publish(checker: Checker, path: tree.Path, span: Span) -> amola.Action | None:
+    found = channel_of(checker, path)
+    if found is None:
+        return None
+    host, channel, used = found
+    if host is not None:
+        hint = f"write `write_messages.{channel}`; what was assigned with `{host}.` goes to {host} alone"
+        checker.report("E502", "`write_messages` names no host", path.segments[0].span, hint)
+        return None
+    if len(path.segments) > used:
+        hint = f"write `write_messages.{channel}`; members are assigned before it"
+        checker.report("E502", "`write_messages` names no member", path.segments[used].span, hint)
+        return None
+    return amola.Publish(channel, span)
+
+
+def _assign(checker: Checker, written: tree.Assign) -> amola.Action | None:
+    target = _target(checker, written.target)
+    value = _whole(checker, written.value)
+    if target is None or value is None or not assignable(checker, value, target.type):
+        return None
+    return amola.Assign(target, value, written.span)
+
+
+def _target(checker: Checker, path: tree.Path) -> amola.VariableValue | amola.Member | None:
+    """What is assigned to: a variable, or a single member of a message (E507)."""
+    first = path.segments[0]
+    scope = checker.scope
+    if first.text in scope.variables:
+        target = value_of_path(checker, path)
+        assert target is None or isinstance(target, amola.VariableValue)
+        return target
+    if first.text in scope.lets:
+        related = (Related(scope.lets[first.text].span, "declared here"),)
+        hint = "a variable (`var`) can be assigned to"
+        checker.report("E507", f"`{first}` is a let: it has no value of its own", path.span, hint, related)
+        return None
+    if scope.symbols.enum(first.text) is not None:
+        checker.report("E507", f"`{path.text}` is a constant", path.span)
+        return None
+    if len(path.segments) == 1:
+        value_of_path(checker, path)
+        return None
+    member = member_of(checker, path)
+    if member is None:
+        return None
+    if member.type.kind is Kind.MESSAGE:
+        what = "a whole message" if not member.path else "a message inside a message"
+        checker.report("E507", f"{what} is not assigned to", path.span, "assign to its members one by one")
+        return None
+    optional = through_optional(checker, member)
+    if optional is not None:
+        hint = "an activity can publish the message with it"
+        checker.report("E507", f"`{optional}` is optional and not there in a new message", path.span, hint)
+        return None
+    return member

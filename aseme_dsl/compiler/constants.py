@@ -1,0 +1,60 @@
+"""Constants: what an expression of literals, enum constants and lets comes to."""
+
+from __future__ import annotations
+
+from aseme_dsl.amola import expression as amola
+from aseme_dsl.amola.expression import Literal, Value
+from aseme_dsl.amola.messages import DOUBLE, DURATION
+
+Constant = bool | int | float | str
+
+
+class NotConstant(Exception):
+    """A part of the expression is known only at run time; `value` is that part."""
+
+    def __init__(self, value: Value) -> None:
+        super().__init__()
+        self.value = value
+
+
+def fold(value: Value) -> Constant:
+    """The constant that `value` comes to: an enum constant's name, a duration in ns.
+
+    Raises:
+        NotConstant: It reads something.
+        ArithmeticError: It divides by zero, or is out of a double's range.
+    """
+    match value:
+        case Literal(value=constant):
+            return constant
+        case amola.EnumConstant(constant=name):
+            return name
+        case amola.Named(expression=inner):
+            return fold(inner)
+        case amola.Negate(operand=operand):
+            inner_value = fold(operand)
+            assert not isinstance(inner_value, str)
+            return -inner_value
+        case amola.Not(operand=operand):
+            return not fold(operand)
+        case amola.Arithmetic(operator=operator, left=left, right=right, type=kind):
+            first, second = fold(left), fold(right)
+            assert not isinstance(first, str) and not isinstance(second, str)
+            result = _arithmetic(operator, first, second)
+            if kind == DURATION:
+                return round(result)
+            return float(result) if kind == DOUBLE else result
+    raise NotConstant(value)
+
+
+def _arithmetic(operator: str, first: float, second: float) -> int | float:
+    match operator:
+        case "+":
+            return first + second
+        case "-":
+            return first - second
+        case "*":
+            return first * second
+        case "/":
+            return first / second
+    return first % second

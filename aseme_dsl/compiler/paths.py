@@ -1,0 +1,332 @@
+"""Paths: what a dotted name means: a variable, a let, an enum constant, a message or a member of one.
+
+A name is looked for in this order: variables, lets, enums, topics. In `host.topic.state.Message.member` the
+first segment is a host if and only if the second is not a communication class.
+"""
+
+from __future__ import annotations
+
+from aseme_dsl.amola import expression as amola
+from aseme_dsl.amola.expression import Member, Named, Value, VariableValue
+from aseme_dsl.amola.messages import Channel, Comm, EnumType, Kind, Message, Topic, Type
+from aseme_dsl.compiler.builtins import COMM_TYPES
+from aseme_dsl.compiler.checker import Checker, a
+from aseme_dsl.compiler.library import providers
+from aseme_dsl.compiler.names import listed, unknown
+from aseme_dsl.compiler.scope import TypedLet
+from aseme_dsl.diagnostics import Related, closest
+from aseme_dsl.grammar import tree
+from aseme_dsl.source import Span
+
+NOTHING = ("NULL", "null", "None", "nil", "undefined")
+"""How other languages write that something is not there."""
+
+
+def value_of_path(checker: Checker, path: tree.Path) -> Value | None:
+    """What a dotted name stands for; None, reported, when it is nothing."""
+    scope = checker.scope
+    first = path.segments[0]
+    if first.text in scope.variables:
+        return _variable(checker, path)
+    if first.text in scope.lets:
+        return _let(checker, path, scope.lets[first.text])
+    enum = scope.symbols.enum(first.text)
+    if enum is not None:
+        return _constant(checker, path, enum)
+    if len(path.segments) == 1:
+        _unknown_word(checker, first)
+        return None
+    return member_of(checker, path)
+
+
+def _variable(checker: Checker, path: tree.Path) -> Value | None:
+    name = path.segments[0].text
+    key, kind = checker.scope.variables[name]
+    if len(path.segments) == 1:
+        return VariableValue(key, kind, path.span)
+    hint = None
+    if checker.scope.symbols.topic(name) is not None:
+        hint = f"the variable hides the topic `{name}`: call it something else"
+    checker.report(
+        "E501", f"the variable `{name}` is {a(kind)}: it has no members", path.segments[1].span, hint
+    )
+    return None
+
+
+def _let(checker: Checker, path: tree.Path, let: TypedLet) -> Value | None:
+    if let.value is None:
+        return None
+    if len(path.segments) == 1:
+        return Named(let.name, let.value, let.value.type, path.span)
+    message = unnamed(let.value)
+    if isinstance(message, Member) and message.type.kind is Kind.MESSAGE:
+        return _members(checker, message, path.segments[1:], path.span)
+    checker.report(
+        "E501",
+        f"the let `{let.name}` is {a(let.value.type)}: it has no members",
+        path.segments[1].span,
+        related=(Related(let.span, "declared here"),),
+    )
+    return None
+
+
+def unnamed(value: Value) -> Value:
+    """What the names of lets stand for."""
+    while isinstance(value, Named):
+        value = value.expression
+    return value
+
+
+def _constant(checker: Checker, path: tree.Path, enum: EnumType) -> Value | None:
+    names = [name for name, _ in enum.constants]
+    if len(path.segments) == 1:
+        hint = f"write `{enum.name}.{names[0]}`, say" if names else None
+        checker.report("E508", f"`{enum.name}` is an enum, not one of its constants", path.span, hint)
+        return None
+    constant = path.segments[1]
+    number = enum.number(constant.text)
+    if number is None:
+        if enum.name not in checker.scope.symbols.wrong:
+            checker.diagnostics.append(unknown("E508", f"`{enum.name}` has no constant", constant, names))
+        return None
+    if len(path.segments) > 2:
+        checker.report("E501", "a constant has no members", path.segments[2].span)
+        return None
+    return amola.EnumConstant(constant.text, number, Type(Kind.ENUM, enum.name), path.span)
+
+
+def _unknown_word(checker: Checker, name: tree.Name) -> None:
+    """A single word that is neither a variable nor a let: say what it may be meant to be."""
+    scope, symbols = checker.scope, checker.scope.symbols
+    if symbols.is_excused(name.text):
+        return
+    hint = fix = None
+    owners = [enum.name for enum in symbols.enums if enum.number(name.text) is not None]
+    if owners:
+        fix = f"{owners[0]}.{name}" if len(owners) == 1 else None
+        hint = "a constant is written with its enum: " + listed((f"{item}.{name}" for item in owners), "or")
+    elif name.text in NOTHING:
+        hint = "write `!has(topic.state.Message)` to ask whether a message is not there"
+    elif symbols.topic(name.text) is not None:
+        hint = f"it is a topic: `{name}.state.Message.member` reads from it"
+    elif symbols.message(name.text) is not None:
+        hint = _where(symbols.channels_of(name.text))
+    elif symbols.overloads(name.text):
+        hint = f"it is a function: `{name}(…)` calls it"
+    if hint is not None:
+        checker.report("E200", f"there is no variable or let `{name}`", name.span, hint, fix=fix)
+        return
+    pool = (*scope.variables, *scope.lets, *(enum.name for enum in symbols.enums))
+    checker.diagnostics.append(
+        unknown("E200", "there is no variable or let", name, pool, providers(name.text) or "declare it")
+    )
+
+
+def _where(channels: tuple[Channel, ...]) -> str:
+    if not channels:
+        return "no topic carries this message"
+    return "the message is on " + listed((str(channel) for channel in channels), "and")
+
+
+# ---- messages on topics ------------------------------------------------------------------------
+
+
+def member_of(checker: Checker, path: tree.Path) -> Member | None:
+    """`host.topic.comm.Message.member…`; the message itself where no member follows."""
+    found = channel_of(checker, path)
+    if found is None:
+        return None
+    host, channel, used = found
+    message = Member(host, channel, (), Type(Kind.MESSAGE, channel.message), path.span)
+    return _members(checker, message, path.segments[used:], path.span)
+
+
+def channel_of(checker: Checker, path: tree.Path) -> tuple[str | None, Channel, int] | None:
+    """The host and channel that a path begins with, and how many segments say so."""
+    segments = path.segments
+    if len(segments) > 1 and segments[1].text in COMM_TYPES:
+        host, used = None, 0
+    elif len(segments) > 2 and segments[2].text in COMM_TYPES:
+        host, used = segments[0], 1
+        if not _is_host(checker, host):
+            return None
+    else:
+        _no_class(checker, path)
+        return None
+    topic = _topic(checker, segments[used])
+    if topic is None:
+        return None
+    comm = segments[used + 1]
+    if len(segments) == used + 2:
+        carried = [str(item.channel) for item in topic.channels if item.channel.comm == comm.text]
+        hint = "there is " + listed(carried) if carried else None
+        checker.report("E502", f"`{topic.name}.{comm}` names no message", path.span, hint)
+        return None
+    message = segments[used + 2]
+    channel = Channel(topic.name, Comm(comm.text), message.text)
+    if checker.scope.symbols.channel(channel) is None:
+        _no_channel(checker, topic, comm, message)
+        return None
+    return (None if host is None else host.text), channel, used + 3
+
+
+def _is_host(checker: Checker, host: tree.Name) -> bool:
+    agents = checker.scope.symbols.agents
+    if not agents or host.text in agents:
+        return True
+    if not checker.scope.symbols.is_excused(host.text):
+        hint = "a variable is `host.topic.class.Message.member`, and hosts are the agents of the team"
+        if host.text in checker.scope.parties:
+            hint = "it is a participant; hosts are the agents of the team"
+        checker.diagnostics.append(unknown("E513", "there is no agent", host, agents, hint))
+    return False
+
+
+def _topic(checker: Checker, name: tree.Name) -> Topic | None:
+    symbols = checker.scope.symbols
+    topic = symbols.topic(name.text)
+    if topic is None and not symbols.is_excused(name.text):
+        pool = [item.name for item in symbols.topics]
+        checker.diagnostics.append(
+            unknown("E502", "there is no topic", name, pool, providers(name.text) or "declare it")
+        )
+    return topic
+
+
+def _no_class(checker: Checker, path: tree.Path) -> None:
+    """A path without a communication class where one belongs: say which segment is to blame."""
+    symbols, segments = checker.scope.symbols, path.segments
+    first = segments[0]
+    if symbols.topic(first.text) is not None:
+        _wrong_class(checker, first, segments[1])
+        return
+    on_host = len(segments) > 1 and symbols.topic(segments[1].text) is not None
+    if on_host and (first.text in symbols.agents or not symbols.agents):
+        if len(segments) == 2:
+            checker.report("E502", f"`{path.text}` names no message", path.span)
+        else:
+            _wrong_class(checker, segments[1], segments[2])
+        return
+    if symbols.is_excused(first.text) or symbols.is_excused(segments[1].text):
+        return
+    if symbols.message(first.text) is not None:
+        channels = symbols.channels_of(first.text)
+        fix = f"{channels[0]}" if len(channels) == 1 else None
+        checker.report(
+            "E502",
+            f"`{first}` is a message: a topic and a class come before it",
+            first.span,
+            _where(channels),
+            (),
+            fix,
+        )
+        return
+    pool = [*checker.scope.variables, *checker.scope.lets]
+    pool += [enum.name for enum in symbols.enums] + [topic.name for topic in symbols.topics]
+    if on_host:
+        checker.diagnostics.append(unknown("E513", "there is no agent", first, symbols.agents))
+        return
+    hint = providers(first.text) or "a message is read as `topic.state.Message.member`"
+    checker.diagnostics.append(unknown("E502", "there is no topic, variable, let or enum", first, pool, hint))
+
+
+def _wrong_class(checker: Checker, topic: tree.Name, comm: tree.Name) -> None:
+    """`vision.stat.Ball`, or `vision.Ball` without a class at all."""
+    found = checker.scope.symbols.topic(topic.text)
+    assert found is not None
+    if checker.scope.symbols.is_excused(comm.text):
+        return
+    channels = [item.channel for item in found.channels]
+    fits = [channel for channel in channels if channel.message == comm.text]
+    if fits:
+        hint = "write " + listed((str(channel) for channel in fits), "or")
+        fix = f"{fits[0].comm}.{comm}" if len(fits) == 1 else None
+        checker.report("E503", "the communication class is missing", comm.span, hint, fix=fix)
+        return
+    near = closest(comm.text, COMM_TYPES)
+    hint = f"did you mean `{near}`?" if near else "there are `signal`, `state` and `data`"
+    checker.report("E503", f"there is no communication class `{comm}`", comm.span, hint, fix=near)
+
+
+def _no_channel(checker: Checker, topic: Topic, comm: tree.Name, message: tree.Name) -> None:
+    """The topic does not carry this message in this class."""
+    symbols = checker.scope.symbols
+    others = [item for item in topic.channels if item.channel.message == message.text]
+    if others:
+        classes = listed((item.channel.comm for item in others), "and")
+        checker.report(
+            "E503",
+            f"`{message}` is on `{topic.name}` as {classes}, not as `{comm}`",
+            comm.span,
+            f"write {listed((str(item.channel) for item in others), 'or')}",
+            tuple(Related(item.span, "declared here") for item in others),
+            str(others[0].channel.comm) if len(others) == 1 else None,
+        )
+        return
+    if symbols.is_excused(message.text):
+        return
+    if symbols.message(message.text) is not None:
+        channels = symbols.channels_of(message.text)
+        related = (Related(topic.span, "the topic"),)
+        problem = f"the topic `{topic.name}` does not carry `{message}`"
+        checker.report("E502", problem, message.span, _where(channels), related)
+        return
+    pool = [item.channel.message for item in topic.channels if item.channel.comm == comm.text]
+    pool = pool or [item.channel.message for item in topic.channels]
+    checker.diagnostics.append(
+        unknown(
+            "E502", f"the topic `{topic.name}` carries no message", message, pool, providers(message.text)
+        )
+    )
+
+
+def _members(checker: Checker, start: Member, names: tuple[tree.Name, ...], span: Span) -> Member | None:
+    """From a message (or a member that is one) along the names of members."""
+    symbols = checker.scope.symbols
+    kind, path = start.type, list(start.path)
+    for name in names:
+        owner = symbols.message(kind.name) if kind.kind is Kind.MESSAGE else None
+        if owner is None:
+            if kind.name not in symbols.wrong:
+                where = ".".join(path)
+                checker.report("E501", f"`{where}` is {a(kind)}: it has no members", name.span)
+            return None
+        field = owner.field(name.text)
+        if field is None:
+            _no_member(checker, owner, name)
+            return None
+        if field.label == "repeated":
+            checker.report(
+                "E501",
+                f"`{name}` is repeated: an expression reads single values",
+                name.span,
+                "give the whole message to a function",
+                (Related(field.span, "declared here"),),
+            )
+            return None
+        kind = field.type
+        path.append(name.text)
+    return Member(start.host, start.channel, tuple(path), kind, span)
+
+
+def _no_member(checker: Checker, owner: Message, name: tree.Name) -> None:
+    symbols = checker.scope.symbols
+    if owner.name in symbols.wrong:
+        return
+    checker.diagnostics.append(
+        unknown("E501", f"`{owner.name}` has no member", name, [field.name for field in owner.fields])
+    )
+
+
+def through_optional(checker: Checker, member: Member) -> str | None:
+    """The first optional message on the way to a member, which a draft does not have."""
+    symbols = checker.scope.symbols
+    owner = symbols.message(member.channel.message)
+    for name in member.path[:-1]:
+        field = owner.field(name) if owner is not None else None
+        if field is None:
+            return None
+        if field.label == "optional":
+            return name
+        owner = symbols.message(field.type.name)
+    return None
