@@ -1,0 +1,112 @@
+"""Activity use: the activities of all charts, with what is said of them and what only looks like one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+from aseme_dsl.compiler.damage import Damaged
+from aseme_dsl.compiler.names import unknown
+from aseme_dsl.compiler.usecases import folded
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.grammar import tree
+from aseme_dsl.source import Span
+
+
+def used_activities(charts: Iterable[Statechart]) -> dict[str, Node]:
+    """Every activity with the state where it stands first, in document order."""
+    found: dict[str, Node] = {}
+    for chart in charts:
+        for node in chart.nodes:
+            if node.type is NodeType.BASIC and node.activity is not None:
+                found.setdefault(node.activity, node)
+    return found
+
+
+def all_activities(iacs: Iterable[Statechart], described: Mapping[str, Activity]) -> tuple[Activity, ...]:
+    """The activities that roles perform: as described, else with nothing said of them."""
+    return tuple(
+        described.get(name) or Activity(name, (), None, None, "thread", (), (), (), node.span)
+        for name, node in used_activities(iacs).items()
+    )
+
+
+def check_described(
+    written: Iterable[tree.Activity], used: Iterable[str], is_damaged: Damaged
+) -> Iterator[Diagnostic]:
+    """E204 for a description of an activity that no formula has."""
+    used = set(used)
+    for item in written:
+        if item.name.text not in used and not is_damaged(item.span):
+            yield unknown("E204", "no formula has the activity", item.name, used)
+
+
+def close_names(
+    used: Mapping[str, Node], described: Mapping[str, Activity], formulas: Iterable[tree.NamedFormula]
+) -> Iterator[Diagnostic]:
+    """W200 for an activity whose name is close to a formula's or another activity's: is it misspelt?
+
+    Close is: equal but for case and underscores, or one letter more, less, wrong or swapped in a name of
+    five or more. Names that differ in a digit are meant to differ.
+    """
+    declared: dict[str, tuple[Span, str]] = {}
+    for item in formulas:
+        if item.name.text != "process":
+            declared.setdefault(item.name.text, (item.name.span, "the formula"))
+    for name, activity in described.items():
+        declared.setdefault(name, (activity.span, "the activity"))
+    new = [name for name in used if name not in declared]
+    for name in new:
+        declared.setdefault(name, (used[name].span, "the activity"))
+    by_shape: dict[str, list[str]] = {}
+    for name in declared:
+        for shape in _shapes(folded(name)):
+            by_shape.setdefault(shape, []).append(name)
+    rank = {name: place for place, name in enumerate(declared)}
+    for name in new:
+        near = {
+            other
+            for shape in _shapes(folded(name))
+            for other in by_shape[shape]
+            if rank[other] < rank[name] and _close(folded(name), folded(other))
+        }
+        if near:
+            other = min(near, key=lambda item: rank[item])
+            span, what = declared[other]
+            yield Diagnostic(
+                "W200",
+                f"the activity `{name}` is named almost like {what} `{other}`",
+                used[name].span,
+                (Related(span, f"`{other}`"),),
+                hint=f"did you mean `{other}`?",
+                fix=other,
+            )
+
+
+def _shapes(name: str) -> Sequence[str]:
+    """The name itself and all that lack one of its letters: close names share one of these."""
+    if len(name) < 5:
+        return (name,)
+    return (name, *dict.fromkeys(name[:i] + name[i + 1 :] for i in range(len(name))))
+
+
+def _close(one: str, other: str) -> bool:
+    if one == other:
+        return True
+    if min(len(one), len(other)) < 5:
+        return False
+    start = 0
+    while start < min(len(one), len(other)) and one[start] == other[start]:
+        start += 1
+    end = 0
+    while end < min(len(one), len(other)) - start and one[-1 - end] == other[-1 - end]:
+        end += 1
+    left, right = one[start : len(one) - end], other[start : len(other) - end]
+    if any(char.isdigit() for char in left + right):
+        return False
+    swapped = len(left) == 2 and left == right[::-1]
+    return swapped or (len(left) <= 1 and len(right) <= 1)
+
+
+__all__ = ["all_activities", "check_described", "close_names", "used_activities"]

@@ -1,0 +1,90 @@
+"""Chart: an outline with its control lines, variables and regions as the statechart that all others read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from aseme_dsl.amola.aip import DeclaredVariable
+from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import Origin, OriginKind, Statechart, Variable
+from aseme_dsl.compiler.control import LabelledLine, Line, Lines, Placed, transitions
+from aseme_dsl.compiler.formula_to_statechart import Branch, Outline, Way
+from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.regions import regions_of
+from aseme_dsl.compiler.resolve import Symbols
+from aseme_dsl.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class RelativeLine:
+    """A labelled line of a participant: its ends below the label of the participant's branch (`.2.1`)."""
+
+    source: str
+    target: str
+    line: Line
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """The process of a participant with its control: what is woven in wherever it is played."""
+
+    protocol: str
+    participant: str
+    formulas: Formulas
+    variables: tuple[DeclaredVariable, ...]
+    lines: Lines
+    labelled: tuple[RelativeLine, ...]
+    span: Span
+
+    def branch(self, bindings: Mapping[str, str] | None = None) -> Branch:
+        return Branch(self.protocol, self.participant, self.formulas, bindings or {})
+
+
+@dataclass(frozen=True, slots=True)
+class World:
+    """What every chart of the system shares: its name, its symbols and what is said of the activities."""
+
+    system: str
+    symbols: Symbols
+    activities: Mapping[str, Activity]
+
+
+def chart_of(
+    name: str,
+    kind: str,
+    outline: Outline,
+    parts: Mapping[tuple[str, str], Part],
+    world: World,
+    span: Span,
+    lines: Lines | None = None,
+    labelled: Sequence[LabelledLine] = (),
+    variables: Sequence[DeclaredVariable] = (),
+) -> Statechart:
+    """The statechart of an outline. `parts` are the participants whose branches are in it.
+
+    A branch's variables are renewed with the branch, and are told apart by its label: `bids@0.2.3`.
+    """
+    by_way: dict[Way, tuple[Line, ...]] = dict(lines.by_way) if lines is not None else {}
+    origin = Origin(OriginKind.FORMULA, name, "control")
+    placed = [Placed(item.source.text, item.target.text, item.line, origin, None) for item in labelled]
+    own = [Variable(v.name, v.type, v.initial, None, v.span) for v in variables]
+    renamed: dict[str, dict[str, str]] = {}
+    for label, branch in outline.branches.items():
+        part = parts[branch.protocol, branch.participant]
+        by_way.update(part.lines.by_way)
+        placed += _placed(label, part, branch.origin)
+        if part.variables:
+            renamed[label] = {v.name: f"{v.name}@{label}" for v in part.variables}
+            own += [Variable(f"{v.name}@{label}", v.type, v.initial, label, v.span) for v in part.variables]
+    found = transitions(outline, by_way, placed, renamed)
+    regions = regions_of(outline.nodes, found, world.activities, world.symbols)
+    return Statechart(name, world.system, kind, outline.nodes, found, tuple(own), regions, span)
+
+
+def _placed(label: str, part: Part, origin: Origin) -> Iterable[Placed]:
+    for item in part.labelled:
+        yield Placed(label + item.source, label + item.target, item.line, origin, label)
+
+
+__all__ = ["Part", "RelativeLine", "World", "chart_of"]

@@ -1,0 +1,250 @@
+"""Choices: whether the control lines decide every choice and loop of a formula, and decide it once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from aseme_dsl.amola.expression import Expired, TransitionExpression, walk
+from aseme_dsl.amola.liveness import Formula, Operator, ungrouped
+from aseme_dsl.compiler.control import Line, Lines
+from aseme_dsl.compiler.formula_to_statechart import Way
+from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.terms import Terms, spelling, terms_of
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.grammar import tree
+from aseme_dsl.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Alternative:
+    """One of several transitions of a source: its name, its lines, and where it stands without one."""
+
+    name: str
+    lines: tuple[Line, ...]
+    span: Span
+
+    @property
+    def place(self) -> Span:
+        return self.lines[0].span if self.lines else self.span
+
+    @property
+    def is_decided(self) -> bool:
+        """Whether every line of it has an event, a condition or `else`."""
+        return bool(self.lines) and not any(_unconditional(line.written) for line in self.lines)
+
+
+def check_formulas(
+    formulas: Formulas,
+    controls: Mapping[str, str],
+    lines: Lines,
+    damaged: frozenset[str] = frozenset(),
+) -> tuple[Diagnostic, ...]:
+    """Every choice and loop of the formulas against their lines.
+
+    `controls` gives each formula the name that its control block has; `damaged` are the formulas whose
+    control could not be read completely, so that a missing line means nothing.
+    """
+    found: list[Diagnostic] = []
+    for name in formulas.named:
+        if name in damaged:
+            continue
+        terms = terms_of(formulas, name, controls.get(name, name))
+        choices, loops, others = _alternatives(terms, lines)
+        if name in lines.blocks:
+            for choice in choices:
+                found += check_choice(choice)
+            for loop in loops:
+                found += check_loop(loop)
+        elif choices or loops:
+            found.append(_nothing_said(terms, controls.get(name, name), choices, loops))
+        for group in (*choices, *loops, *others):
+            found += check_group(group)
+        for group in (*loops, *others):
+            found += check_source(group)
+    return tuple(found)
+
+
+def _alternatives(
+    terms: Terms, lines: Lines
+) -> tuple[list[list[Alternative]], list[list[Alternative]], list[list[Alternative]]]:
+    """The choices, the loops and the other sources of a formula, each with its alternatives in order."""
+    choices: list[list[Alternative]] = []
+    loops: list[list[Alternative]] = []
+    grouped: set[Way] = set()
+
+    def alternative(verb: str, operand: Formula) -> Alternative:
+        term = ungrouped(operand)
+        grouped.add((verb, term))
+        return Alternative(f"{verb} {spelling(terms, term)}", lines.of((verb, term)), operand.span)
+
+    for term in terms.parents:
+        operands = term.operands
+        match term.operator:
+            case Operator.CHOICE:
+                choices.append([alternative("enter", operand) for operand in operands])
+            case Operator.OPTION | Operator.ZERO_OR_MORE:
+                choices.append([alternative(verb, operands[0]) for verb in ("enter", "skip")])
+        if term.operator in (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE):
+            loops.append([alternative(verb, operands[0]) for verb in ("repeat", "leave")])
+    others = [
+        [Alternative(f"{verb} {spelling(terms, term)}", own, term.span)]
+        for (verb, term), own in lines.by_way.items()
+        if len(own) > 1 and term in terms.parents and (verb, term) not in grouped
+    ]
+    return choices, loops, others
+
+
+def check_choice(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
+    """A choice wants a condition on each branch: E404, E405; `else` beside a time limit: W401."""
+    decided = [item for item in alternatives if any(not _unconditional(line.written) for line in item.lines)]
+    if not decided:
+        yield Diagnostic(
+            "E405",
+            "nothing decides this choice: none of "
+            + _listed(f"`{item.name}`" for item in alternatives)
+            + " has a condition",
+            alternatives[0].place,
+            tuple(Related(item.place, f"`{item.name}`") for item in alternatives[1:]),
+            hint=f"for example `{alternatives[0].name} : [ … ]` and `{alternatives[-1].name} : else`",
+        )
+        return
+    for item in alternatives:
+        if not item.is_decided:
+            has_else = any(line.written.otherwise for other in alternatives for line in other.lines)
+            yield Diagnostic(
+                "E404",
+                f"`{item.name}` has no condition, while `{decided[0].name}` has one",
+                next((line.span for line in item.lines if _unconditional(line.written)), item.span),
+                (Related(decided[0].place, f"`{decided[0].name}`"),),
+                hint=f"write `{item.name} : [ … ]`" if has_else else f"write `{item.name} : else`",
+            )
+    limits = [line for item in alternatives for line in item.lines if _waits(line.written)]
+    yield from _else_beside(alternatives, limits, "the time limit beside it can never be reached")
+
+
+def _waits(written: tree.TransitionExpression) -> bool:
+    return any(isinstance(event, tree.After) for event in written.events)
+
+
+def check_loop(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
+    """A loop that repeats and leaves without a condition only ever does what comes first: E407."""
+    if any(item.is_decided for item in alternatives):
+        return
+    repeat, leave = alternatives
+    yield Diagnostic(
+        "E407",
+        f"`{repeat.name}` and `{leave.name}` are both without a condition: the loop is never left",
+        repeat.place,
+        (Related(leave.place, f"`{leave.name}`"),),
+        hint=f"write `{repeat.name} : [ … ]`, and `{leave.name} : else` or another condition",
+    )
+
+
+def check_group(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
+    """What holds for all transitions of one source: E406, W401, and lines that are never looked at (W301)."""
+    lines = sorted((line for item in alternatives for line in item.lines), key=lambda line: line.position)
+    otherwise = [line for line in lines if line.written.otherwise]
+    for line in otherwise[1:]:
+        yield Diagnostic(
+            "E406",
+            "this is the second `else` beside each other",
+            line.span,
+            (Related(otherwise[0].span, "the first one"),),
+            hint="say when this one is taken, and leave `else` to one of them",
+        )
+    timers = [line for line in lines if _expires(line.expression)]
+    yield from _else_beside(alternatives, timers, "the timer beside it has hardly ever run out then")
+    for item in alternatives:
+        always = [line for line in item.lines if _unconditional(line.written)]
+        for line in always[1:]:
+            yield _never_taken(line, always[0].span)
+
+
+def check_source(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
+    """An `else` beside a transition that needs no condition is never taken: W301 (in a choice, E404)."""
+    for item in alternatives:
+        unconditional = [line.span for line in item.lines if _unconditional(line.written)]
+        place = unconditional[0] if unconditional else None if item.lines else item.span
+        if place is not None:
+            for line in (line for other in alternatives for line in other.lines):
+                if line.written.otherwise:
+                    yield _never_taken(line, place)
+            return
+
+
+def _never_taken(line: Line, because: Span) -> Diagnostic:
+    return Diagnostic(
+        "W301",
+        "this line is never taken: something beside it needs no condition",
+        line.span,
+        (Related(because, "taken as soon as the source is complete"),),
+    )
+
+
+def _else_beside(
+    alternatives: Sequence[Alternative], timed: Sequence[Line], why: str
+) -> Iterator[Diagnostic]:
+    for item in alternatives:
+        for line in item.lines:
+            if line.written.otherwise and timed:
+                yield Diagnostic(
+                    "W401",
+                    f"`else` is taken at once when nothing else is enabled: {why}",
+                    line.span,
+                    (Related(timed[0].span, "the time that is waited for"),),
+                    hint="write the opposite condition instead of `else`",
+                )
+
+
+def _expires(typed: TransitionExpression) -> bool:
+    return typed.condition is not None and any(isinstance(item, Expired) for item in walk(typed.condition))
+
+
+def _unconditional(written: tree.TransitionExpression) -> bool:
+    return not written.events and written.condition is None and not written.otherwise
+
+
+def _nothing_said(
+    terms: Terms,
+    control: str,
+    choices: Sequence[Sequence[Alternative]],
+    loops: Sequence[Sequence[Alternative]],
+) -> Diagnostic:
+    count = len(choices) + len(loops)
+    what = "a choice" if count == 1 and choices else "a loop" if count == 1 else f"{count} choices and loops"
+    return Diagnostic(
+        "N704",
+        f"`{terms.formula}` has {what} without a condition: what comes first is taken",
+        terms.formulas.named[terms.formula].name.span,
+        hint="start from\n" + control_skeleton(control, [*choices, *loops]),
+    )
+
+
+def control_skeleton(control: str, groups: Iterable[Sequence[Alternative]]) -> str:
+    """A control block that decides every choice and loop, with conditions still to be written."""
+    lines = []
+    for alternatives in groups:
+        width = max(len(item.name) for item in alternatives)
+        for item in alternatives[:-1]:
+            lines.append(f"  {item.name.ljust(width)} : [true]  // when?")
+        lines.append(f"  {alternatives[-1].name.ljust(width)} : else")
+    return "\n".join([f"control {control} {{", *lines, "}"])
+
+
+def _listed(names: Iterable[str]) -> str:
+    found = list(names)
+    if len(found) > 6:
+        return ", ".join(found[:6]) + f" and {len(found) - 6} more"
+    return ", ".join(found[:-1]) + " and " + found[-1]
+
+
+__all__ = [
+    "Alternative",
+    "check_choice",
+    "check_formulas",
+    "check_group",
+    "check_loop",
+    "check_source",
+    "control_skeleton",
+]

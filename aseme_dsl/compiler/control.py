@@ -1,0 +1,386 @@
+"""Control: transition expressions from the `control` blocks onto the arrows of a chart.
+
+A line is read once, for its formula; the chart has it wherever the formula is expanded, and a protocol's
+lines go wherever the protocol is played.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from aseme_dsl.amola import expression
+from aseme_dsl.amola.expression import EMPTY, TransitionExpression
+from aseme_dsl.amola.statechart import Node, NodeType, Origin, Transition
+from aseme_dsl.compiler.formula_to_statechart import Arrow, Outline, Way
+from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.scope import Scope
+from aseme_dsl.compiler.terms import terms_of, way
+from aseme_dsl.compiler.typecheck import type_expression
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.grammar import tree
+from aseme_dsl.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A control line: as written, typed, and its place among all lines of its owner."""
+
+    written: tree.TransitionExpression
+    expression: TransitionExpression
+    position: int
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class LabelledLine:
+    """`0.2.3 -> 0.2.4 : …`"""
+
+    source: tree.Name
+    target: tree.Name
+    line: Line
+
+
+@dataclass(frozen=True, slots=True)
+class Lines:
+    """All control lines of a role or participant: by way, in the order in which they are written.
+
+    `blocks` gives each formula that has a `control` block its block.
+    """
+
+    by_way: Mapping[Way, tuple[Line, ...]] = field(default_factory=dict)
+    labelled: tuple[LabelledLine, ...] = ()
+    blocks: Mapping[str, tree.Control] = field(default_factory=dict)
+
+    def of(self, verb_and_term: Way) -> tuple[Line, ...]:
+        return self.by_way.get(verb_and_term, ())
+
+
+def read_lines(
+    formulas: Formulas, controls: Iterable[tuple[tree.Control, str]], scope: Scope
+) -> tuple[Lines, tuple[Diagnostic, ...]]:
+    """The lines of `controls`, each given with the name of the formula that it is about.
+
+    Reports E400, E401, E402, E411 and what is wrong with the expressions.
+    """
+    by_way: dict[Way, list[Line]] = {}
+    labelled: list[LabelledLine] = []
+    blocks: dict[str, tree.Control] = {}
+    found: list[Diagnostic] = []
+    position = 0
+    for control, name in controls:
+        first = blocks.setdefault(name, control)
+        if first is not control:
+            found.append(
+                Diagnostic(
+                    "E411",
+                    f"`{control.name}` has two control blocks",
+                    control.name.span,
+                    (Related(first.name.span, "the first one"),),
+                    hint="write their lines into one block: their order is the order in which they are tried",
+                )
+            )
+        terms = terms_of(formulas, name, control.name.text)
+        for entry in control.entries:
+            typed, problems = type_expression(entry.expression, scope)
+            found += problems
+            line = Line(entry.expression, typed, position, entry.span)
+            position += 1
+            if isinstance(entry, tree.LabelledWay):
+                labelled.append(LabelledLine(entry.source, entry.target, line))
+                continue
+            key, problem = way(terms, entry.verb, entry.term)
+            if problem is not None:
+                found.append(problem)
+            elif key is not None:
+                by_way.setdefault(key, []).append(line)
+    return Lines({key: tuple(items) for key, items in by_way.items()}, tuple(labelled), blocks), tuple(found)
+
+
+# ---- onto the chart -----------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A labelled line with the labels that it means in one chart."""
+
+    source: str
+    target: str
+    line: Line
+    origin: Origin
+    branch: str | None
+
+
+def transitions(
+    outline: Outline,
+    lines: Mapping[Way, tuple[Line, ...]],
+    placed: Sequence[Placed] = (),
+    renamed: Mapping[str, Mapping[str, str]] | None = None,
+) -> tuple[Transition, ...]:
+    """The transitions of a chart, in the template's order; several lines of one way are parallel ones.
+
+    `renamed` gives each branch the keys that its participant's variables have in the chart. What `placed`
+    lines add to the formula comes last.
+    """
+    renamed = renamed or {}
+    by_ends: dict[tuple[str, str], list[Placed]] = {}
+    for item in placed:
+        by_ends.setdefault((item.source, item.target), []).append(item)
+    drafts: list[_Draft] = []
+    for arrow in outline.arrows:
+        own = lines.get(arrow.way, ())
+        extra = by_ends.pop((arrow.source, arrow.target), None) if by_ends else None
+        if extra:
+            own = tuple(sorted((*own, *(item.line for item in extra)), key=lambda line: line.position))
+        if own:
+            names = renamed.get(arrow.branch, {}) if arrow.branch else {}
+            drafts += [
+                _Draft(arrow, rename(line.expression, names), line.position, line.span) for line in own
+            ]
+        else:
+            drafts.append(_Draft(arrow, EMPTY, None, arrow.span))
+    names_of = {node.label: node.name for node in outline.nodes} if by_ends else {}
+    for ends, items in by_ends.items():
+        for item in items:
+            name = f"{names_of[ends[0]]}TO{names_of[ends[1]]}"
+            drafts.append(
+                _Draft(
+                    item,
+                    rename(item.line.expression, renamed.get(item.branch or "", {})),
+                    item.line.position,
+                    item.line.span,
+                    name,
+                )
+            )
+    return _prioritised(drafts)
+
+
+@dataclass(frozen=True, slots=True)
+class _Draft:
+    """A transition that waits for its priority; `position` is None for one without a line."""
+
+    arrow: Arrow | Placed
+    expression: TransitionExpression
+    position: int | None
+    span: Span
+    name: str = ""
+
+
+def _prioritised(drafts: Sequence[_Draft]) -> tuple[Transition, ...]:
+    by_source: dict[str, list[int]] = {}
+    for index, draft in enumerate(drafts):
+        by_source.setdefault(draft.arrow.source, []).append(index)
+    priority = [0] * len(drafts)
+    for indices in by_source.values():
+        if len(indices) > 1:
+            indices.sort(key=lambda index: _order(drafts[index], index))
+            for place, index in enumerate(indices):
+                priority[index] = place
+    return tuple(
+        Transition(
+            draft.arrow.name if isinstance(draft.arrow, Arrow) else draft.name,
+            draft.arrow.source,
+            draft.arrow.target,
+            draft.expression,
+            priority[index],
+            draft.arrow.origin,
+            draft.span,
+        )
+        for index, draft in enumerate(drafts)
+    )
+
+
+def _order(draft: _Draft, index: int) -> tuple[int, bool, int]:
+    """Written lines first, in their order, then the template's; without a condition later, `else` last."""
+    rank = 2 if draft.expression.otherwise else 1 if draft.expression.is_unconditional else 0
+    return rank, draft.position is None, index if draft.position is None else draft.position
+
+
+def rename(written: TransitionExpression, names: Mapping[str, str]) -> TransitionExpression:
+    """The expression with the keys of variables replaced as `names` says."""
+    if not names or not _mentions(written, names):
+        return written
+    condition = None if written.condition is None else _renamed(written.condition, names)
+    actions = tuple(_renamed_action(action, names) for action in written.actions)
+    return replace(written, condition=condition, actions=actions)
+
+
+def _mentions(written: TransitionExpression, names: Mapping[str, str]) -> bool:
+    targets = (action.target for action in written.actions if isinstance(action, expression.Assign))
+    return any(
+        isinstance(value, expression.VariableValue) and value.name in names
+        for value in (*expression.values_of(written), *targets)
+    )
+
+
+def _renamed(value: expression.Value, names: Mapping[str, str]) -> expression.Value:
+    """Nesting of expressions is bounded (E103), so this may recurse."""
+    match value:
+        case expression.VariableValue(name=name):
+            return replace(value, name=names.get(name, name))
+        case expression.Call(arguments=arguments):
+            return replace(value, arguments=tuple(_renamed(item, names) for item in arguments))
+        case expression.Not(operand=operand) | expression.Negate(operand=operand):
+            return replace(value, operand=_renamed(operand, names))
+        case expression.Logic(operands=operands):
+            return replace(value, operands=tuple(_renamed(item, names) for item in operands))
+        case expression.Compare(left=left, right=right) | expression.Arithmetic(left=left, right=right):
+            return replace(value, left=_renamed(left, names), right=_renamed(right, names))
+        case expression.At(offset=offset):
+            return replace(value, offset=_renamed(offset, names))
+        case expression.Mean(window=window):
+            return replace(value, window=_renamed(window, names))
+        case expression.Named(expression=inner):
+            return replace(value, expression=_renamed(inner, names))
+    return value
+
+
+def _renamed_action(action: expression.Action, names: Mapping[str, str]) -> expression.Action:
+    match action:
+        case expression.Assign(target=target, value=value):
+            if isinstance(target, expression.VariableValue):
+                target = replace(target, name=names.get(target.name, target.name))
+            return replace(action, target=target, value=_renamed(value, names))
+        case expression.StartTimer(duration=duration):
+            return replace(action, duration=_renamed(duration, names))
+        case expression.Evaluate(value=value):
+            return replace(action, value=_renamed(value, names))
+    return action
+
+
+# ---- lines that name labels ---------------------------------------------------------------------
+
+
+def check_labels(
+    outline: Outline, labelled: Iterable[LabelledLine], inside: str | None = None
+) -> tuple[tuple[LabelledLine, ...], tuple[Diagnostic, ...]]:
+    """The labelled lines that the chart can take, and what is wrong with the others.
+
+    `inside` is the label of the participant's branch that the lines belong to; without it they are a role's,
+    and may not touch a branch.
+    """
+    nodes = {node.label: node for node in outline.nodes}
+    ends = {(arrow.source, arrow.target) for arrow in outline.arrows}
+    good: list[LabelledLine] = []
+    found: list[Diagnostic] = []
+    for item in labelled:
+        missing = [name for name in (item.source, item.target) if name.text not in nodes]
+        if missing:
+            found += [_unknown_label(name, nodes) for name in missing]
+            continue
+        source, target = nodes[item.source.text], nodes[item.target.text]
+        place = item.source.span.to(item.target.span)
+        problem = structure_problem(nodes, source, target, place)
+        if problem is None and inside is None:
+            problem = _inside_branch(outline, source, target, place)
+        elif problem is None and inside is not None:
+            problem = _outside_branch(inside, source, target, place)
+        if problem is not None:
+            found.append(problem)
+            continue
+        good.append(item)
+        if (source.label, target.label) not in ends:
+            found.append(
+                Diagnostic(
+                    "W400",
+                    f"the formula has no transition from {source.label} to {target.label}",
+                    place,
+                    (Related(source.span, source.label), Related(target.span, target.label)),
+                    hint="with it the chart is no longer the formula's; change the formula if you can",
+                )
+            )
+    return tuple(good), tuple(found)
+
+
+def structure_problem(
+    nodes: Mapping[str, Node], source: Node, target: Node, place: Span
+) -> Diagnostic | None:
+    """What forbids a transition between two states: E603, E604 (rules of the papers' tools), E409."""
+    if target.type is NodeType.START:
+        return Diagnostic(
+            "E603",
+            f"{target.label} is a START: it is entered with the state around it, not by a transition",
+            place,
+            hint=f"lead to {target.parent}, or to what {target.label} leads to",
+        )
+    if source.type is NodeType.END:
+        return Diagnostic(
+            "E604",
+            f"{source.label} is an END: what follows is a transition of the state around it",
+            place,
+            hint=f"let the transition leave {source.parent}",
+        )
+    regions = [region_around(nodes, node) for node in (source, target)]
+    if None in regions or regions[0] != regions[1]:
+        return Diagnostic(
+            "E409",
+            f"a transition from {source.label} to {target.label} leaves a region of an AND",
+            place,
+            hint="a region of an AND is entered and left with the AND: lead to or from the AND itself",
+        )
+    return None
+
+
+def region_around(nodes: Mapping[str, Node], node: Node) -> str | None:
+    """The innermost region that holds `node`; None for the root and the regions of an AND themselves."""
+    parent = nodes.get(node.parent) if node.parent is not None else None
+    if parent is None or parent.type is NodeType.AND:
+        return None
+    while parent.parent is not None:
+        around = nodes.get(parent.parent)
+        if around is None or around.type is NodeType.AND:
+            break
+        parent = around
+    return parent.label
+
+
+def _unknown_label(name: tree.Name, nodes: Mapping[str, Node]) -> Diagnostic:
+    parent = name.text
+    while parent and parent not in nodes:
+        parent = parent.rpartition(".")[0]
+    inside = [label for label, node in nodes.items() if node.parent == parent]
+    if inside:
+        hint = f"inside {parent} there are {inside[0]} to {inside[-1]}"
+    else:
+        hint = f"{parent} has nothing inside" if parent else "the root is 0"
+    return Diagnostic("E410", f"the statechart has no state {name}", name.span, hint=hint)
+
+
+def _inside_branch(outline: Outline, source: Node, target: Node, place: Span) -> Diagnostic | None:
+    for label, branch in outline.branches.items():
+        if source.label.startswith(label + ".") or target.label.startswith(label + "."):
+            return Diagnostic(
+                "E408",
+                f"{label} is the branch of {branch.protocol}.{branch.participant}: "
+                "a role cannot write control inside it",
+                place,
+                (Related(branch.formulas.named[branch.formulas.root].name.span, "the process"),),
+                hint=f"say it in `aip {branch.protocol}`, for every role that plays it",
+            )
+    return None
+
+
+def _outside_branch(inside: str, source: Node, target: Node, place: Span) -> Diagnostic | None:
+    for node in (source, target):
+        if not node.label.startswith(inside + "."):
+            return Diagnostic(
+                "E409",
+                f"{node.label} is outside this participant's branch, which is {inside}",
+                place,
+                hint="what several participants do together follows from their processes and messages",
+            )
+    return None
+
+
+__all__ = [
+    "LabelledLine",
+    "Line",
+    "Lines",
+    "Placed",
+    "check_labels",
+    "read_lines",
+    "region_around",
+    "rename",
+    "structure_problem",
+    "transitions",
+]

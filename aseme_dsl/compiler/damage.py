@@ -1,0 +1,34 @@
+"""Damage: where syntax errors left something out of the tree, so that what is missing there means nothing."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Callable, Iterable
+
+from aseme_dsl.diagnostics import Diagnostic, Severity
+from aseme_dsl.source import Source, Span
+
+Damaged = Callable[[Span], bool]
+"""Whether a declaration or block may lack something that somebody wrote."""
+
+
+def damage(diagnostics: Iterable[Diagnostic]) -> Damaged:
+    """The answer for what reading the files reported (E0xx and E1xx)."""
+    places: dict[Source, list[int]] = {}
+    for item in diagnostics:
+        if item.span is not None and item.severity is Severity.ERROR:
+            places.setdefault(item.span.source, []).append(item.span.start)
+    for starts in places.values():
+        starts.sort()
+
+    def is_damaged(span: Span) -> bool:
+        starts = places.get(span.source)
+        if starts is None:
+            return False
+        index = bisect_left(starts, span.start)
+        return index < len(starts) and starts[index] <= span.end
+
+    return is_damaged
+
+
+__all__ = ["Damaged", "damage"]

@@ -1,0 +1,287 @@
+"""SRM to IAC: a role's formulas as a statechart, with its protocols woven in (P1, section 4.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from aseme_dsl.amola.liveness import names
+from aseme_dsl.amola.srm import Plays
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.compiler import formulas as formula_tables
+from aseme_dsl.compiler.aip_to_eac import Protocol
+from aseme_dsl.compiler.chart import Part, World, chart_of
+from aseme_dsl.compiler.choices import check_formulas
+from aseme_dsl.compiler.control import LabelledLine, Lines, check_labels, read_lines
+from aseme_dsl.compiler.damage import Damaged
+from aseme_dsl.compiler.formula_to_statechart import Outline, expand_role, sizes, too_large
+from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.scopes import TypedRole
+from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.grammar import tree
+
+
+@dataclass(frozen=True, slots=True)
+class Role:
+    """An `srm` that has been read. `outline` is None where its formulas cannot be expanded."""
+
+    written: tree.Srm
+    typed: TypedRole
+    formulas: Formulas | None
+    plays: tuple[Plays, ...]
+    parts: Mapping[tuple[str, str], Part]
+    lines: Lines
+    labelled: tuple[LabelledLine, ...]
+    outline: Outline | None
+
+    @property
+    def name(self) -> str:
+        return self.written.name.text
+
+
+def read_role(
+    written: tree.Srm,
+    typed: TypedRole,
+    protocols: Mapping[str, Protocol],
+    largest: int,
+    is_damaged: Damaged,
+) -> tuple[Role, tuple[Diagnostic, ...]]:
+    """The formulas, control lines and plays of a role, with all that is wrong with them."""
+    found: list[Diagnostic] = []
+    name = written.name.text
+    damaged = is_damaged(written.span)
+    formulas, problems = formula_tables.table(name, written.formulas)
+    found += problems
+    plays, parts, problems = _plays(written, formulas, protocols)
+    found += problems
+    played = {item.name: item for item in plays}
+    found += _foreign_controls(written, formulas, played, protocols, damaged)
+    if formulas is None:
+        if not damaged:
+            found.append(_no_formula(written))
+        return Role(written, typed, None, plays, parts, Lines(), (), None), tuple(found)
+    branches = {
+        item.name: parts[item.protocol, item.participant].branch(dict(item.bindings))
+        for item in plays
+        if (item.protocol, item.participant) in parts
+    }
+    empty = frozenset(
+        alias for alias, branch in branches.items() if formula_tables.may_be_empty(branch.formulas)
+    )
+    expandable, problems = formula_tables.check(formulas, empty)
+    found += [item for item in problems if not (damaged and item.code == "E302")]
+    own = [
+        (control, control.name.text) for control in written.controls if control.name.text in formulas.named
+    ]
+    lines, problems = read_lines(formulas, own, typed.scope)
+    found += problems
+    unsure = frozenset(name for control, name in own if is_damaged(control.span))
+    found += check_formulas(formulas, {}, lines, frozenset(formulas.named) if damaged else unsure)
+    if not damaged:
+        found += _not_played(written, formulas, plays)
+    outline, labelled = None, tuple[LabelledLine, ...]()
+    # A played participant whose process could not be read would stand as an activity: no chart then.
+    if expandable and len(branches) == len(written.plays):
+        branch_sizes = {alias: sizes(b.formulas, {})[b.formulas.root] for alias, b in branches.items()}
+        problem = too_large(formulas, branch_sizes, largest, written.name.span)
+        if problem is not None:
+            found.append(problem)
+        else:
+            outline = expand_role(formulas, branches, written.name.span)
+            labelled, problems = check_labels(outline, lines.labelled)
+            found += problems
+    return Role(written, typed, formulas, plays, parts, lines, labelled, outline), tuple(found)
+
+
+def srm_to_iac(role: Role, world: World) -> Statechart | None:
+    """The IAC of a role; None where its formulas could not be expanded."""
+    if role.outline is None:
+        return None
+    return chart_of(
+        role.name,
+        "IAC",
+        role.outline,
+        role.parts,
+        world,
+        role.written.name.span,
+        role.lines,
+        role.labelled,
+        role.typed.variables,
+    )
+
+
+# ---- playing participants ------------------------------------------------------------------------
+
+
+def _plays(
+    written: tree.Srm, formulas: Formulas | None, protocols: Mapping[str, Protocol]
+) -> tuple[tuple[Plays, ...], dict[tuple[str, str], Part], tuple[Diagnostic, ...]]:
+    """What the role plays, by the names that its formulas use: E205, E206, E213, E306."""
+    found: list[Diagnostic] = []
+    plays: dict[str, Plays] = {}
+    parts: dict[tuple[str, str], Part] = {}
+    for item in written.plays:
+        protocol = protocols.get(item.protocol.text)
+        if protocol is None:
+            found.append(_unknown(item.protocol, "protocol", protocols))
+            continue
+        participants = {p.name.text: p for p in protocol.written.participants}
+        if item.participant.text not in participants:
+            what = f"participant of {item.protocol}"
+            found.append(_unknown(item.participant, what, participants))
+            continue
+        name = item.alias or item.participant
+        earlier = plays.get(name.text)
+        if earlier is not None:
+            found.append(_same_name(name, earlier))
+            continue
+        part = protocol.parts.get(item.participant.text)
+        bindings: dict[str, str] = {}
+        if part is not None:
+            parts[protocol.name, part.participant] = part
+            bindings, problems = _bindings(item, part, formulas)
+            found += problems
+        plays[name.text] = Plays(
+            item.protocol.text, item.participant.text, name.text, tuple(bindings.items()), item.span
+        )
+        restated = formulas.named.get(name.text) if formulas is not None else None
+        if restated is not None:
+            found.append(_restated(restated, item, participants[item.participant.text]))
+    return tuple(plays.values()), parts, tuple(found)
+
+
+def _unknown(name: tree.Name, what: str, known: Iterable[str]) -> Diagnostic:
+    names_known = list(known)
+    near = closest(name.text, names_known)
+    if near is not None:
+        hint = f"did you mean `{near}`?"
+    else:
+        hint = "there are " + ", ".join(names_known) if names_known else f"no {what} is declared"
+    return Diagnostic("E205", f"there is no {what} called `{name}`", name.span, hint=hint, fix=near)
+
+
+def _same_name(name: tree.Name, earlier: Plays) -> Diagnostic:
+    return Diagnostic(
+        "E213",
+        f"`{name}` already stands for {earlier.protocol}.{earlier.participant} in this role",
+        name.span,
+        (Related(earlier.span, "here"),),
+        hint=f"give one of them another name: `plays … as other_{name}`",
+    )
+
+
+def _restated(formula: tree.NamedFormula, plays: tree.Plays, participant: tree.Participant) -> Diagnostic:
+    related = [Related(plays.span, "the role plays it here")]
+    related += [
+        Related(item.span, "its process") for item in participant.formulas if item.name.text == "process"
+    ]
+    return Diagnostic(
+        "E306",
+        f"the process of `{formula.name}` is the protocol's: a role cannot state it again",
+        formula.name.span,
+        tuple(related),
+        hint="remove this formula: the protocol's process is used where the name stands",
+    )
+
+
+def _bindings(
+    written: tree.Plays, part: Part, formulas: Formulas | None
+) -> tuple[dict[str, str], tuple[Diagnostic, ...]]:
+    """The protocol's activities and what the role does instead (E206)."""
+    activities = {
+        node.name
+        for item in part.formulas.named.values()
+        for node in names(item.formula)
+        if node.name not in part.formulas.named
+    }
+    found: list[Diagnostic] = []
+    bindings: dict[str, str] = {}
+    for item in written.bindings:
+        abstract, own = item.abstract.text, item.own.text
+        if abstract in bindings:
+            found.append(Diagnostic("E206", f"`{abstract}` is bound twice", item.abstract.span))
+        elif abstract not in activities:
+            near = closest(abstract, activities)
+            hint = (
+                f"did you mean `{near}`?" if near else "its activities are " + ", ".join(sorted(activities))
+            )
+            message = f"{part.protocol}.{part.participant} has no activity `{abstract}`"
+            related = (Related(part.formulas.named[part.formulas.root].span, "its process"),)
+            found.append(Diagnostic("E206", message, item.abstract.span, related, hint=hint, fix=near))
+        elif formulas is not None and own in formulas.named:
+            found.append(
+                Diagnostic(
+                    "E206",
+                    f"`{own}` is a formula: a protocol's activity can only be bound to an activity",
+                    item.own.span,
+                    (Related(formulas.named[own].name.span, "the formula"),),
+                    hint=f"bind it to an activity, or say in the protocol what `{abstract}` consists of",
+                )
+            )
+        else:
+            bindings[abstract] = own
+    return bindings, tuple(found)
+
+
+def _not_played(written: tree.Srm, formulas: Formulas, plays: Sequence[Plays]) -> Iterable[Diagnostic]:
+    used = {node.name for item in formulas.named.values() for node in names(item.formula)}
+    for item in plays:
+        if item.name not in used and item.name not in formulas.named:
+            yield Diagnostic(
+                "N702",
+                f"{written.name} plays {item.protocol}.{item.participant}, but no formula uses `{item.name}`",
+                item.span,
+                hint=f"let a formula use it, such as `{formulas.root} = … | {item.name}`",
+            )
+
+
+def _foreign_controls(
+    written: tree.Srm,
+    formulas: Formulas | None,
+    played: Mapping[str, Plays],
+    protocols: Mapping[str, Protocol],
+    damaged: bool,
+) -> Iterable[Diagnostic]:
+    """Control blocks that are about none of the role's formulas: E403, or E408 inside a protocol's branch."""
+    own = formulas.named if formulas is not None else {}
+    for control in written.controls:
+        name = control.name.text
+        if name in own:
+            continue
+        item = played.get(name) or next((p for p in played.values() if _helps(p, name, protocols)), None)
+        if item is not None:
+            related = (Related(item.span, "the role plays it here"),)
+            yield Diagnostic(
+                "E408",
+                f"`{name}` is the protocol's: no role has control in {item.protocol}.{item.participant}",
+                control.name.span,
+                related,
+                hint=f"say it in `aip {item.protocol}`, for every role that plays it",
+            )
+        elif not damaged:
+            near = closest(name, own)
+            if near is not None:
+                hint = f"did you mean `{near}`?"
+            elif own:
+                hint = "its formulas are " + ", ".join(own)
+            else:
+                hint = "it has no formulas"
+            message = f"{written.name} has no formula `{name}`"
+            yield Diagnostic("E403", message, control.name.span, hint=hint, fix=near)
+
+
+def _helps(plays: Plays, name: str, protocols: Mapping[str, Protocol]) -> bool:
+    part = protocols[plays.protocol].parts.get(plays.participant)
+    return part is not None and (name in part.formulas.named or name == plays.participant)
+
+
+def _no_formula(written: tree.Srm) -> Diagnostic:
+    return Diagnostic(
+        "E305",
+        f"the role {written.name} has no formula",
+        written.name.span,
+        hint=f"say what it does: `liveness {{ {written.name} = … }}`",
+    )
+
+
+__all__ = ["Role", "read_role", "srm_to_iac"]

@@ -1,0 +1,102 @@
+"""SUC to AIP: a use case with several participants and inclusions is a protocol (P1, section 4.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from aseme_dsl.amola.aip import Aip, NamedFormula, Participant
+from aseme_dsl.amola.suc import UseCase
+from aseme_dsl.compiler.blocks import participants_of
+from aseme_dsl.compiler.clauses import read_clauses
+from aseme_dsl.compiler.damage import Damaged
+from aseme_dsl.compiler.scopes import TypedParticipant
+from aseme_dsl.compiler.usecases import ORDER, UseCases, activity_name, folded, joined
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.grammar import tree
+
+
+def read_aip(
+    written: tree.Aip, typed: Mapping[str, TypedParticipant], is_damaged: Damaged
+) -> tuple[Aip, tuple[Diagnostic, ...]]:
+    """The protocol as written; a participant's formulas begin with its process."""
+    clauses, found = read_clauses(written, is_damaged)
+    participants = []
+    for item in participants_of(written):
+        own = typed[item.name.text]
+        formulas = sorted(item.formulas, key=lambda formula: formula.name.text != "process")
+        most: int | None = 1
+        least = 1
+        if item.multiplicity is not None:
+            least, most = item.multiplicity.least, item.multiplicity.most
+            if most is not None and (most < least or most < 1):
+                found += (
+                    Diagnostic(
+                        "E215",
+                        f"`{item.name}` takes part at least {least} and at most {most} times",
+                        item.multiplicity.span,
+                        hint="write `[1..*]`, `[2..4]` or `[3]`",
+                    ),
+                )
+        participants.append(
+            Participant(
+                item.name.text,
+                least,
+                most,
+                tuple(text.text for text in item.engage),
+                own.variables,
+                own.sends,
+                own.receives,
+                tuple(NamedFormula(f.name.text, f.formula, f.span) for f in formulas),
+                item.name.span,
+            )
+        )
+    outcomes = tuple(item.text for item in written.outcomes)
+    return Aip(written.name.text, tuple(participants), outcomes, clauses, written.name.span), found
+
+
+def suc_to_aip(cases: UseCases, written: Sequence[tree.Aip]) -> tuple[Diagnostic, ...]:
+    """A note for every protocol that follows from the use cases and is not written yet (N701)."""
+    known = {folded(item.name.text) for item in written}
+    found = []
+    for case in cases.suc.usecases:
+        if cases.is_protocol(case) and known.isdisjoint(cases.names_of(case)):
+            found.append(
+                Diagnostic(
+                    "N701",
+                    f"the protocol `{case.name}` of {_listed(case.participants)} is not written yet",
+                    case.span,
+                    tuple(
+                        Related(role.span, f"`{role.name}`")
+                        for role in cases.suc.roles
+                        if role.name in case.participants
+                    ),
+                    hint="start from\n" + aip_skeleton(cases, case),
+                )
+            )
+    return tuple(found)
+
+
+def aip_skeleton(cases: UseCases, case: UseCase) -> str:
+    """An `aip` to start from. A participant does what the use case includes and is not others' alone."""
+    lines = [f"aip {case.name} {{"]
+    for name in case.participants:
+        own = [cases.case(item) for item in case.includes]
+        own = [item for item in own if not item.participants or name in item.participants]
+        terms = [cases.spelling(item) for item in own] or [activity_name(case.name)]
+        note = f"  {ORDER}" if len(terms) > 1 else ""
+        lines += [
+            f"  participant {name} {{",
+            '    engage  "When does it take part?"',
+            f"    process = {joined(terms)}{note}",
+            "  }",
+        ]
+    lines += ['  outcome "What is reached?"', "}"]
+    return "\n".join(lines)
+
+
+def _listed(names: Iterable[str]) -> str:
+    found = list(names)
+    return ", ".join(found[:-1]) + " and " + found[-1]
+
+
+__all__ = ["aip_skeleton", "read_aip", "suc_to_aip"]

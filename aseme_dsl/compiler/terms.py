@@ -1,0 +1,234 @@
+"""Terms: what a control line means by `enter PassBall`, found in the formula's own text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from aseme_dsl.amola.liveness import Formula, Operator, canonical, term_key, ungrouped
+from aseme_dsl.compiler.formula_to_statechart import Way
+from aseme_dsl.compiler.formulas import Formulas, shown
+from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.grammar import tree
+
+_LISTED = 8
+"""How many candidates a hint names at most."""
+
+_QUOTED = 70
+"""How long a term may be to be quoted in full and to be compared with a misspelt one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """The terms of one formula: each operand and operator of its text, without parentheses.
+
+    `parents` gives the operator around each (None for the whole), `places` those of one spelling in order.
+    `names` are what the whole formula is called in `control`.
+    """
+
+    formulas: Formulas
+    formula: str
+    names: frozenset[str]
+    whole: Formula
+    parents: Mapping[Formula, Formula | None]
+    places: Mapping[str, tuple[Formula, ...]]
+
+
+def terms_of(formulas: Formulas, formula: str, control: str) -> Terms:
+    """The terms of the formula called `formula`; `control` is the name that its control block has."""
+    whole = ungrouped(formulas.named[formula].formula)
+    parents: dict[Formula, Formula | None] = {}
+    places: dict[str, list[Formula]] = {}
+    stack: list[tuple[Formula, Formula | None]] = [(whole, None)]
+    while stack:
+        term, parent = stack.pop()
+        parents[term] = parent
+        places.setdefault(canonical(term), []).append(term)
+        stack += [(ungrouped(operand), term) for operand in reversed(term.operands)]
+    found = {key: tuple(terms) for key, terms in places.items()}
+    return Terms(formulas, formula, frozenset((formula, control)), whole, parents, found)
+
+
+def way(terms: Terms, verb: tree.Name, written: tree.Term) -> tuple[Way | None, Diagnostic | None]:
+    """The way that a control line names, or what is wrong with the name (E400, E401, E402)."""
+    key = term_key(written.formula)
+    if key in terms.names and verb.text in ("start", "finish") and key not in terms.places:
+        term: Formula | None = terms.whole
+    else:
+        term, problem = _find(terms, key, written)
+        if problem is not None:
+            return None, problem
+    assert term is not None
+    found = ways(terms, term).get(verb.text)
+    if found is None:
+        return None, _no_such_way(terms, term, verb, written)
+    return found, None
+
+
+def ways(terms: Terms, term: Formula) -> dict[str, Way]:
+    """The verbs that a term has, each with the arrow that it means. The order is that of the template."""
+    found: dict[str, Way] = {}
+    parent = terms.parents[term]
+    if parent is not None:
+        match parent.operator:
+            case Operator.SEQUENCE:
+                found["enter"] = ("enter", term)
+                if ungrouped(parent.operands[-1]) is term:
+                    found["leave"] = ("leave", term)
+            case Operator.CHOICE | Operator.PARALLEL | Operator.INSTANCES:
+                found = {"enter": ("enter", term), "leave": ("leave", term)}
+            case Operator.OPTION:
+                found = {verb: (verb, term) for verb in ("enter", "skip", "leave")}
+            case Operator.ZERO_OR_MORE:
+                found = {verb: (verb, term) for verb in ("enter", "repeat", "skip", "leave")}
+            case Operator.ONE_OR_MORE:
+                found = {"enter": _into_loop(terms, parent), "repeat": ("repeat", term)}
+                found["leave"] = ("leave", term)
+            case Operator.FOREVER:
+                found = {"enter": _into_loop(terms, parent), "repeat": ("repeat", term)}
+    elif term.operator is Operator.NAME:
+        if terms.formulas.formula(term.name) is None:
+            found = {"enter": ("enter", term), "leave": ("leave", term)}
+    elif term.operator in _WITH_BODY:
+        found["enter"] = ("start", term)
+    if term.operator in _WITH_BODY or term.operator is Operator.CHOICE:
+        found["start"] = ("start", term)
+    elif term.operator in (Operator.PARALLEL, Operator.INSTANCES):
+        found["start"] = ("start", term)
+        found["finish"] = ("finish", term)
+    return found
+
+
+def spelling(terms: Terms, term: Formula) -> str:
+    """How a control line names the term: `KickBall#2` where it stands several times."""
+    key = canonical(term)
+    places = terms.places[key]
+    return _short(key) if len(places) == 1 else f"{_short(key)}#{places.index(term) + 1}"
+
+
+_WITH_BODY = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER, Operator.OPTION)
+
+
+def _into_loop(terms: Terms, loop: Formula) -> Way:
+    """The way into the node of a loop; where the loop is the whole formula, into its body."""
+    parent = terms.parents[loop]
+    while parent is not None and parent.operator in (Operator.ONE_OR_MORE, Operator.FOREVER):
+        loop, parent = parent, terms.parents[parent]
+    return ("start", loop) if parent is None else ("enter", loop)
+
+
+def _find(terms: Terms, key: str, written: tree.Term) -> tuple[Formula | None, Diagnostic | None]:
+    places = terms.places.get(key, ())
+    if not places:
+        return None, _unknown(terms, key, written)
+    if written.occurrence is None:
+        if len(places) == 1:
+            return places[0], None
+        related = tuple(
+            Related(place.span, f"write `{_short(key)}#{number}` for this one")
+            for number, place in enumerate(places, 1)
+        )
+        return None, Diagnostic(
+            "E401",
+            f"`{_short(key)}` stands {len(places)} times in `{terms.formula}`",
+            written.span,
+            related,
+            hint="say which one: " + _listed(f"{_short(key)}#{n}" for n in range(1, len(places) + 1)),
+        )
+    if 1 <= written.occurrence <= len(places):
+        return places[written.occurrence - 1], None
+    count = "once" if len(places) == 1 else f"{len(places)} times"
+    return None, Diagnostic(
+        "E400",
+        f"there is no `{_short(key)}#{written.occurrence}`: the term stands {count} in `{terms.formula}`",
+        written.span,
+        tuple(Related(place.span, f"`{_short(key)}#{n}`") for n, place in enumerate(places, 1)),
+        hint=_listed(f"{_short(key)}#{number}" for number in range(1, len(places) + 1)),
+    )
+
+
+def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
+    message = f"`{terms.formula}` has no term `{_short(key)}`"
+    named = terms.formulas.named
+    related = (Related(named[terms.formula].formula.span, f"the text of `{terms.formula}`"),)
+    elsewhere = [
+        name
+        for name, item in named.items()
+        if name != terms.formula and any(_spelt(node, key) for node in _terms(item.formula))
+    ]
+    near = (
+        closest(key, (place for place in terms.places if len(place) <= _QUOTED))
+        if len(key) <= _QUOTED
+        else None
+    )
+    if elsewhere:
+        name = elsewhere[0]
+        hint = f"it stands in `{name}`: write this line in `control {name} {{ … }}`"
+    elif near is not None:
+        hint = f"did you mean `{_short(near)}`?"
+    else:
+        hint = f"its terms are {_listed(_short(place) for place in terms.places)}"
+    fix = near if not elsewhere and near is not None and "\n" not in written.span.text else None
+    if fix is not None and written.occurrence is not None:
+        fix = None
+    return Diagnostic("E400", message, written.span, related, hint=hint, fix=fix)
+
+
+def _terms(formula: Formula) -> Iterator[Formula]:
+    stack = [ungrouped(formula)]
+    while stack:
+        term = stack.pop()
+        yield term
+        stack += [ungrouped(operand) for operand in reversed(term.operands)]
+
+
+def _spelt(term: Formula, key: str) -> bool:
+    if term.operator is Operator.NAME:
+        return term.name == key
+    return canonical(term) == key
+
+
+def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Term) -> Diagnostic:
+    text = shown(term)
+    has = list(ways(terms, term))
+    parent = terms.parents[term]
+    if (
+        verb.text in ("start", "finish")
+        and term.operator is Operator.NAME
+        and terms.formulas.formula(term.name)
+    ):
+        hint = f"what happens inside `{term.name}` is said in `control {term.name} {{ … }}`"
+    elif verb.text in ("skip", "repeat", "leave") and _inner_has(terms, term, verb.text):
+        inside = shown(ungrouped(term.operands[0]))
+        hint = f"`{verb} {inside}` is what goes past, repeats or leaves the body of `{text}`"
+    elif verb.text == "start" and term.operator is Operator.SEQUENCE:
+        hint = f"its START leads to its first term: `enter {shown(ungrouped(term.operands[0]))}`"
+    elif verb.text == "leave" and parent is not None and parent.operator is Operator.SEQUENCE:
+        index = next(i for i, operand in enumerate(parent.operands) if ungrouped(operand) is term)
+        following = shown(ungrouped(parent.operands[index + 1]))
+        hint = f"what follows `{text}` is `{following}`: `enter {following}`"
+    elif has:
+        hint = f"the ways of `{text}` are {_listed(f'{name} {text}' for name in has)}"
+    else:
+        hint = f"`{text}` is all of `{terms.formula}`; the ways are those of its terms"
+    related = (Related(term.span, f"`{text}` in `{terms.formula}`"),)
+    message = f"`{text}` has no way `{verb}` in `{terms.formula}`"
+    return Diagnostic("E402", message, verb.span.to(written.span), related, hint=hint)
+
+
+def _inner_has(terms: Terms, term: Formula, verb: str) -> bool:
+    return len(term.operands) == 1 and verb in ways(terms, ungrouped(term.operands[0]))
+
+
+def _short(key: str) -> str:
+    return key if len(key) <= _QUOTED else key[: _QUOTED - 1] + "…"
+
+
+def _listed(names: Iterable[str]) -> str:
+    found = [f"`{name}`" for name in names]
+    if len(found) > _LISTED:
+        return ", ".join(found[:_LISTED]) + f" and {len(found) - _LISTED} more"
+    return ", ".join(found[:-1]) + (" and " if len(found) > 1 else "") + found[-1]
+
+
+__all__ = ["Terms", "spelling", "terms_of", "way", "ways"]

@@ -1,0 +1,88 @@
+"""Use cases: what each is called in the models that specify it, and what is still missing of them.
+
+A use case and a formula or activity are the same if their names are equal ignoring case and underscores, or
+if the use case says that it `realises` them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from aseme_dsl.amola.suc import Suc, UseCase
+
+
+def folded(name: str) -> str:
+    """What names are compared by: case and underscores do not count (`amola.suc.same_name`)."""
+    return name.replace("_", "").lower()
+
+
+@dataclass(frozen=True)
+class UseCases:
+    """The use cases by name, with the names of all protocols, formulas and activities that are written."""
+
+    suc: Suc
+    by_name: Mapping[str, UseCase]
+    spellings: Mapping[str, str]
+
+    def case(self, name: str) -> UseCase:
+        return self.by_name[folded(name)]
+
+    def names_of(self, case: UseCase) -> tuple[str, ...]:
+        """What may stand for the use case, folded."""
+        return (folded(case.name), *(folded(name) for name in case.realises))
+
+    def is_protocol(self, case: UseCase) -> bool:
+        """A use case with several participants and inclusions is a protocol."""
+        return len(case.participants) > 1 and bool(case.includes)
+
+    def spelling(self, case: UseCase) -> str:
+        """How formulas call the use case: as somebody wrote it, else as such names are usually written."""
+        for name in self.names_of(case):
+            if name in self.spellings:
+                return self.spellings[name]
+        if case.realises:
+            return case.realises[0]
+        return case.name if case.includes else activity_name(case.name)
+
+    def activities(self, case: UseCase) -> tuple[str, ...]:
+        """The activities that the use case needs: those of everything that it includes, at any depth."""
+        found: dict[str, None] = {}
+        seen = {folded(case.name)}
+        waiting = list(reversed(case.includes))
+        while waiting:
+            item = self.case(waiting.pop())
+            if folded(item.name) in seen:
+                continue
+            seen.add(folded(item.name))
+            if item.includes:
+                waiting += reversed(item.includes)
+            else:
+                found[self.spelling(item)] = None
+        return tuple(found)
+
+
+def use_cases(suc: Suc, written: Iterable[str]) -> UseCases:
+    """The use cases of a model; `written` are the names of all protocols, formulas and activities."""
+    spellings: dict[str, str] = {}
+    for name in written:
+        spellings.setdefault(folded(name), name)
+    return UseCases(suc, {folded(case.name): case for case in suc.usecases}, spellings)
+
+
+def activity_name(name: str) -> str:
+    """`walk_towards_ball` as activities are written: `WalkTowardsBall`."""
+    parts = [part for part in name.split("_") if part]
+    return "".join(part[0].upper() + part[1:] for part in parts) or name
+
+
+def joined(terms: Iterable[str]) -> str:
+    """A formula to start from: one after the other, since nothing says yet how they are related."""
+    return " . ".join(terms)
+
+
+ORDER = "// in which order? .  |  ||  [ ]  *  +  ~"
+"""The comment at a formula whose operators the analyst has not chosen."""
+
+
+__all__ = ["ORDER", "UseCases", "activity_name", "folded", "joined", "use_cases"]
