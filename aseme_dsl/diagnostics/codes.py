@@ -122,6 +122,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E605": ("error", "an AND state with children that are not OR states"),
     "E606": ("error", "a state that cannot have children has some"),
     "E607": ("error", "a label used twice"),
+    "E608": ("error", "an activity that is missing or out of place"),
     "W600": ("warning", "a state that cannot be reached"),
     "W601": ("warning", "a state that cannot be left"),
     "W602": ("warning", "an AND state with fewer than two regions"),
