@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import replace
 
 from aseme_dsl.amola.messages import Channel, Comm
@@ -19,8 +19,13 @@ KINDS = ("thread", "async", "process", "step")
 REACHES = ("on", "above", "below", "around")
 
 
-def type_activity(written: tree.Activity, scope: Scope) -> tuple[Activity, tuple[Diagnostic, ...]]:
-    """One role's statement about an activity; `kind` is "" where it does not say. `scope` is the role's."""
+def type_activity(
+    written: tree.Activity, scope: Scope, played: Collection[str] = ()
+) -> tuple[Activity, tuple[Diagnostic, ...]]:
+    """One role's statement about an activity; `kind` is "" where it does not say. `scope` is the role's.
+
+    `played` are the variables of the participants that the role plays: its activities may write them, too.
+    """
     checker = Checker(scope)
     kind = ""
     if written.kind is not None:
@@ -32,7 +37,7 @@ def type_activity(written: tree.Activity, scope: Scope) -> tuple[Activity, tuple
     writes: list[Channel] = []
     variables: list[str] = []
     for path in written.writes:
-        _write(checker, path, writes, variables)
+        _write(checker, path, writes, variables, played)
     activity = Activity(
         written.name.text,
         tuple(name.text for name in written.uses),
@@ -85,12 +90,18 @@ def _read(checker: Checker, written: tree.ActivityRead) -> Subscription | None:
     return Subscription(channel, channel.topic, written.reach, kept, host, written.span)
 
 
-def _write(checker: Checker, path: tree.Path, channels: list[Channel], variables: list[str]) -> None:
+def _write(
+    checker: Checker,
+    path: tree.Path,
+    channels: list[Channel],
+    variables: list[str],
+    played: Collection[str],
+) -> None:
     """`writes vision.state.Ball` or the variable `budget` of the role."""
     scope = checker.scope
     first = path.segments[0]
     if len(path.segments) == 1:
-        if first.text in scope.variables:
+        if first.text in scope.variables or first.text in played:
             variables.append(first.text)
         elif first.text in scope.lets:
             related = (Related(scope.lets[first.text].span, "declared here"),)
@@ -98,7 +109,7 @@ def _write(checker: Checker, path: tree.Path, channels: list[Channel], variables
                 "E507", f"`{first}` is a let: nothing can be written to it", path.span, None, related
             )
         elif not scope.symbols.is_excused(first.text):
-            pool = set(scope.variables)
+            pool = {*scope.variables, *played}
             hint = "an activity writes a variable of its role or `topic.state.Message`"
             found = [str(channel) for channel in scope.symbols.channels_of(first.text)]
             if scope.symbols.topic(first.text) is not None:
