@@ -2,119 +2,166 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import TypeVar
 
-from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import Analysis, Options
 from aseme_dsl.compiler.activities import merge_activities, type_activity
 from aseme_dsl.compiler.activity_use import all_activities, check_described, close_names, used_activities
-from aseme_dsl.compiler.aip_to_eac import Protocol, aip_to_eac, read_protocol
-from aseme_dsl.compiler.blocks import blocks_of
+from aseme_dsl.compiler.aip_to_eac import aip_to_eac, read_protocol
+from aseme_dsl.compiler.blocks import Blocks, blocks_of
 from aseme_dsl.compiler.chart import World
 from aseme_dsl.compiler.damage import damage
-from aseme_dsl.compiler.load import load
+from aseme_dsl.compiler.flow import check_flow, check_reach
+from aseme_dsl.compiler.load import Loaded, load
 from aseme_dsl.compiler.resolve import resolve
 from aseme_dsl.compiler.sag_to_suc import read_sag, sag_to_suc
 from aseme_dsl.compiler.scopes import global_scope, protocol_scopes, role_scope
 from aseme_dsl.compiler.srm_to_iac import Role, read_role, srm_to_iac
+from aseme_dsl.compiler.statecharts import build_statechart, read_statechart
 from aseme_dsl.compiler.suc_to_aip import read_aip, suc_to_aip
 from aseme_dsl.compiler.suc_to_srm import read_srm, suc_to_srm
 from aseme_dsl.compiler.usecases import use_cases
 from aseme_dsl.diagnostics import Diagnostic, has_errors, in_order
-from aseme_dsl.source import Source
+from aseme_dsl.grammar import tree
+from aseme_dsl.source import Source, Span
+
+_T = TypeVar("_T")
 
 
 def analyse_files(root: Source | Path | str, sources: Mapping[str, str] | None, options: Options) -> Analysis:
     """The system of a file, and every diagnostic of it and of what it imports."""
+    found: list[Diagnostic] = []
+
+    def keep(result: tuple[_T, tuple[Diagnostic, ...]]) -> _T:
+        found.extend(result[1])
+        return result[0]
+
+    # The files, and what their declarations mean.
     loaded = load(root, sources)
-    found: list[Diagnostic] = list(loaded.diagnostics)
+    found += loaded.diagnostics
     is_damaged = damage(found)
+    symbols = keep(resolve(loaded))
+    blocks = keep(blocks_of(loaded.files))
+    top = keep(global_scope(symbols))
 
-    symbols, problems = resolve(loaded)
-    found += problems
-    blocks, problems = blocks_of(loaded.files)
-    found += problems
-    scope, problems = global_scope(symbols)
-    found += problems
+    # Requirements: goals and use cases.
+    sag = keep(read_sag(blocks.sags, symbols))
+    suc = keep(sag_to_suc(sag, blocks.sucs, _places_of_roles(blocks), symbols))
 
-    sag, problems = read_sag(blocks.sags)
-    found += problems
-    role_names = {item.name.text: item.name.span for item in (*blocks.srms, *blocks.statecharts)}
-    suc, problems = sag_to_suc(sag, blocks.sucs, role_names)
-    found += problems
+    # Analysis: protocols and roles, with the activities that they describe.
+    participants = {item.name.text: keep(protocol_scopes(item, top)) for item in blocks.aips}
+    protocols = {
+        item.name.text: keep(read_protocol(item, participants[item.name.text], options.largest, is_damaged))
+        for item in blocks.aips
+    }
+    aips = [keep(read_aip(item, participants[item.name.text], is_damaged)) for item in blocks.aips]
+    scopes = {item.name.text: keep(role_scope(item, top)) for item in blocks.roles}
+    roles = {
+        item.name.text: keep(read_role(item, scopes[item.name.text], protocols, options.largest, is_damaged))
+        for item in blocks.srms
+    }
+    given = [keep(read_statechart(item, scopes[item.name.text], is_damaged)) for item in blocks.statecharts]
+    statements = [
+        keep(type_activity(activity, scopes[block.name.text].scope, _played_variables(roles, block)))
+        for block in blocks.roles
+        for activity in block.activities
+    ]
+    described = {item.name: item for item in keep(merge_activities(statements))}
 
-    protocols: dict[str, Protocol] = {}
-    aips = []
-    for aip in blocks.aips:
-        participants, problems = protocol_scopes(aip, scope)
-        found += problems
-        protocols[aip.name.text], problems = read_protocol(aip, participants, options.largest, is_damaged)
-        found += problems
-        model, problems = read_aip(aip, participants, is_damaged)
-        found += problems
-        aips.append(model)
-
-    roles: dict[str, Role] = {}
-    statements: list[Activity] = []
-    for srm in blocks.srms:
-        typed, problems = role_scope(srm, scope)
-        found += problems
-        roles[srm.name.text], problems = read_role(srm, typed, protocols, options.largest, is_damaged)
-        found += problems
-        for written in srm.activities:
-            statement, problems = type_activity(written, typed.scope)
-            found += problems
-            statements.append(statement)
-    merged, problems = merge_activities(statements)
-    found += problems
-    described = {item.name: item for item in merged}
-
+    # Design: the statecharts.
     name = symbols.system.name.text if symbols.system is not None else ""
     world = World(name, symbols, described)
-    eacs = [aip_to_eac(protocol, world) for protocol in protocols.values()]
+    eacs = {protocol.name: aip_to_eac(protocol, world) for protocol in protocols.values()}
     iacs = {role.name: srm_to_iac(role, world) for role in roles.values()}
+    iacs |= {item.name: build_statechart(item, world) for item in given}
+    charts = [chart for chart in (*eacs.values(), *iacs.values()) if chart is not None]
+    for chart in charts:
+        found += check_flow(chart)
+        if _is_drawn_by_hand(chart):
+            found += check_reach(chart)
 
-    eac_charts = tuple(chart for chart in eacs if chart is not None)
-    iac_charts = tuple(chart for chart in iacs.values() if chart is not None)
-    used = used_activities((*iac_charts, *eac_charts))
-    formulas = [item for block in blocks.srms for item in block.formulas]
-    formulas += [item for aip in blocks.aips for part in aip.participants for item in part.formulas]
-    if len(eac_charts) == len(eacs) and len(iac_charts) == len(iacs):
-        written_activities = [item for block in blocks.srms for item in block.activities]
-        found += check_described(written_activities, used, is_damaged)
+    # What is used but not declared, described but not used, expected but not written.
+    used = used_activities((*_built(iacs), *_built(eacs)))
+    formulas = _formulas(blocks)
+    if len(charts) == len(eacs) + len(iacs):
+        found += check_described(_described_in(blocks), used, is_damaged)
     found += close_names(used, described, formulas)
-
-    names = [*protocols, *(item.name.text for item in formulas), *used]
-    cases = use_cases(suc, names)
+    cases = use_cases(suc, [*protocols, *(item.name.text for item in formulas), *used])
     found += suc_to_aip(cases, blocks.aips)
-    srms = []
-    for role in roles.values():
-        srm_model, problems = read_srm(role, iacs[role.name], cases)
-        found += problems
-        srms.append(srm_model)
-    found += suc_to_srm(cases, roles, [item.name.text for item in blocks.statecharts], blocks.aips)
+    srms = [keep(read_srm(role, iacs[role.name], cases)) for role in roles.values()]
+    found += suc_to_srm(cases, roles, [item.name for item in given], blocks.aips)
+    if symbols.system is None:
+        found += _no_system(loaded)
 
     diagnostics = in_order(found)
-    if has_errors(diagnostics):
+    if has_errors(diagnostics) or symbols.system is None:
         return Analysis(None, diagnostics)
     system = System(
-        name,
-        symbols.enums,
-        symbols.messages,
-        symbols.topics,
-        symbols.functions,
-        all_activities(iac_charts, described),
-        sag,
-        suc,
-        tuple(aips),
-        tuple(srms),
-        eac_charts,
-        iac_charts,
-        symbols.teams,
-        symbols.protos,
-        tuple(file.source for file in loaded.files),
-        symbols.system.name.span if symbols.system is not None else None,
+        name=name,
+        enums=symbols.enums,
+        messages=symbols.messages,
+        topics=symbols.topics,
+        functions=symbols.functions,
+        activities=all_activities(_built(iacs), described),
+        sag=sag,
+        suc=suc,
+        aips=tuple(aips),
+        srms=tuple(srms),
+        eacs=_built(eacs),
+        iacs=_built(iacs),
+        teams=symbols.teams,
+        protos=symbols.protos,
+        sources=tuple(file.source for file in loaded.files),
+        span=symbols.system.name.span,
     )
     return Analysis(system, diagnostics)
+
+
+def _places_of_roles(blocks: Blocks) -> dict[str, Span]:
+    return {item.name.text: item.name.span for item in blocks.roles}
+
+
+def _played_variables(roles: Mapping[str, Role], block: tree.Srm | tree.Statechart) -> set[str]:
+    """The variables of the participants that a role plays."""
+    role = roles.get(block.name.text)
+    parts = role.parts.values() if role is not None else ()
+    return {variable.name for part in parts for variable in part.variables}
+
+
+def _built(charts: Mapping[str, Statechart | None]) -> tuple[Statechart, ...]:
+    return tuple(chart for chart in charts.values() if chart is not None)
+
+
+def _formulas(blocks: Blocks) -> list[tree.NamedFormula]:
+    found = [item for block in blocks.srms for item in block.formulas]
+    for protocol in blocks.aips:
+        found += [item for part in protocol.participants for item in part.formulas]
+    return found
+
+
+def _described_in(blocks: Blocks) -> Iterable[tree.Activity]:
+    return (item for block in blocks.roles for item in block.activities)
+
+
+def _is_drawn_by_hand(chart: Statechart) -> bool:
+    """Whether somebody drew transitions, so that states may lack some; templates are complete."""
+    return any(
+        item.origin.kind == "statechart" or item.origin.name == "control" for item in chart.transitions
+    )
+
+
+def _no_system(loaded: Loaded) -> Iterable[Diagnostic]:
+    """E008, unless the declaration may be among what could not be read."""
+    if loaded.files and not has_errors(loaded.diagnostics):
+        source = loaded.files[-1].source
+        yield Diagnostic(
+            "E008",
+            f"{source.path} declares no system",
+            None,
+            hint="name it in the first line: `system Kouretes`",
+            path=source.path,
+        )

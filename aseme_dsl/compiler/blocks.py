@@ -17,8 +17,15 @@ class Blocks:
     sags: tuple[tree.Sag, ...]
     sucs: tuple[tree.Suc, ...]
     aips: tuple[tree.Aip, ...]
-    srms: tuple[tree.Srm, ...]
-    statecharts: tuple[tree.Statechart, ...]
+    roles: tuple[tree.Srm | tree.Statechart, ...]
+
+    @property
+    def srms(self) -> tuple[tree.Srm, ...]:
+        return tuple(item for item in self.roles if isinstance(item, tree.Srm))
+
+    @property
+    def statecharts(self) -> tuple[tree.Statechart, ...]:
+        return tuple(item for item in self.roles if isinstance(item, tree.Statechart))
 
 
 def blocks_of(files: Iterable[tree.File]) -> tuple[Blocks, tuple[Diagnostic, ...]]:
@@ -43,9 +50,7 @@ def blocks_of(files: Iterable[tree.File]) -> tuple[Blocks, tuple[Diagnostic, ...
                     role = roles.setdefault(item.name.text, item)
                     if role is not item:
                         found.append(declared_twice("the role", item.name, role.name.span))
-    srms = tuple(item for item in roles.values() if isinstance(item, tree.Srm))
-    charts = tuple(item for item in roles.values() if isinstance(item, tree.Statechart))
-    return Blocks(tuple(sags), tuple(sucs), tuple(aips.values()), srms, charts), tuple(found)
+    return Blocks(tuple(sags), tuple(sucs), tuple(aips.values()), tuple(roles.values())), tuple(found)
 
 
 def participants_of(written: tree.Aip) -> Sequence[tree.Participant]:

@@ -126,74 +126,55 @@ def transitions(
     by_ends: dict[tuple[str, str], list[Placed]] = {}
     for item in placed:
         by_ends.setdefault((item.source, item.target), []).append(item)
-    drafts: list[_Draft] = []
+    drafts: list[Transition] = []
+    positions: list[int | None] = []
+
+    def add(arrow: Arrow | Placed, name: str, line: Line | None, span: Span) -> None:
+        expression = EMPTY
+        if line is not None:
+            names = renamed.get(arrow.branch, {}) if arrow.branch is not None else {}
+            expression = rename(line.expression, names)
+        drafts.append(Transition(name, arrow.source, arrow.target, expression, 0, arrow.origin, span))
+        positions.append(line.position if line is not None else None)
+
     for arrow in outline.arrows:
         own = lines.get(arrow.way, ())
         extra = by_ends.pop((arrow.source, arrow.target), None) if by_ends else None
         if extra:
             own = tuple(sorted((*own, *(item.line for item in extra)), key=lambda line: line.position))
-        if own:
-            names = renamed.get(arrow.branch, {}) if arrow.branch else {}
-            drafts += [
-                _Draft(arrow, rename(line.expression, names), line.position, line.span) for line in own
-            ]
-        else:
-            drafts.append(_Draft(arrow, EMPTY, None, arrow.span))
+        for line in own:
+            add(arrow, arrow.name, line, line.span)
+        if not own:
+            add(arrow, arrow.name, None, arrow.span)
     names_of = {node.label: node.name for node in outline.nodes} if by_ends else {}
-    for ends, items in by_ends.items():
+    for items in by_ends.values():
         for item in items:
-            name = f"{names_of[ends[0]]}TO{names_of[ends[1]]}"
-            drafts.append(
-                _Draft(
-                    item,
-                    rename(item.line.expression, renamed.get(item.branch or "", {})),
-                    item.line.position,
-                    item.line.span,
-                    name,
-                )
-            )
-    return _prioritised(drafts)
+            add(item, f"{names_of[item.source]}TO{names_of[item.target]}", item.line, item.line.span)
+    return prioritised(drafts, positions)
 
 
-@dataclass(frozen=True, slots=True)
-class _Draft:
-    """A transition that waits for its priority; `position` is None for one without a line."""
+def prioritised(drafts: Sequence[Transition], positions: Sequence[int | None]) -> tuple[Transition, ...]:
+    """The transitions with the places that they have among those of their sources.
 
-    arrow: Arrow | Placed
-    expression: TransitionExpression
-    position: int | None
-    span: Span
-    name: str = ""
-
-
-def _prioritised(drafts: Sequence[_Draft]) -> tuple[Transition, ...]:
+    `positions` are those of their control lines, None for a transition without one. Written lines come
+    first, in their order, then the template's; without a condition later, and `else` last.
+    """
     by_source: dict[str, list[int]] = {}
     for index, draft in enumerate(drafts):
-        by_source.setdefault(draft.arrow.source, []).append(index)
-    priority = [0] * len(drafts)
+        by_source.setdefault(draft.source, []).append(index)
+
+    def order(index: int) -> tuple[int, bool, int]:
+        expression, position = drafts[index].expression, positions[index]
+        rank = 2 if expression.otherwise else 1 if expression.is_unconditional else 0
+        return rank, position is None, index if position is None else position
+
+    found = list(drafts)
     for indices in by_source.values():
         if len(indices) > 1:
-            indices.sort(key=lambda index: _order(drafts[index], index))
-            for place, index in enumerate(indices):
-                priority[index] = place
-    return tuple(
-        Transition(
-            draft.arrow.name if isinstance(draft.arrow, Arrow) else draft.name,
-            draft.arrow.source,
-            draft.arrow.target,
-            draft.expression,
-            priority[index],
-            draft.arrow.origin,
-            draft.span,
-        )
-        for index, draft in enumerate(drafts)
-    )
-
-
-def _order(draft: _Draft, index: int) -> tuple[int, bool, int]:
-    """Written lines first, in their order, then the template's; without a condition later, `else` last."""
-    rank = 2 if draft.expression.otherwise else 1 if draft.expression.is_unconditional else 0
-    return rank, draft.position is None, index if draft.position is None else draft.position
+            for place, index in enumerate(sorted(indices, key=order)):
+                if place:
+                    found[index] = replace(drafts[index], priority=place)
+    return tuple(found)
 
 
 def rename(written: TransitionExpression, names: Mapping[str, str]) -> TransitionExpression:
@@ -296,6 +277,8 @@ def structure_problem(
     nodes: Mapping[str, Node], source: Node, target: Node, place: Span
 ) -> Diagnostic | None:
     """What forbids a transition between two states: E603, E604 (rules of the papers' tools), E409."""
+    if source.parent is None or target.parent is None:
+        return Diagnostic("E409", "the root has no transitions: nothing is around it", place)
     if target.type is NodeType.START:
         return Diagnostic(
             "E603",
@@ -378,6 +361,7 @@ __all__ = [
     "Lines",
     "Placed",
     "check_labels",
+    "prioritised",
     "read_lines",
     "region_around",
     "rename",

@@ -7,12 +7,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from aseme_dsl.amola.sag import Actor, Goal, Sag
 from aseme_dsl.amola.suc import Role, RoleType, Suc, UseCase
 from aseme_dsl.compiler.names import declared_twice, unknown
+from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
 
 
-def read_sag(written: Iterable[tree.Sag]) -> tuple[Sag, tuple[Diagnostic, ...]]:
+def read_sag(written: Iterable[tree.Sag], symbols: Symbols) -> tuple[Sag, tuple[Diagnostic, ...]]:
     """The goals of all actors: E201 for what is declared twice, E200 for an actor that nobody declares."""
     actors: dict[str, Actor] = {}
     goals: dict[str, Goal] = {}
@@ -30,17 +31,17 @@ def read_sag(written: Iterable[tree.Sag]) -> tuple[Sag, tuple[Diagnostic, ...]]:
                 continue
             dependees: dict[str, None] = {}
             for other in goal.depends:
-                if other.text not in known:
-                    found.append(unknown("E200", "there is no actor", other, known))
-                else:
+                if other.text in known:
                     dependees[other.text] = None
+                elif not symbols.is_excused(other.text):
+                    found.append(unknown("E200", "there is no actor", other, known))
             requirements = goal.requirements.text if goal.requirements is not None else ""
             goals[goal.name.text] = Goal(goal.name.text, name, tuple(dependees), requirements, goal.name.span)
     return Sag(tuple(actors.values()), tuple(goals.values())), tuple(found)
 
 
 def sag_to_suc(
-    sag: Sag, written: Iterable[tree.Suc], declared_roles: Mapping[str, Span]
+    sag: Sag, written: Iterable[tree.Suc], declared_roles: Mapping[str, Span], symbols: Symbols
 ) -> tuple[Suc, tuple[Diagnostic, ...]]:
     """Actors as roles, goals as use cases of those who have them and those they depend on, and what is added.
 
@@ -72,7 +73,7 @@ def sag_to_suc(
                 roles[name.text] = Role(name.text, RoleType.SYSTEM, declared_roles[name.text])
             if name.text in roles:
                 by.append(name.text)
-            else:
+            elif not symbols.is_excused(name.text):
                 found.append(unknown("E200", "there is no role", name, [*roles, *declared_roles]))
         included += entry.includes
         cases[key] = _joined(cases.get(key), entry, by, spelling)

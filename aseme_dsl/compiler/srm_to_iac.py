@@ -16,7 +16,9 @@ from aseme_dsl.compiler.control import LabelledLine, Lines, check_labels, read_l
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.formula_to_statechart import Outline, expand_role, sizes, too_large
 from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.names import unknown
 from aseme_dsl.compiler.scopes import TypedRole
+from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
 
@@ -52,7 +54,7 @@ def read_role(
     damaged = is_damaged(written.span)
     formulas, problems = formula_tables.table(name, written.formulas)
     found += problems
-    plays, parts, problems = _plays(written, formulas, protocols)
+    plays, parts, problems = _plays(written, formulas, protocols, typed.scope.symbols, is_damaged)
     found += problems
     played = {item.name: item for item in plays}
     found += _foreign_controls(written, formulas, played, protocols, damaged)
@@ -114,7 +116,11 @@ def srm_to_iac(role: Role, world: World) -> Statechart | None:
 
 
 def _plays(
-    written: tree.Srm, formulas: Formulas | None, protocols: Mapping[str, Protocol]
+    written: tree.Srm,
+    formulas: Formulas | None,
+    protocols: Mapping[str, Protocol],
+    symbols: Symbols,
+    is_damaged: Damaged,
 ) -> tuple[tuple[Plays, ...], dict[tuple[str, str], Part], tuple[Diagnostic, ...]]:
     """What the role plays, by the names that its formulas use: E205, E206, E213, E306."""
     found: list[Diagnostic] = []
@@ -123,12 +129,14 @@ def _plays(
     for item in written.plays:
         protocol = protocols.get(item.protocol.text)
         if protocol is None:
-            found.append(_unknown(item.protocol, "protocol", protocols))
+            if not symbols.is_excused(item.protocol.text):
+                found.append(unknown("E205", "there is no protocol", item.protocol, protocols))
             continue
         participants = {p.name.text: p for p in protocol.written.participants}
         if item.participant.text not in participants:
-            what = f"participant of {item.protocol}"
-            found.append(_unknown(item.participant, what, participants))
+            if not is_damaged(protocol.written.span):
+                what = f"{item.protocol} has no participant"
+                found.append(unknown("E205", what, item.participant, participants))
             continue
         name = item.alias or item.participant
         earlier = plays.get(name.text)
@@ -148,16 +156,6 @@ def _plays(
         if restated is not None:
             found.append(_restated(restated, item, participants[item.participant.text]))
     return tuple(plays.values()), parts, tuple(found)
-
-
-def _unknown(name: tree.Name, what: str, known: Iterable[str]) -> Diagnostic:
-    names_known = list(known)
-    near = closest(name.text, names_known)
-    if near is not None:
-        hint = f"did you mean `{near}`?"
-    else:
-        hint = "there are " + ", ".join(names_known) if names_known else f"no {what} is declared"
-    return Diagnostic("E205", f"there is no {what} called `{name}`", name.span, hint=hint, fix=near)
 
 
 def _same_name(name: tree.Name, earlier: Plays) -> Diagnostic:

@@ -1,0 +1,294 @@
+"""Flow: what can complete, be reached and come to rest in a statechart, whatever its conditions say."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from aseme_dsl.amola.expression import (
+    Age,
+    Assign,
+    Expired,
+    Member,
+    StartTimer,
+    TransitionExpression,
+    VariableValue,
+    walk,
+)
+from aseme_dsl.amola.messages import Comm
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
+from aseme_dsl.diagnostics import Diagnostic, Related
+
+_POINTS = (NodeType.START, NodeType.CONDITION)
+
+
+@dataclass(frozen=True, slots=True)
+class _Edge:
+    """A transition between two children of one OR state; its own ends may lie deeper inside them."""
+
+    source: str
+    target: str
+    transition: Transition
+
+
+def check_flow(chart: Statechart) -> tuple[Diagnostic, ...]:
+    """Waits for what never completes (W402) and cycles that never rest (W403, E412).
+
+    Words like "this region" name states by their names, never by labels, so that a formula that is expanded
+    in several places is reported once.
+    """
+    edges = _edges(chart)
+    found = list(_endless_waits(chart, edges))
+    found += _cycles(chart, edges)
+    return tuple(found)
+
+
+def check_reach(chart: Statechart) -> Iterator[Diagnostic]:
+    """States that nothing leads to (W600) and states that nothing leads out of (W601)."""
+    edges = _edges(chart)
+    left = {transition.source for transition in chart.transitions}
+    for node in chart.nodes:
+        if node.type is not NodeType.OR:
+            continue
+        start = chart.start_of(node.label)
+        if start is None:
+            continue
+        seen = {start.label}
+        waiting = [start.label]
+        following: dict[str, list[str]] = {}
+        for edge in edges.get(node.label, ()):
+            following.setdefault(edge.source, []).append(edge.target)
+        while waiting:
+            for label in following.get(waiting.pop(), ()):
+                if label not in seen:
+                    seen.add(label)
+                    waiting.append(label)
+        for child in chart.children(node.label):
+            if child.label not in seen:
+                yield Diagnostic("W600", f"no transition leads to {_called(child)}", child.span)
+            elif child.type is not NodeType.END and not _is_left(chart, child, left):
+                yield Diagnostic("W601", f"no transition leads out of {_called(child)}", child.span)
+
+
+def _is_left(chart: Statechart, node: Node, left: set[str]) -> bool:
+    """Whether the state, one around it or (of a composite) one in it is the source of a transition."""
+    if node.type in _POINTS:
+        return node.label in left
+    inside = node.label + "."
+    return (
+        node.label in left
+        or any(outer.label in left for outer in chart.ancestors(node.label))
+        or (node.type in (NodeType.OR, NodeType.AND) and any(label.startswith(inside) for label in left))
+    )
+
+
+def _called(node: Node) -> str:
+    return node.label if node.name == node.label else f"{node.label} `{_short(node.name)}`"
+
+
+def _short(name: str) -> str:
+    return name if len(name) <= 70 else name[:69] + "…"
+
+
+def _edges(chart: Statechart) -> dict[str, list[_Edge]]:
+    """The transitions of each OR state, between its children."""
+    found: dict[str, list[_Edge]] = {}
+    nodes = chart.by_label
+    for transition in chart.transitions:
+        source, target = nodes[transition.source], nodes[transition.target]
+        if source.parent is not None and source.parent == target.parent:
+            found.setdefault(source.parent, []).append(_Edge(source.label, target.label, transition))
+        else:
+            scope = chart.scope_of(transition)
+            ends = (_child(scope, source.label), _child(scope, target.label))
+            found.setdefault(scope, []).append(_Edge(*ends, transition))
+    return found
+
+
+def _child(scope: str, label: str) -> str:
+    """The child of `scope` that is or holds `label`; the scope itself for itself."""
+    if not label.startswith(scope + "."):
+        return label
+    return scope + "." + label[len(scope) + 1 :].split(".", 1)[0]
+
+
+# ---- waiting for ever ----------------------------------------------------------------------------
+
+
+def _needs_completion(expression: TransitionExpression) -> bool:
+    return not expression.events and not expression.when
+
+
+def _endless_waits(chart: Statechart, edges: dict[str, list[_Edge]]) -> Iterator[Diagnostic]:
+    """W402: a transition that waits for the completion of a state that can never complete.
+
+    The way to an END that nobody wrote a line for is not reported: endless processes are meant to be endless.
+    What follows from a reported wait is not reported again.
+    """
+    completes: dict[str, bool] = {}
+    for node in reversed(chart.nodes):
+        if node.type is NodeType.AND:
+            completes[node.label] = all(completes[child.label] for child in chart.children(node.label))
+        elif node.type is not NodeType.OR:
+            completes[node.label] = True
+        else:
+            start = chart.start_of(node.label)
+            if start is None:
+                completes[node.label] = True  # reported by its structure
+                continue
+            following: dict[str, list[_Edge]] = {}
+            for edge in edges.get(node.label, ()):
+                following.setdefault(edge.source, []).append(edge)
+            seen = {start.label}
+            waiting = [start.label]
+            ended = False
+            while waiting:
+                for edge in following.get(waiting.pop(), ()):
+                    target = chart.by_label[edge.target]
+                    transition = edge.transition
+                    if _needs_completion(transition.expression) and not completes[transition.source]:
+                        if target.type is NodeType.END and transition.expression.span is None:
+                            continue
+                        yield _endless_wait(chart, transition, target)
+                    if target.label not in seen:
+                        seen.add(target.label)
+                        waiting.append(target.label)
+                        ended = ended or target.type is NodeType.END
+            completes[node.label] = ended
+
+
+def _endless_wait(chart: Statechart, transition: Transition, target: Node) -> Diagnostic:
+    source = chart.by_label[transition.source]
+    name = _short(source.name)
+    if transition.source == transition.target:
+        what = "it is never repeated"
+    elif target.type is NodeType.END:
+        what = "this is never taken"
+    else:
+        what = f"`{_short(target.name)}` is never entered"
+    return Diagnostic(
+        "W402",
+        f"`{name}` never completes, so that {what}",
+        transition.span,
+        (Related(source.span, f"`{name}`"),) if source.span != transition.span else (),
+        hint="let the transition have an event, `after(…)` or `when [ … ]`, or let every part of it end",
+    )
+
+
+# ---- cycles --------------------------------------------------------------------------------------
+
+
+def _cycles(chart: Statechart, edges: dict[str, list[_Edge]]) -> Iterator[Diagnostic]:
+    """W403 for a cycle that goes on within one step; E412 if it has no state at all."""
+    at_once: dict[str, bool] = {}  # whether an OR or AND completes without an activity, an event or time
+    for node in reversed(chart.nodes):
+        if node.type is NodeType.AND:
+            at_once[node.label] = all(at_once[child.label] for child in chart.children(node.label))
+        if node.type is not NodeType.OR:
+            continue
+        quick: dict[str, list[_Edge]] = {}
+        for edge in edges.get(node.label, ()):
+            if _is_quick(chart, edge, at_once):
+                quick.setdefault(edge.source, []).append(edge)
+        start, end = chart.start_of(node.label), chart.end_of(node.label)
+        reached = {start.label} if start is not None else set()
+        waiting = list(reached)
+        while waiting:
+            for edge in quick.get(waiting.pop(), ()):
+                if edge.target not in reached:
+                    reached.add(edge.target)
+                    waiting.append(edge.target)
+        at_once[node.label] = end is not None and end.label in reached
+        for circle in _circles(quick):
+            yield _restless(chart, circle)
+
+
+def _is_quick(chart: Statechart, edge: _Edge, at_once: dict[str, bool]) -> bool:
+    """Whether a transition may be taken again and again while nothing arrives and no time passes."""
+    expression = edge.transition.expression
+    if expression.events or _rests(expression):
+        return False
+    source = chart.by_label[edge.transition.source]
+    return expression.when or source.type in _POINTS or at_once.get(source.label, False)
+
+
+def _rests(expression: TransitionExpression) -> bool:
+    """Whether a condition reads what a step uses up: a signal, time, or what its own actions change."""
+    if expression.condition is None:
+        return False
+    changed = {
+        action.target.name
+        for action in expression.actions
+        if isinstance(action, Assign) and isinstance(action.target, VariableValue)
+    }
+    started = {action.timer for action in expression.actions if isinstance(action, StartTimer)}
+    for value in walk(expression.condition):
+        match value:
+            case Member(channel=channel) if channel.comm is Comm.SIGNAL:
+                return True
+            case Age():
+                return True
+            case Expired(timer=timer) if timer in started:
+                return True
+            case VariableValue(name=name) if name in changed:
+                return True
+    return False
+
+
+def _circles(following: dict[str, list[_Edge]]) -> Iterator[list[_Edge]]:
+    """Circles of edges, no state being in two of them."""
+    done: set[str] = set()
+    for root in list(following):
+        if root in done:
+            continue
+        path: list[_Edge] = []
+        on_path = {root}
+        stack: list[tuple[str, Iterator[_Edge]]] = [(root, iter(following[root]))]
+        while stack:
+            label, remaining = stack[-1]
+            edge = next(remaining, None)
+            if edge is None:
+                stack.pop()
+                on_path.discard(label)
+                done.add(label)
+                if path:
+                    path.pop()
+            elif edge.target in on_path:
+                labels = [item.source for item in path] + [label]
+                circle = [*path[labels.index(edge.target) :], edge]
+                yield circle
+                done.update(item.source for item in circle)
+            elif edge.target not in done:
+                path.append(edge)
+                on_path.add(edge.target)
+                stack.append((edge.target, iter(following.get(edge.target, ()))))
+
+
+def _restless(chart: Statechart, circle: Sequence[_Edge]) -> Diagnostic:
+    nodes = [chart.by_label[edge.source] for edge in circle]
+    last = circle[-1].transition
+    related = tuple(Related(edge.transition.span, "by this") for edge in circle[:-1])
+    if all(node.type is NodeType.CONDITION for node in nodes):
+        labels = " → ".join([*(node.label for node in nodes), nodes[0].label])
+        return Diagnostic(
+            "E412",
+            f"these choices lead to each other in a circle: {labels}",
+            last.span,
+            related,
+            hint="let one of them lead to a state",
+        )
+    names = " → ".join(f"`{_short(name)}`" for name in _names([*nodes, nodes[0]]))
+    return Diagnostic(
+        "W403",
+        f"this cycle goes on without an activity, an event or time to wait for: {names}",
+        last.span,
+        related,
+        hint="wait for the completion of an activity, for an event, or for a timer that is started again",
+    )
+
+
+def _names(nodes: Iterable[Node]) -> Iterator[str]:
+    return (node.name if node.type in (NodeType.OR, NodeType.AND, NodeType.BASIC) else "·" for node in nodes)
+
+
+__all__ = ["check_flow", "check_reach"]
