@@ -68,6 +68,11 @@ class StepCode:
     body: tuple[str, ...]
     tables: tuple[str, ...]
 
+    def uses(self, name: str) -> bool:
+        """Whether the module's lines mention a name."""
+        pattern = re.compile(rf"\b{name}\b")
+        return any(pattern.search(line) for line in (*self.body, *self.tables))
+
 
 def generate_step(system: System, chart: Statechart, class_name: str) -> StepCode:
     """The step class of a role's statechart."""
@@ -101,6 +106,15 @@ class _Method:
 
     def add(self, depth: int, *lines: str) -> None:
         self.lines += ["    " * depth + line for line in lines]
+
+
+@dataclass(frozen=True, slots=True)
+class _Body:
+    """What a round does while a region has this number."""
+
+    number: int
+    title: str
+    method: _Method
 
 
 class _Generator:
@@ -206,7 +220,7 @@ class _Generator:
                 (copy, self._python(variable.type), self._initial(variable))
                 for copy in self._copies(variable.name)
             ]
-        names = ", ".join(f'"{name}"' for name, _, _ in sorted(attributes))
+        names = ", ".join(f'"{name}"' for name, _, _ in sorted(attributes, key=_natural))
         running = {
             node.label: (f"r{region.number}", f"k{region.number}", self.flat.leaf[node.label])
             for region in regions
@@ -222,10 +236,10 @@ class _Generator:
             "",
             "    PLAN = PLAN",
             f"    REGIONS = {tuple(region.label for region in regions)!r}",
-            f"    READERS = {self._readers()!r}",
-            f"    RUNNING = {running!r}",
-            f"    VARIABLES = {variables!r}",
-            f"    MESSAGES = {self._message_classes()}",
+            f"    READERS: ClassVar[Mapping[str, tuple[int, ...]]] = {self._readers()!r}",
+            f"    RUNNING: ClassVar[Mapping[str, tuple[str, str, int]]] = {running!r}",
+            f"    VARIABLES: ClassVar[Mapping[str, tuple[str, ...]]] = {variables!r}",
+            f"    MESSAGES: ClassVar[Mapping[str, Any]] = {self._message_classes()}",
             "",
             "    def __init__(self, agent: str) -> None:",
             "        super().__init__(agent)",
@@ -298,15 +312,19 @@ class _Generator:
             f"class Board{number}(Board):",
             f'    """What region {region.label} knows."""',
             "",
-            "    __slots__ = (" + "".join(f'"{name}", ' for name in sorted(names)).rstrip() + ")",
+            "    __slots__ = ("
+            + "".join(
+                f'"{name}", ' for name in sorted(names, key=lambda name: _natural((name, "", None)))
+            ).rstrip()
+            + ")",
             f"    CHANNELS = frozenset({list(reads)!r})",
         ]
         if queued:
             lines.append(f"    QUEUED = frozenset({queued!r})")
         if kept:
-            lines.append(f"    RETENTION = {kept!r}")
+            lines.append(f"    RETENTION: ClassVar[Mapping[str, int]] = {kept!r}")
         if table:
-            lines.append(f"    SLOTS = {table!r}")
+            lines.append(f"    SLOTS: ClassVar[Mapping[str, tuple[tuple[str, str | None], ...]]] = {table!r}")
         if timed:
             lines.append(f"    TIMED = frozenset({sorted(timed)!r})")
         return lines + typed
@@ -317,7 +335,7 @@ class _Generator:
     # ---- a round ---------------------------------------------------------------------------
 
     def _region(self, region: int) -> None:
-        bodies: list[tuple[int, _Method]] = []
+        bodies: list[_Body] = []
         for leaf in self.flat.leaves(region):
             number = self.flat.leaf[leaf.label]
             numbers = [number, number + 1] if leaf.type is NodeType.BASIC else [number]
@@ -326,7 +344,7 @@ class _Generator:
                 method = _Method(self._names(region, f"{state}_"))
                 self._from_leaf(method, region, leaf, complete=self._leaf_complete(leaf, state))
                 if method.lines:
-                    bodies.append((state, method))
+                    bodies.append(_Body(state, self._leaf_title(leaf, state), method))
         label = self.flat.regions[region].label
         signature = f"_region_{region}(self, now: int) -> bool"
         document = f"One round of region {label}."
@@ -340,28 +358,33 @@ class _Generator:
         whole.add(2, "return False")
         self._method(signature, document, whole)
 
-    def _tree(self, whole: _Method, bodies: list[tuple[int, _Method]], depth: int) -> None:
+    def _leaf_title(self, leaf: Node, number: int) -> str:
+        """A leaf for people: its label, what it is, and for an activity whether it still runs."""
+        if leaf.type is not NodeType.BASIC:
+            return f"{leaf.label} {leaf.type.value}"
+        return f"{leaf.label} {leaf.name} {'runs' if number == self.flat.leaf[leaf.label] else 'is complete'}"
+
+    def _tree(self, whole: _Method, bodies: list[_Body], depth: int) -> None:
         """Find the body of the active leaf by comparisons; halves where there are many."""
         if len(bodies) > 4:
             middle = len(bodies) // 2
-            whole.add(depth, f"if r < {bodies[middle][0]}:")
+            whole.add(depth, f"if r < {bodies[middle].number}:")
             self._tree(whole, bodies[:middle], depth + 1)
             whole.add(depth, "else:")
             self._tree(whole, bodies[middle:], depth + 1)
             return
-        for index, (number, method) in enumerate(bodies):
-            whole.add(depth, f"{'elif' if index else 'if'} r == {number}:")
-            whole.lines += ["    " * (depth - 1) + line for line in method.lines]  # written two levels deep
+        for index, body in enumerate(bodies):
+            whole.add(depth, f"{'elif' if index else 'if'} r == {body.number}:  # {body.title}")
+            whole.lines += ["    " * (depth - 1) + line for line in body.method.lines]  # written two deep
 
-    def _table(self, region: int, bodies: list[tuple[int, _Method]], signature: str, document: str) -> None:
+    def _table(self, region: int, bodies: list[_Body], signature: str, document: str) -> None:
         """Find the body of the active leaf in a tuple of functions."""
         entries = ["None"] * self.flat.regions[region].size
-        for number, method in bodies:
-            method.add(2, "return False")
-            self._method(
-                f"_leaf_{region}_{number}(self, now: int) -> bool", f"{document[:-1]}: leaf {number}.", method
-            )
-            entries[number] = f"{self.class_name}._leaf_{region}_{number}"
+        for body in bodies:
+            name = f"_leaf_{region}_{body.number}"
+            body.method.add(2, "return False")
+            self._method(f"{name}(self, now: int) -> bool", f"While {body.title}.", body.method)
+            entries[body.number] = f"{self.class_name}.{name}"
         whole = _Method(self._names(region))
         whole.add(
             2,
@@ -833,6 +856,12 @@ class _Generator:
                 depth += 1
                 method.add(depth, f"at = {board}.{slot}_time + {wait.amount}")
         method.add(depth, "if now < at < best:", "    best = at")
+
+
+def _natural(attribute: tuple[str, str, str | None]) -> list[tuple[int, str]]:
+    """Orders b2 before b10."""
+    parts = re.split(r"(\d+)", attribute[0])
+    return [(int(part), "") if part.isdigit() else (-1, part) for part in parts]
 
 
 def _read_by(action: Action) -> Iterable[Value]:

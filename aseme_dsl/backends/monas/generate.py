@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import keyword
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
@@ -53,6 +54,7 @@ def _environment(options: BackendOptions) -> Environment:
         autoescape=False,
     )
     environment.filters["quoted"] = repr
+    environment.filters["imports"] = _imports
     environment.filters["class_name"] = class_name
     environment.filters["module_name"] = module_name
     environment.filters["package"] = _usable
@@ -77,10 +79,12 @@ class MonasBackend:
             model = _hash(repr((chart.name, system.name, sections)), artefacts[0].text)
             hashes.append(model)
             known = {"system": system, "chart": chart, "source": source, "model": model}
-            plan = environment.get_template("plan.py.j2").render(known, sections=sections)
-            step = environment.get_template("step.py.j2").render(
-                known, step=generate_step(system, chart, f"{class_name(chart.name)}Step")
+            constructors = sorted({item.partition("(")[0] for _, items in sections for item in items} - {""})
+            plan = environment.get_template("plan.py.j2").render(
+                known, sections=sections, constructors=["Plan", *constructors]
             )
+            code = generate_step(system, chart, f"{class_name(chart.name)}Step")
+            step = environment.get_template("step.py.j2").render(known, step=code, uses=code.uses)
             package = environment.get_template("role.py.j2").render(known)
             artefacts += [
                 Artefact(f"{folder}/__init__.py", package),
@@ -119,6 +123,18 @@ class MonasBackend:
             )
             for name in sorted(users)
         ]
+
+
+def _imports(names: Sequence[str], module: str) -> str:
+    """`from module import a, b`, over several lines where one is too short; nothing without names."""
+    if not names:
+        return ""
+    constants = sorted(name for name in names if name.isupper())
+    others = sorted((n for n in names if not n.isupper()), key=lambda n: (n[:1].islower(), n))
+    line = f"from {module} import {', '.join([*constants, *others])}"
+    if len(line) <= 88:
+        return line
+    return "\n".join([f"from {module} import (", *(f"    {name}," for name in [*constants, *others]), ")"])
 
 
 def _hash(*texts: str) -> str:
