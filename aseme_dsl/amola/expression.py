@@ -442,21 +442,21 @@ def event_text(event: Event) -> str:
             return "error"
 
 
-def action_text(action: Action) -> str:
-    """An action in canonical spelling."""
+def action_text(action: Action, *, expand: bool = False) -> str:
+    """An action in canonical spelling; with `expand`, what a `let` stands for instead of its name."""
     match action:
         case Assign(target=target, value=value):
-            return f"{value_text(target)} = {value_text(value)}"
+            return f"{value_text(target)} = {value_text(value, expand=expand)}"
         case Publish(channel=channel):
             return f"write_messages.{channel}"
         case ReadMessages():
             return "read_messages"
         case StartTimer(timer=timer, duration=duration):
-            return f"start_timer({timer}, {value_text(duration)})"
+            return f"start_timer({timer}, {value_text(duration, expand=expand)})"
         case Send(performative=performative, message=message, participant=participant):
             return f"send {performative} {message} to {participant}"
         case Evaluate(value=value):
-            return value_text(value)
+            return value_text(value, expand=expand)
 
 
 def events_text(expression: TransitionExpression) -> str | None:

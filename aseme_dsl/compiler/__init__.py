@@ -46,7 +46,7 @@ def analyse(
 
     Texts in `sources` (by path) are taken instead of the files on disk. No document raises anything.
     """
-    from aseme_dsl.compiler.analyse import analyse_files
+    from aseme_dsl.compiler.phases import analyse_files
 
     return analyse_files(root, sources, options or Options())
 

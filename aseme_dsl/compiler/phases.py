@@ -1,4 +1,4 @@
-"""Analyse: all phases in their order; an error in one part neither hides nor causes errors in another."""
+"""Phases: all of them in their order; an error in one part neither hides nor causes errors in another."""
 
 from __future__ import annotations
 

@@ -1,0 +1,332 @@
+"""Models as JSON: plain data of a fixed form, described by the schemas beside this file.
+
+Expressions and formulas are canonical texts, in which a `let` is written out. Durations are texts as well
+(`200ms`). Places name files as they were given, relative to the system's file, never absolutely.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import PurePath
+from typing import Any
+
+from aseme_dsl.amola.aip import Aip, DeclaredVariable, NamedFormula, Participant
+from aseme_dsl.amola.expression import Literal, action_text, duration_text, events_text, value_text
+from aseme_dsl.amola.liveness import canonical
+from aseme_dsl.amola.messages import DURATION
+from aseme_dsl.amola.sag import Sag
+from aseme_dsl.amola.srm import Activity, Srm, Subscription
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.suc import Suc
+from aseme_dsl.amola.system import System
+from aseme_dsl.source import Span
+
+FORMAT = 1
+"""The version of the form of all models."""
+
+Json = dict[str, Any]
+
+
+def models_json(system: System) -> dict[str, Json]:
+    """Every model of a system by its file's name: `sag.json`, `eac.attack.json`, `iac.player.json`, …"""
+    folder = folder_of(system)
+    found = {"sag.json": sag_json(system.sag, system.name, folder)}
+    found["suc.json"] = suc_json(system.suc, system.name, folder)
+    for aip in system.aips:
+        found[f"aip.{aip.name}.json"] = aip_json(aip, system.name, folder)
+    for srm in system.srms:
+        found[f"srm.{srm.name}.json"] = srm_json(srm, system, folder)
+    for chart in system.statecharts:
+        found[f"{chart.kind.lower()}.{chart.name}.json"] = statechart_json(chart, folder)
+    return found
+
+
+def json_text(model: Json) -> str:
+    """A model as a text that is the same on every machine."""
+    return json.dumps(model, indent=2, ensure_ascii=False) + "\n"
+
+
+def folder_of(system: System) -> PurePath | None:
+    """The folder of the system's file: what absolute paths are made relative to."""
+    return PurePath(system.span.source.path).parent if system.span is not None else None
+
+
+def sag_json(sag: Sag, system: str, folder: PurePath | None = None) -> Json:
+    """Actors and goals."""
+    actors = [{"name": item.name, "span": _span(item.span, folder)} for item in sag.actors]
+    goals = [
+        {
+            "name": item.name,
+            "depender": item.depender,
+            "dependees": list(item.dependees),
+            "requirements": item.requirements,
+            "span": _span(item.span, folder),
+        }
+        for item in sag.goals
+    ]
+    return {"format": FORMAT, "system": system, "actors": actors, "goals": goals}
+
+
+def suc_json(suc: Suc, system: str, folder: PurePath | None = None) -> Json:
+    """Roles with their types, and use cases."""
+    roles = [
+        {"name": item.name, "type": item.type.value, "span": _span(item.span, folder)} for item in suc.roles
+    ]
+    usecases = [
+        {
+            "name": item.name,
+            "participants": list(item.participants),
+            "includes": list(item.includes),
+            "requirements": item.requirements,
+            "realises": list(item.realises),
+            "span": _span(item.span, folder),
+        }
+        for item in suc.usecases
+    ]
+    return {"format": FORMAT, "system": system, "roles": roles, "usecases": usecases}
+
+
+def aip_json(aip: Aip, system: str, folder: PurePath | None = None) -> Json:
+    """A protocol: participants with their processes, outcomes, clauses."""
+    clauses = [
+        {
+            "kind": item.kind,
+            "first": list(item.first),
+            "second": list(item.second),
+            "count": item.count,
+            "within": _duration(item.within),
+            "text": item.text,
+            "span": _span(item.span, folder),
+        }
+        for item in aip.clauses
+    ]
+    return {
+        "format": FORMAT,
+        "name": aip.name,
+        "system": system,
+        "participants": [_participant(item, folder) for item in aip.participants],
+        "outcomes": list(aip.outcomes),
+        "clauses": clauses,
+        "span": _span(aip.span, folder),
+    }
+
+
+def srm_json(srm: Srm, system: System, folder: PurePath | None = None) -> Json:
+    """A role: what it plays, its formulas, and its activities with what is said of them."""
+    activities = [item for name in srm.activities if (item := system.activity(name)) is not None]
+    return {
+        "format": FORMAT,
+        "name": srm.name,
+        "system": system.name,
+        "plays": [
+            {
+                "protocol": item.protocol,
+                "participant": item.participant,
+                "name": item.name,
+                "bindings": dict(item.bindings),
+                "span": _span(item.span, folder),
+            }
+            for item in srm.plays
+        ],
+        "variables": _variables(srm.variables, folder),
+        "formulas": _formulas(srm.formulas, folder),
+        "activities": [_activity(item, folder) for item in activities],
+        "functionalities": [
+            {
+                "name": item.name,
+                "technology": item.technology,
+                "permissions": item.permissions,
+                "environment": item.environment,
+                "algorithm": item.algorithm,
+                "span": _span(item.span, folder),
+            }
+            for item in srm.functionalities
+        ],
+        "capabilities": [
+            {
+                "name": item.name,
+                "activities": list(item.activities),
+                "description": item.description,
+                "span": _span(item.span, folder),
+            }
+            for item in srm.capabilities
+        ],
+        "span": _span(srm.span, folder),
+    }
+
+
+def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
+    """An EAC or IAC: states in document order, transitions in the template's order."""
+    nodes = [
+        {
+            "label": node.label,
+            "name": node.name,
+            "type": node.type.value,
+            "parent": node.parent,
+            "activity": node.activity,
+            "origin": str(node.origin),
+            "span": _span(node.span, folder),
+        }
+        for node in chart.nodes
+    ]
+    transitions = []
+    for item in chart.transitions:
+        expression = item.expression
+        condition = expression.condition
+        transitions.append(
+            {
+                "name": item.name,
+                "source": item.source,
+                "target": item.target,
+                "event": events_text(expression),
+                "condition": value_text(condition, expand=True) if condition is not None else None,
+                "actions": [action_text(action, expand=True) for action in expression.actions],
+                "priority": item.priority,
+                "origin": str(item.origin),
+                "span": _span(item.span, folder),
+            }
+        )
+    return {
+        "format": FORMAT,
+        "name": chart.name,
+        "system": chart.system,
+        "nodes": nodes,
+        "transitions": transitions,
+        "variables": [
+            {"name": item.name, "type": str(item.type), "initial": _initial(item.initial)}
+            for item in chart.variables
+        ],
+        "regions": [
+            {
+                "label": item.label,
+                "reads": [str(channel) for channel in item.reads],
+                "writes": [str(channel) for channel in item.writes],
+            }
+            for item in chart.regions
+        ],
+    }
+
+
+# ---- parts ---------------------------------------------------------------------------------------
+
+
+def _participant(item: Participant, folder: PurePath | None) -> Json:
+    return {
+        "name": item.name,
+        "least": item.least,
+        "most": item.most,
+        "engage": list(item.engage),
+        "variables": _variables(item.variables, folder),
+        "sends": [f"{message.performative} {message.message}" for message in item.sends],
+        "receives": [f"{message.performative} {message.message}" for message in item.receives],
+        "formulas": _formulas(item.formulas, folder),
+        "span": _span(item.span, folder),
+    }
+
+
+def _variables(variables: Iterable[DeclaredVariable], folder: PurePath | None) -> list[Json]:
+    return [
+        {
+            "name": item.name,
+            "type": str(item.type),
+            "initial": _initial(item.initial),
+            "span": _span(item.span, folder),
+        }
+        for item in variables
+    ]
+
+
+def _formulas(formulas: Iterable[NamedFormula], folder: PurePath | None) -> list[Json]:
+    return [
+        {"name": item.name, "formula": canonical(item.formula), "span": _span(item.span, folder)}
+        for item in formulas
+    ]
+
+
+def _activity(item: Activity, folder: PurePath | None) -> Json:
+    return {
+        "name": item.name,
+        "uses": list(item.uses),
+        "every": _duration(item.every),
+        "takes": _duration(item.takes),
+        "kind": item.kind,
+        "reads": [_subscription(read) for read in item.reads],
+        "writes": [str(channel) for channel in item.writes] + list(item.writes_variables),
+        "span": _span(item.span, folder),
+    }
+
+
+def _subscription(item: Subscription) -> Json:
+    name = item.topic if item.channel is None else str(item.channel)
+    return {
+        "channel": name,
+        "host": item.host,
+        "reach": item.reach,
+        "history": _duration(item.history) if item.history else None,
+    }
+
+
+def _initial(literal: Literal) -> bool | int | float | str:
+    """A value as JSON has it; a duration as it is written."""
+    if literal.type == DURATION:
+        return duration_text(int(literal.value))
+    return literal.value
+
+
+def _duration(nanoseconds: int | None) -> str | None:
+    return duration_text(nanoseconds) if nanoseconds is not None else None
+
+
+def _span(span: Span, folder: PurePath | None) -> Json:
+    line, column = span.source.position(span.start)
+    end_line, end_column = span.source.position(span.end)
+    return {
+        "file": shown_path(span.source.path, folder),
+        "line": line,
+        "column": column,
+        "end_line": end_line,
+        "end_column": end_column,
+    }
+
+
+def shown_path(path: str, folder: PurePath | None) -> str:
+    """A path as it was given, with forward slashes; an absolute one from `folder`, or only its name."""
+    place = PurePath(path)
+    if not place.is_absolute():
+        return place.as_posix()
+    if folder is None or not folder.is_absolute():
+        return place.name
+    up = 0
+    base = folder
+    while not place.is_relative_to(base) and base != base.parent:
+        base, up = base.parent, up + 1
+    return (
+        PurePath(*[".."] * up, place.relative_to(base)).as_posix()
+        if place.is_relative_to(base)
+        else place.name
+    )
+
+
+def schema(model: str) -> Json:
+    """The JSON Schema (draft 2020-12) of "sag", "suc", "aip", "srm" or "statechart"."""
+    from importlib.resources import files
+
+    text = (files("aseme_dsl.amola") / "schemas" / f"{model}.schema.json").read_text("utf-8")
+    found: Json = json.loads(text)
+    return found
+
+
+__all__ = [
+    "FORMAT",
+    "aip_json",
+    "folder_of",
+    "json_text",
+    "models_json",
+    "sag_json",
+    "schema",
+    "shown_path",
+    "srm_json",
+    "statechart_json",
+    "suc_json",
+]

@@ -1,0 +1,57 @@
+"""Original names: a chart with its unnamed states spelled as the tools of the papers spelled them.
+
+For those who compare. The originals wrote the operators of a term out, without blanks: `[A . B]` is
+`_open_option_A_sequence_B_close_option_`. States with a name of their own keep it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from aseme_dsl.amola.statechart import NodeType, Statechart
+
+_SPELLINGS = (
+    ("||", "_parallel_"),
+    ("~", "_forever_"),
+    (".", "_sequence_"),
+    ("|", "_or_"),
+    ("*", "_zero_or_more_times_"),
+    ("+", "_one_or_more_times_"),
+    ("(", "_open_group_"),
+    (")", "_close_group_"),
+    ("[", "_open_option_"),
+    ("]", "_close_option_"),
+)
+"""In this order: `||` before `|`."""
+
+
+def original_name(term: str) -> str:
+    """A term in canonical spelling as the originals name its state."""
+    name = term.replace(" ", "")
+    for operator, spelling in _SPELLINGS:
+        name = name.replace(operator, spelling)
+    return name
+
+
+def labels_as_original(chart: Statechart) -> Statechart:
+    """The chart with the originals' names for its OR and AND states that are named by their terms.
+
+    Names of transitions are made of the names of their ends, as ever.
+    """
+    names = {
+        node.label: original_name(node.name)
+        if node.type in (NodeType.OR, NodeType.AND) and node.name != node.label
+        else node.name
+        for node in chart.nodes
+    }
+    nodes = tuple(
+        node if names[node.label] == node.name else replace(node, name=names[node.label])
+        for node in chart.nodes
+    )
+    transitions = tuple(
+        replace(item, name=f"{names[item.source]}TO{names[item.target]}") for item in chart.transitions
+    )
+    return replace(chart, nodes=nodes, transitions=transitions)
+
+
+__all__ = ["labels_as_original", "original_name"]
