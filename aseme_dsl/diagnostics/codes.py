@@ -28,6 +28,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E010": ("error", "the project's configuration is wrong"),
     "W001": ("warning", "the file is empty"),
     "W002": ("warning", "a generated file was edited and is left alone"),
+    "W003": ("warning", "a diagram cannot be drawn"),
     # Syntax (E1xx)
     "E100": ("error", "something else was expected here"),
     "E101": ("error", "a formula is malformed"),
@@ -43,6 +44,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E111": ("error", "a block is not closed"),
     "E112": ("error", "a brace that closes nothing"),
     "E113": ("error", "too many mistakes to list"),
+    "E114": ("error", "something is said twice"),
+    "E115": ("error", "a range without numbers in it"),
     # Names and declarations (E2xx)
     "E200": ("error", "an unknown name"),
     "E201": ("error", "a name is declared twice"),

@@ -8,7 +8,6 @@ from typing import Any, TypeVar
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.expression import (
-    RESERVED,
     Malformed,
     read_duration,
     read_expression,
@@ -16,7 +15,7 @@ from aseme_dsl.grammar.expression import (
     read_text,
     read_transition,
 )
-from aseme_dsl.grammar.formula import read_formula
+from aseme_dsl.grammar.formula import RESERVED, read_formula
 from aseme_dsl.grammar.lexer import shown
 from aseme_dsl.grammar.recovery import BLOCKS
 from aseme_dsl.grammar.token import Token
@@ -76,18 +75,21 @@ class _Builder:
     def spot(self, text: Token) -> Span:
         return Span(self.source, text.start, text.end)
 
-    def name(self, text: Token, reserved: Sequence[str] = (), what: str = "a name") -> tree.Name:
-        made = tree.Name(str(text), self.spot(text))
-        if text in reserved or text in RESERVED:
-            self.diagnostics.append(
-                Diagnostic(
-                    "E106", f"{shown(text)} cannot be {what}: it is a word of the language here", made.span
-                )
-            )
+    def name(self, text: Token) -> tree.Name:
+        """A name that is used."""
+        return tree.Name(str(text), Span(self.source, text.start, text.start + len(text)))
+
+    def new_name(self, text: Token, what: str, words: Sequence[str] = ()) -> tree.Name:
+        """A name that is declared: `words` are those of the language that cannot be one in its block."""
+        made = self.name(text)
+        if text in RESERVED or text in BUILT_IN_TYPES or text in words:
+            kind = "a type" if text in BUILT_IN_TYPES else "a word of the language here"
+            message = f"{shown(text)} cannot be the name of {what}: it is {kind}"
+            self.diagnostics.append(Diagnostic("E106", message, made.span, hint=f"{text}_ can"))
         return made
 
     def names(self, texts: Iterable[Token]) -> tuple[tree.Name, ...]:
-        return tuple(tree.Name(str(text), self.spot(text)) for text in texts)
+        return tuple(self.name(text) for text in texts)
 
     def integer(self, text: Token) -> int | None:
         digits = text.replace(" ", "")
@@ -116,7 +118,7 @@ class _Builder:
     def again(self, what: str, first: Span, second: Span) -> None:
         self.diagnostics.append(
             Diagnostic(
-                "E100", f"{what} is said twice", second, (Related(first, "first said here"),), "leave one out"
+                "E114", f"{what} is said twice", second, (Related(first, "first said here"),), "leave one out"
             )
         )
 
@@ -127,47 +129,51 @@ class _Builder:
         return made
 
     def system(self, node: Any) -> tree.System:
-        return tree.System(self.name(node.name), self.span(node))
+        return tree.System(self.new_name(node.name, "a system"), self.span(node))
 
     def import_(self, node: Any) -> tree.Import:
         target = self.text(node.path) if node.path else self.name(node.library)
         return tree.Import(target, self.span(node))
 
-    def let(self, node: Any, reserved: Sequence[str] = ()) -> tree.Let | None:
-        name = self.name(node.name, reserved)
+    def let(self, node: Any, words: Sequence[str] = ()) -> tree.Let | None:
+        name = self.new_name(node.name, "a let", words)
         expression = self.tried(lambda: read_expression(self.source, node.tokens))
         return tree.Let(name, expression, self.span(node)) if expression is not None else None
 
-    def var(self, node: Any, reserved: Sequence[str] = ()) -> tree.Var:
-        name = self.name(node.name, reserved, "a variable")
+    def var(self, node: Any, words: Sequence[str] = ()) -> tree.Var:
+        name = self.new_name(node.name, "a variable", words)
         initial = self.tried(lambda: read_expression(self.source, node.tokens)) if node.tokens else None
         return tree.Var(name, self.name(node.type), initial, self.span(node))
 
     # ---- messages ------------------------------------------------------------------------------
 
     def enum(self, node: Any) -> tree.Enum:
-        name = self.name(node.name, BUILT_IN_TYPES, "an enum")
+        name = self.new_name(node.name, "an enum")
 
         def constant(entry: Any) -> tree.EnumConstant:
             number = self.integer(entry.number) if entry.number else None
-            return tree.EnumConstant(self.name(entry.name), number, self.span(entry))
+            return tree.EnumConstant(self.new_name(entry.name, "a constant"), number, self.span(entry))
 
         return tree.Enum(name, self.all(constant, node.constants), self.span(node))
 
     def message(self, node: Any) -> tree.Message:
-        name = self.name(node.name, (*BUILT_IN_TYPES, *COMM_TYPES), "a message")
+        name = self.new_name(node.name, "a message", COMM_TYPES)
 
         def field(entry: Any) -> tree.Field:
             number = self.integer(entry.number) if entry.number else None
             return tree.Field(
-                str(entry.label), self.name(entry.type), self.name(entry.name), number, self.span(entry)
+                str(entry.label),
+                self.name(entry.type),
+                self.new_name(entry.name, "a field"),
+                number,
+                self.span(entry),
             )
 
         return tree.Message(name, self.all(field, node.fields), self.span(node))
 
     def topic(self, node: Any) -> tree.Topic:
-        name = self.name(node.name, COMM_TYPES, "a topic")
-        under = self.name(node.under[0], COMM_TYPES, "a topic") if node.under else None
+        name = self.new_name(node.name, "a topic", COMM_TYPES)
+        under = self.name(node.under[0]) if node.under else None
         radio = self.integer_number(node.radio[0]) if node.radio else None
         for what, given in (("'under'", node.under), ("'radio'", node.radio)):
             if len(given) > 1:
@@ -192,7 +198,7 @@ class _Builder:
                     flags.add(str(clause.flag))
         return tree.TopicEntry(
             self.name(node.comm),
-            tuple(self.name(text, COMM_TYPES, "a message") for text in node.messages),
+            self.names(node.messages),
             sources,
             every,
             "queued" in flags,
@@ -202,10 +208,12 @@ class _Builder:
 
     def function(self, node: Any) -> tree.Function:
         def parameter(entry: Any) -> tree.Parameter:
-            return tree.Parameter(self.name(entry.type), self.name(entry.name), self.span(entry))
+            return tree.Parameter(
+                self.name(entry.type), self.new_name(entry.name, "a parameter"), self.span(entry)
+            )
 
         return tree.Function(
-            self.name(node.name, what="a function"),
+            self.new_name(node.name, "a function"),
             self.all(parameter, node.parameters),
             self.name(node.result),
             self.text(node.target),
@@ -219,7 +227,9 @@ class _Builder:
 
     def actor(self, node: Any) -> tree.Actor:
         return tree.Actor(
-            self.name(node.name, what="an actor"), self.all(self.goal, node.goals), self.span(node)
+            self.new_name(node.name, "an actor", ("actor", "goal")),
+            self.all(self.goal, node.goals),
+            self.span(node),
         )
 
     def goal(self, node: Any) -> tree.Goal:
@@ -233,7 +243,9 @@ class _Builder:
             else:
                 said.check("the requirement", self.span(clause))
                 requirements = self.text(clause.text)
-        return tree.Goal(self.name(node.name, ("depends",), "a goal"), depends, requirements, self.span(node))
+        return tree.Goal(
+            self.new_name(node.name, "a goal", ("goal", "depends")), depends, requirements, self.span(node)
+        )
 
     def suc(self, node: Any) -> tree.Suc:
         entries = [entry for entry in node.entries if not isinstance(entry, str)]
@@ -244,7 +256,9 @@ class _Builder:
     def roles(self, node: Any) -> tree.Roles:
         type_ = self.name(node.type) if node.type else None
         return tree.Roles(
-            tuple(self.name(text, what="a role") for text in node.names), type_, self.span(node)
+            tuple(self.new_name(text, "a role", ("role", "usecase")) for text in node.names),
+            type_,
+            self.span(node),
         )
 
     def usecase(self, node: Any) -> tree.UseCase:
@@ -266,7 +280,7 @@ class _Builder:
                     said.check("the requirement", self.span(clause))
                     requirements = self.text(clause.text)
         return tree.UseCase(
-            self.name(node.name, ("by", "includes", "realises"), "a use case"),
+            self.new_name(node.name, "a use case", BLOCKS["JunkSuc"].words),
             lists.get("by", ()),
             lists.get("includes", ()),
             lists.get("realises", ()),
@@ -280,7 +294,7 @@ class _Builder:
         words = BLOCKS["JunkAip"].words
         kinds = _by_kind(node.entries)
         return tree.Aip(
-            self.name(node.name, what="a protocol"),
+            self.new_name(node.name, "a protocol"),
             self.all(self.participant, kinds["Participant"]),
             tuple(self.text(entry.text) for entry in kinds["Outcome"]),
             self.all(lambda entry: self.let(entry, words), kinds["Let"]),
@@ -294,7 +308,7 @@ class _Builder:
         kinds = _by_kind(node.entries)
         helpers = tuple(word for word in words if word != "process")
         return tree.Participant(
-            self.name(node.name, BLOCKS["JunkAip"].words, "a participant"),
+            self.new_name(node.name, "a participant", BLOCKS["JunkAip"].words),
             self.multiplicity(node) if node.least else None,
             tuple(self.text(entry.text) for entry in kinds["Engage"]),
             self.all(lambda entry: self.var(entry, words), kinds["Var"]),
@@ -320,7 +334,7 @@ class _Builder:
         span = Span(self.source, node.least.start, end.end)
         if most is not None and (most < least or most == 0):
             self.diagnostics.append(
-                Diagnostic("E100", f"no number of agents is from {least} to {most}", span)
+                Diagnostic("E115", f"no number of agents is from {least} to {most}", span)
             )
         return tree.Multiplicity(least, most, span)
 
@@ -331,8 +345,8 @@ class _Builder:
             for item in entry.messages
         )
 
-    def formula(self, node: Any, reserved: Sequence[str] = ()) -> tree.NamedFormula | None:
-        name = self.name(node.name, reserved, "a formula")
+    def formula(self, node: Any, words: Sequence[str] = ()) -> tree.NamedFormula | None:
+        name = self.new_name(node.name, "a formula", words)
         formula = self.tried(lambda: read_formula(self.source, node.tokens))
         return tree.NamedFormula(name, formula, self.span(node)) if formula is not None else None
 
@@ -368,7 +382,7 @@ class _Builder:
 
     def way(self, node: Any) -> tree.Way | None:
         formula = self.tried(lambda: read_formula(self.source, node.term))
-        expression = self.transition(node)
+        expression = self.transition(node) if formula is not None else None
         if formula is None or expression is None:
             return None
         span = formula.span
@@ -399,7 +413,7 @@ class _Builder:
         words = BLOCKS["JunkSrm"].words
         kinds = _by_kind(node.entries)
         return tree.Srm(
-            self.name(node.name, what="a role"),
+            self.new_name(node.name, "a role"),
             tuple(self.plays(part) for entry in kinds["Plays"] for part in entry.parts),
             self.all(self.capability, kinds["Capability"]),
             self.all(lambda entry: self.var(entry, words), kinds["Var"]),
@@ -415,7 +429,7 @@ class _Builder:
         return tree.Plays(
             self.name(node.protocol),
             self.name(node.participant),
-            self.name(node.alias, ("with",)) if node.alias else None,
+            self.new_name(node.alias, "a participant", ("with",)) if node.alias else None,
             tuple(
                 tree.Binding(self.name(item.abstract), self.name(item.own), self.span(item))
                 for item in node.bindings
@@ -426,7 +440,10 @@ class _Builder:
     def capability(self, node: Any) -> tree.Capability:
         description = self.text(node.description) if node.description else None
         return tree.Capability(
-            self.name(node.name), description, self.names(node.activities), self.span(node)
+            self.new_name(node.name, "a capability"),
+            description,
+            self.names(node.activities),
+            self.span(node),
         )
 
     def activity(self, node: Any) -> tree.Activity:
@@ -454,7 +471,7 @@ class _Builder:
                 case _:
                     writes += [read_path(self.source, path) for path in clause.paths]
         return tree.Activity(
-            self.name(node.name, what="an activity"),
+            self.new_name(node.name, "an activity"),
             uses,
             durations.get("every"),
             durations.get("takes"),
@@ -481,7 +498,7 @@ class _Builder:
                 said.check(shown(entry.kind), self.span(entry))
                 texts[str(entry.kind)] = self.text(entry.text)
         return tree.Functionality(
-            self.name(node.name),
+            self.new_name(node.name, "a functionality"),
             texts.get("technology"),
             texts.get("permissions"),
             texts.get("environment"),
@@ -495,7 +512,7 @@ class _Builder:
         words = BLOCKS["JunkChart"].words
         kinds = _by_kind(node.entries)
         return tree.Statechart(
-            self.name(node.name),
+            self.new_name(node.name, "a statechart"),
             self.all(lambda entry: self.var(entry, words), kinds["Var"]),
             self.all(lambda entry: self.let(entry, words), kinds["Let"]),
             self.all(self.chart_node, kinds["ChartNode"]),
@@ -519,10 +536,15 @@ class _Builder:
     # ---- deployment and verification -----------------------------------------------------------
 
     def team(self, node: Any) -> tree.Team:
-        return tree.Team(self.name(node.name), self.all(self.agents, node.entries), self.span(node))
+        return tree.Team(
+            self.new_name(node.name, "a team"), self.all(self.agents, node.entries), self.span(node)
+        )
 
     def agents(self, node: Any) -> tree.TeamAgents:
-        names = tuple((self.name(item.name), self.range(item) if item.least else None) for item in node.names)
+        names = tuple(
+            (self.new_name(item.name, "an agent"), self.range(item) if item.least else None)
+            for item in node.names
+        )
         return tree.TeamAgents(names, self.name(node.role), self.span(node))
 
     def range(self, node: Any) -> tuple[int, int] | None:
@@ -532,7 +554,7 @@ class _Builder:
         if most < least:
             span = Span(self.source, node.least.start, node.most.end)
             self.diagnostics.append(
-                Diagnostic("E100", f"no agents are numbered from {least} to {most}", span)
+                Diagnostic("E115", f"no agents are numbered from {least} to {most}", span)
             )
             return None
         return least, most

@@ -3,17 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
-from aseme_dsl.grammar.lexer import UNITS, Lexed, Tokens, shown
-from aseme_dsl.grammar.recovery import BLOCKS
+from aseme_dsl.grammar.lexer import UNITS, Lexed, shown
+from aseme_dsl.grammar.recovery import BLOCKS, begins_declaration
 from aseme_dsl.grammar.terminals import Mistake
 from aseme_dsl.source import Span
 
-_WORDS = {
+_CHOICES = {
+    "CommType": ("signal", "state", "data"),
+    "FieldLabel": ("optional", "repeated"),
+    "TopicFlagWord": ("queued", "persist"),
+    "Verb": BLOCKS["JunkControl"].words,
+    "RoleType": ("system", "abstract", "human", "legacy", "external"),
+    "ActivityKind": ("thread", "async", "process", "step"),
+    "FunctionalityWord": BLOCKS["JunkFunctionality"].words,
+    "NodeType": ("START", "END", "OR", "AND", "BASIC", "CONDITION"),
+}
+"""The words that a terminal accepts, by the name of its rule."""
+
+_PHRASES = {
     "Name": "a name",
     "EntryName": "a name",
+    "SystemName": "a name",
+    "RoleName": "a role",
     "ActivityName": "an activity",
     "NodeName": "a name",
     "Path": "a name",
@@ -27,129 +40,207 @@ _WORDS = {
     "FormulaToken": "a formula",
     "ProcessToken": "a formula",
     "TermToken": "a term of the formula",
-    "ControlToken": "",
     "ExpressionToken": "an expression",
-    "Separator": "",
-    "Word": "",
-    "CommType": "'signal', 'state' or 'data'",
-    "FieldLabel": "",
-    "TopicFlagWord": "'queued', 'persist'",
-    "Verb": "'enter', 'skip', 'repeat', 'leave', 'start', 'finish'",
-    "RoleType": "'system', 'abstract', 'human', 'legacy' or 'external'",
-    "ActivityKind": "'thread', 'async', 'process' or 'step'",
-    "Reach": "",
-    "FunctionalityWord": "'technology', 'permissions', 'environment', 'algorithm'",
-    "NodeType": "'START', 'END', 'OR', 'AND', 'BASIC' or 'CONDITION'",
-}
-"""By the name of the rule; those with an empty text go without saying."""
+} | dict.fromkeys(("ControlToken", "Separator", "Word", "FieldLabel", "Reach"), "")
+"""What a terminal is called, by the name of its rule; what goes without saying is empty."""
 
-_CHOICES = {
-    "CommType": ("signal", "state", "data"),
-    "FieldLabel": ("optional", "repeated"),
-    "TopicFlagWord": ("queued", "persist"),
-    "Verb": BLOCKS["JunkControl"].words,
-    "RoleType": ("system", "abstract", "human", "legacy", "external"),
-    "ActivityKind": ("thread", "async", "process", "step"),
-    "FunctionalityWord": BLOCKS["JunkFunctionality"].words,
-    "NodeType": ("START", "END", "OR", "AND", "BASIC", "CONDITION"),
+_ENTRIES = {
+    "JunkDeclaration": "a declaration",
+    "JunkConstant": "a constant or '}'",
+    "JunkField": "a field, as 'double x', or '}'",
+    "JunkFormula": "a formula, as 'NAME = A . B', or '}'",
+    "JunkActivity": "an activity or '}'",
+    "JunkAgents": "an agent, as 'robot1 : player', or '}'",
 }
-"""The words that a terminal accepts."""
+"""What a block holds, where its words do not say it."""
+
+_MOST_ALTERNATIVES = 8
 
 
 def explain(lexed: Lexed, mistake: Mistake) -> Diagnostic:
     """The diagnostic of a mistake."""
-    tokens = lexed.tokens
-    index = tokens.at(mistake.place)
     if mistake.kind == "JunkEnd":
-        return _not_closed(lexed, mistake, index)
-    words = _keywords(mistake.expected)
-    found = tokens.word(index)
-    previous = tokens.word(index - 1)
-    hint: str | None = None
-    fix: str | None = None
-    meant = closest(found, words) if found[:1].isalpha() and found not in words else None
-    if meant is None and index > 0 and mistake.start < tokens.starts[min(index, len(tokens) - 1)]:
-        block = BLOCKS.get(mistake.kind)
-        candidates = block.words if block else ()
-        before = (
-            closest(previous, candidates) if previous[:1].isalpha() and previous not in candidates else None
-        )
-        if before is not None:
-            meant, index = before, index - 1
-            found, previous = previous, tokens.word(index - 1)
-    if meant is not None:
-        hint, fix = f"did you mean {shown(meant)}?", meant
-    wanted = _alternatives(_phrases(mistake.expected, mistake.kind))
-    after = f" after {shown(previous)}" if previous else ""
-    if index >= len(tokens):
-        place = _end_of(lexed, tokens, len(tokens) - 1)
-        return Diagnostic("E100", f"expected {wanted}{after}, but the file ends", place, hint=hint)
-    if (
-        found.isdigit()
-        and tokens.word(index + 1) in UNITS
-        and any(rule.rule_name == "Duration" for rule in mistake.expected)
-    ):
-        unit = tokens.word(index + 1)
-        span = Span(lexed.source, tokens.starts[index], tokens.ends[index + 1])
-        return Diagnostic(
-            "E108",
-            f"a blank between the number {found} and its unit {unit}",
-            span,
-            hint=f"write {found}{unit}",
-            fix=found + unit,
-        )
-    place = Span(lexed.source, tokens.starts[index], tokens.ends[index])
-    if tokens.begins_line(index) and index > 0 and meant is None and mistake.start < tokens.starts[index]:
-        # Something is missing at the end of a line, not wrong on the next one.
-        place = _end_of(lexed, tokens, index - 1)
-    return Diagnostic("E100", f"expected {wanted}{after}, found {shown(found)}", place, hint=hint, fix=fix)
+        return _Explanation(lexed, mistake).not_closed()
+    return _Explanation(lexed, mistake).unexpected()
 
 
-def _not_closed(lexed: Lexed, mistake: Mistake, index: int) -> Diagnostic:
-    tokens = lexed.tokens
-    related: tuple[Related, ...] = ()
-    block = "a block"
-    if mistake.opener is not None:
-        opener = min(tokens.at(mistake.opener), len(tokens) - 1)
+class _Explanation:
+    def __init__(self, lexed: Lexed, mistake: Mistake) -> None:
+        self.lexed = lexed
+        self.tokens = lexed.tokens
+        self.mistake = mistake
+        self.first = self.tokens.at(mistake.start)
+        self.index = self.tokens.at(mistake.place)
+        if mistake.kind == "JunkHeader" and self.first > 0:
+            self.first -= 1  # the end of the header before it, which has been understood
+        self.words = BLOCKS[mistake.kind].words if mistake.kind in BLOCKS else ()
+
+    # ---- what is wrong -------------------------------------------------------------------------
+
+    def unexpected(self) -> Diagnostic:
+        """Something else stands where an entry, or a part of one, is expected."""
+        tokens = self.tokens
+        found = tokens.word(self.index)
+        if self.mistake.kind == "JunkDeclaration" and self.first == self.index:
+            early = self._closed_early(found)
+            if early is not None:
+                return early
+        swallowed = self._name_on_the_next_line()
+        if swallowed is not None:
+            return swallowed
+        misspelt = self._misspelt()
+        if misspelt is not None:
+            return misspelt
+        if found.isdigit() and tokens.word(self.index + 1) in UNITS and self._expects("Duration"):
+            return self._blank_before_unit()
+        previous = tokens.word(self.index - 1)
+        wanted = self._wanted()
+        after = f" after {shown(previous)}" if previous and self.index > self.first else ""
+        if self.index >= len(tokens):
+            last = len(tokens) - 1
+            return Diagnostic("E100", f"expected {wanted}{after}, but the file ends", self._span(last))
+        message = f"expected {wanted}{after}, found {shown(found)}"
+        if tokens.begins_line(self.index) and self.index > self.first:
+            # Something is missing at the end of a line, not wrong on the next one.
+            return Diagnostic("E100", message, self._span(self.index - 1))
+        return Diagnostic("E100", message, self._span(self.index), hint=self._what_may_stand_here())
+
+    def not_closed(self) -> Diagnostic:
+        """A `}` is missing."""
+        tokens = self.tokens
+        opener = tokens.at(self.mistake.opener if self.mistake.opener is not None else 0)
+        place = min(self.index, len(tokens)) - 1
+        found = (
+            "but the file ends" if self.index >= len(tokens) else f"found {shown(tokens.word(self.index))}"
+        )
+        # The block that lacks its `}` may be an inner one: then the outer one's `}` has closed it.
+        for inner, closing in sorted(tokens.closing.items()):
+            if (
+                opener < inner
+                and closing < self.index
+                and tokens.begins_line(closing)
+                and tokens.column(closing) == tokens.indentation(opener) < tokens.indentation(inner)
+            ):
+                opener, place, found = inner, closing - 1, "found the '}' of a block around it"
+                break
+        related = (Related(self._span(opener), "opened here"),)
+        message = f"expected '}}' that closes {self._header(opener)}, {found}"
+        return Diagnostic("E111", message, self._span(place), related, hint="write '}'")
+
+    def _closed_early(self, found: str) -> Diagnostic | None:
+        """After a `}` too many, the rest of a block stands where declarations are expected."""
+        tokens = self.tokens
+        begin = self.first - 1
+        while begin > 0 and not begins_declaration(tokens, begin):
+            begin -= 1
+        openers = {closing: opening for opening, closing in tokens.closing.items() if opening >= begin}
+        for closing in range(begin, self.first):
+            opener = openers.get(closing)
+            if opener is None or tokens.word(closing) != "}":
+                continue
+            if "\n" not in self.lexed.text[tokens.starts[opener] : tokens.starts[closing]]:
+                continue
+            if tokens.begins_line(closing) and tokens.column(closing) == tokens.indentation(opener):
+                continue
+            if not tokens.begins_line(closing) and closing + 1 != self.first:
+                continue
+            message = f"this '}}' closes {self._header(opener)} too early"
+            hint = "is it too much, or is a '{' missing before it?"
+            related = (Related(self._span(opener), "opened here"),)
+            return Diagnostic("E112", message, self._span(closing), related, hint)
+        if found == "}":
+            return Diagnostic("E112", "this '}' closes nothing", self._span(self.index), hint="leave it out")
+        return None
+
+    def _name_on_the_next_line(self) -> Diagnostic | None:
+        """Where a name is missing at the end of a line, the word on the next line was taken for it."""
+        tokens = self.tokens
+        taken = self.first - 1
+        if taken < 1 or not tokens.begins_line(taken) or tokens.word(taken) not in self.words:
+            return None
+        before = tokens.word(taken - 1)
+        message = f"expected a name after {shown(before)}, found {shown(tokens.word(taken))}"
+        return Diagnostic("E100", message, self._span(taken - 1))
+
+    def _misspelt(self) -> Diagnostic | None:
+        tokens = self.tokens
+        entry = self.first
+        if self.mistake.kind == "JunkActivity" and tokens.word(entry - 2) not in (*self.words, ","):
+            entry -= 1  # a misspelt clause has been taken for an activity
+        for index, candidates in ((self.index, self._keywords()), (entry, self.words)):
+            word = tokens.word(index)
+            if index < self.index - 1 or not word[:1].isalpha() or word in candidates:
+                continue
+            meant = closest(word, candidates)
+            if meant is not None:
+                message = f"{shown(word)} is no word of the language here"
+                return Diagnostic(
+                    "E100", message, self._span(index), hint=f"did you mean {shown(meant)}?", fix=meant
+                )
+        return None
+
+    def _blank_before_unit(self) -> Diagnostic:
+        tokens = self.tokens
+        number, unit = tokens.word(self.index), tokens.word(self.index + 1)
+        span = Span(self.lexed.source, tokens.starts[self.index], tokens.ends[self.index + 1])
+        message = f"a blank between the number {number} and its unit {unit}"
+        return Diagnostic("E108", message, span, hint=f"write {number}{unit}", fix=number + unit)
+
+    # ---- words and places ----------------------------------------------------------------------
+
+    def _expects(self, rule: str) -> bool:
+        return any(item.rule_name == rule for item in self.mistake.expected)
+
+    def _keywords(self) -> list[str]:
+        words: list[str] = []
+        for rule in self.mistake.expected:
+            words += _CHOICES.get(rule.rule_name, ())
+            if not rule.rule_name:
+                words.append(str(rule.to_match))
+        if self.index == self.first:
+            words += self.words
+        return [word for word in dict.fromkeys(words) if word[:1].isalpha()]
+
+    def _wanted(self) -> str:
+        """What may stand here; at the begin of an entry what the block holds, rather than a long list."""
+        phrases: list[str] = []
+        for rule in self.mistake.expected:
+            if rule.rule_name in _CHOICES:
+                phrases += [f"'{word}'" for word in _CHOICES[rule.rule_name]]
+            elif rule.rule_name in _PHRASES:
+                phrases.append(_PHRASES[rule.rule_name])
+            else:
+                phrases.append(f"'{rule.to_match}'")
+        phrases = [phrase for phrase in dict.fromkeys(phrases) if phrase]
+        begins_line = self.tokens.begins_line(self.index) if self.index < len(self.tokens) else True
+        if self.index == self.first and (begins_line or len(phrases) > _MOST_ALTERNATIVES or not phrases):
+            entries = _ENTRIES.get(self.mistake.kind)
+            if entries is not None:
+                return entries
+            if self.words:
+                return _alternatives([f"'{word}'" for word in self.words] + ["'}'"])
+        return _alternatives(phrases)
+
+    def _what_may_stand_here(self) -> str | None:
+        if self.mistake.kind == "JunkDeclaration" and self.index == self.first:
+            return "declarations begin with " + _alternatives(list(self.words))
+        return None
+
+    def _span(self, index: int) -> Span:
+        if not 0 <= index < len(self.tokens):
+            return Span(self.lexed.source, 0, 0)
+        return Span(self.lexed.source, self.tokens.starts[index], self.tokens.ends[index])
+
+    def _header(self, opener: int) -> str:
+        """The words before a `{`, which say what it opens."""
+        tokens = self.tokens
         first = opener
         while first > 0 and not tokens.begins_line(first) and tokens.word(first - 1) not in ("{", "}"):
             first -= 1
-        header = lexed.text[tokens.starts[first] : tokens.starts[opener]].strip()
-        block = shown(header) if header else block
-        related = (Related(Span(lexed.source, tokens.starts[opener], tokens.ends[opener]), "opened here"),)
-    found = "but the file ends" if index >= len(tokens) else f"found {shown(tokens.word(index))}"
-    place = _end_of(lexed, tokens, min(index, len(tokens)) - 1)
-    return Diagnostic("E111", f"expected '}}' that closes {block}, {found}", place, related, hint="write '}'")
+        header = " ".join(self.lexed.text[tokens.starts[first] : tokens.starts[opener]].split())
+        return shown(header) if header else "the block"
 
 
-def _end_of(lexed: Lexed, tokens: Tokens, index: int) -> Span:
-    if not 0 <= index < len(tokens):
-        return Span(lexed.source, 0, 0)
-    return Span(lexed.source, tokens.starts[index], tokens.ends[index])
-
-
-def _keywords(expected: Iterable[Any]) -> list[str]:
-    words: list[str] = []
-    for rule in expected:
-        words += _CHOICES.get(rule.rule_name, ())
-        if not rule.rule_name or rule.rule_name.startswith("__asgn"):
-            words.append(str(rule.to_match))
-    return [word for word in words if word[:1].isalpha()]
-
-
-def _phrases(expected: Iterable[Any], kind: str) -> list[str]:
-    phrases: list[str] = []
-    for rule in expected:
-        if rule.rule_name in _WORDS:
-            phrases.append(_WORDS[rule.rule_name])
-        else:
-            phrases.append(f"'{rule.to_match}'")
-    return [phrase for phrase in dict.fromkeys(phrases) if phrase]
-
-
-def _alternatives(phrases: list[str]) -> str:
-    if not phrases:
-        return "something else"
-    if len(phrases) == 1:
-        return phrases[0]
-    return ", ".join(phrases[:-1]) + " or " + phrases[-1]
+def _alternatives(phrases: Iterable[str]) -> str:
+    *all_but_last, last = list(phrases) or ["something else"]
+    return ", ".join(all_but_last) + " or " + last if all_but_last else last

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
-from aseme_dsl.grammar.formula import Malformed
+from aseme_dsl.grammar.formula import RESERVED, Malformed, is_hyphen
 from aseme_dsl.grammar.lexer import UNITS, shown
 from aseme_dsl.grammar.token import Token, token
 from aseme_dsl.source import Source, Span
@@ -32,9 +32,6 @@ _TIGHTEST = 6
 _PATH = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _NUMBER = re.compile(r"([0-9]+)(?:\.([0-9]+))?([a-z]*)")
 _LONGEST_NUMBER = 18
-
-RESERVED = ("else", "when", "and", "or", "not", "true", "false")
-"""Words that cannot be names in expressions."""
 
 _MEANT = {
     "&": ("&&", "'&&' is and"),
@@ -104,7 +101,7 @@ class _Reader:
         self.source = source
         self.tokens = tokens
         self.index = 0
-        self.open: list[Token] = []
+        self.depth = 0
         self.heights: dict[int, int] = {}
 
     # ---- tokens --------------------------------------------------------------------------------
@@ -168,10 +165,8 @@ class _Reader:
                 self.take()
         if self.next == "[":
             opener = self.take()
-            self.open.append(opener)
             condition = self.expression()
             self.need("]", opener)
-            self.open.pop()
         elif when:
             raise self.unexpected("'[' and a condition after 'when'")
         if self.next == "/":
@@ -274,6 +269,14 @@ class _Reader:
     # ---- expressions ---------------------------------------------------------------------------
 
     def expression(self, loosest: int = 1) -> tree.Expression:
+        self.depth += 1
+        if self.depth > DEEPEST + 1:
+            raise self._too_deep(self.tokens[min(self.index, len(self.tokens) - 1)])
+        made = self._operators(loosest)
+        self.depth -= 1
+        return made
+
+    def _operators(self, loosest: int) -> tree.Expression:
         left = self.unary()
         negation = left if isinstance(left, tree.Unary) and left.operator == "!" else None
         while True:
@@ -296,8 +299,6 @@ class _Reader:
                 )
                 continue
             right = self.expression(binding + 1)
-            if isinstance(right, tree.Unary) and right.operator == "!":
-                pass  # `a == !b`: the types decide
             span = left.span.to(right.span)
             left = self.grown(tree.Binary(operator, left, right, self.span(at), span), left, right)
             if binding == 3 and self.next in _COMPARISON:
@@ -329,10 +330,8 @@ class _Reader:
             return read_text(self.source, first)
         if first == "(":
             self.take()
-            self._deeper(first)
             inner = self.expression()
             self.need(")", first)
-            self.open.pop()
             return self.grown(tree.Parenthesised(inner, self.since(first.start)), inner)
         if not _is_name(first) or first in ("and", "or", "else", "when"):
             raise self.unexpected("a value")
@@ -343,7 +342,6 @@ class _Reader:
         if self.next != "(":
             return path
         opener = self.take()
-        self._deeper(opener)
         arguments: list[tree.Expression] = []
         if self.next != ")":
             arguments.append(self.expression())
@@ -353,7 +351,6 @@ class _Reader:
         if self.next != ")":
             raise self.unexpected("',' or ')'", related=(self._still_open(opener),))
         self.take()
-        self.open.pop()
         return self.grown(tree.Call(path, tuple(arguments), self.since(first.start)), *arguments)
 
     def number(self, text: Token) -> tree.Number | tree.Duration:
@@ -417,12 +414,18 @@ class _Reader:
         fix: str | None = None
         if found in _MEANT and previous is not None:
             fix, hint = _MEANT[found]
-            if found == "|" and not self.open:
-                fix = hint = None
         if found == "=" and previous in ("=", "<", ">", "!"):
             hint, fix = "comparisons are written <= >= == !=", None
         if found in RESERVED:
             hint = f"{shown(found)} cannot be a name here"
+        following = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else None
+        if (
+            found == "-"
+            and previous is not None
+            and following is not None
+            and is_hyphen(previous, found, following)
+        ):
+            hint, fix = f"names are written with '_': {previous}_{following}", "_"
         if _is_name(found) and previous is not None and found in UNITS and previous[0].isdigit():
             hint = f"write {previous}{found} without a blank"
         after = f" after {shown(previous)}" if previous is not None else ""
@@ -432,11 +435,6 @@ class _Reader:
 
     def _still_open(self, opener: Token) -> Related:
         return Related(self.span(opener), f"this '{opener}' is still open")
-
-    def _deeper(self, opener: Token) -> None:
-        self.open.append(opener)
-        if len(self.open) > DEEPEST:
-            raise self._too_deep(opener)
 
     def _too_deep(self, at: Token) -> Malformed:
         return Malformed(self._deep(self.span(at)))

@@ -24,6 +24,9 @@ _POSTFIX = {
 _INFIX = {".": Operator.SEQUENCE, "|": Operator.CHOICE, "||": Operator.PARALLEL}
 _CLOSES = {"(": ")", "[": "]", "|": "|"}
 
+RESERVED = ("else", "when", "and", "or", "not", "true", "false")
+"""Words that cannot be names anywhere."""
+
 _OPERATORS = "'.' is one after the other, '|' one of both, '||' both at once"
 _MEANT = {
     "&&": "write '||' for both at once",
@@ -87,6 +90,8 @@ class _Reader:
                     group = _Group(token)
                     self.groups.append(group)
                 elif _is_name(token):
+                    if token in RESERVED:
+                        raise self._error("E106", f"{shown(token)} cannot be an activity or formula", token)
                     name = Formula(Operator.NAME, (), self._span(token), name=str(token))
                     group.sequence.append((name, 1))
                     operand_expected = False
@@ -259,12 +264,13 @@ class _Reader:
                 "E101", f"{shown(token)} closes nothing: there is no '{opener}' before it", token
             )
         if token == "[":
-            following = self.tokens[index + 1] if index + 1 < len(self.tokens) else "B"
+            before = str(previous) if _is_name(previous) else "A"
             return self._error(
                 "E101",
                 f"an operator is missing between {shown(previous)} and '['",
                 token,
-                hint=f"write '. [{following} …]' for an option that follows, '[3]' for three instances",
+                hint=f"write '{before} . [{self._inside(index)}]' for an option that follows, "
+                f"'{before}[3]' for three instances",
                 fix=". [",
             )
         if _is_name(token) or token == "(":
@@ -276,18 +282,17 @@ class _Reader:
             )
         hint = _MEANT.get(token, _OPERATORS)
         fix = "||" if token in ("&&", "&") else None
-        if token == "-":
-            before = previous
-            after = self.tokens[index + 1] if index + 1 < len(self.tokens) else None
-            if (
-                after is not None
-                and before.end == token.start
-                and token.end == after.start
-                and _is_name(after)
-            ):
-                hint = f"names are written with '_': {before}_{after}"
-                fix = "_"
+        following = self.tokens[index + 1] if index + 1 < len(self.tokens) else None
+        if token == "-" and following is not None and is_hyphen(previous, token, following):
+            hint, fix = f"names are written with '_': {previous}_{following}", "_"
         return self._error("E101", f"{shown(token)} is not an operator of formulas", token, hint, fix=fix)
+
+    def _inside(self, opening: int) -> str:
+        """What stands in the brackets that open at `opening`, if it is short."""
+        for index in range(opening + 1, min(opening + 8, len(self.tokens))):
+            if self.tokens[index] == "]":
+                return " ".join(self.tokens[opening + 1 : index])
+        return "B"
 
     def _wrong_bracket(self, token: Token, opener: Token) -> Malformed:
         if opener == "|":
@@ -319,6 +324,11 @@ class _Reader:
             last,
             related=(Related(self._span(opener), f"this '{opener}' is still open"),),
         )
+
+
+def is_hyphen(before: Token, hyphen: Token, after: Token) -> bool:
+    """Whether `-` joins two names without blanks, as in the papers' `center-for`."""
+    return before.end == hyphen.start and hyphen.end == after.start and _is_name(before) and _is_name(after)
 
 
 def _is_name(token: str) -> bool:

@@ -5,10 +5,14 @@ from __future__ import annotations
 import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.diagnostics import Diagnostic, in_order
 from aseme_dsl.grammar.tree import File
 from aseme_dsl.source import Source
+
+if TYPE_CHECKING:
+    from aseme_dsl.grammar.terminals import Progress
 
 
 def parse(source: Source) -> tuple[File, tuple[Diagnostic, ...]]:
@@ -16,16 +20,62 @@ def parse(source: Source) -> tuple[File, tuple[Diagnostic, ...]]:
 
     Whatever could not be read is missing in the tree. Any text at all gives a tree: nothing is raised.
     """
-    from aseme_dsl.grammar.build import build
-    from aseme_dsl.grammar.explain import explain
     from aseme_dsl.grammar.terminals import read
 
     with _few_collections():
         model, progress = read(source)
-        file, diagnostics = build(source, model, progress.lexed.comments)
-        diagnostics += progress.lexed.diagnostics
-        diagnostics += [explain(progress.lexed, mistake) for mistake in progress.mistakes]
-    return file, in_order(diagnostics)
+        return understood(model, progress)
+
+
+def understood(model: Any, progress: Progress) -> tuple[File, tuple[Diagnostic, ...]]:
+    """The tree of what textX has made of a text, and all mistakes of the text."""
+    from aseme_dsl.grammar.build import build
+    from aseme_dsl.grammar.explain import explain
+
+    lexed = progress.lexed
+    file, inside = build(lexed.source, model, lexed.comments)
+    mistakes = [explain(lexed, mistake) for mistake in progress.mistakes[: _MOST + 1]]
+    return file, _selected(list(lexed.diagnostics), mistakes, inside)
+
+
+_MOST = 100
+"""How many mistakes of one file are listed."""
+
+
+def _selected(
+    odd: list[Diagnostic], mistakes: list[Diagnostic], inside: list[Diagnostic]
+) -> tuple[Diagnostic, ...]:
+    """One message a mistake: on a line, the first kind of mistake explains those of the other kinds after it.
+
+    The kinds are odd characters, mistakes in the structure, and mistakes inside formulas and expressions.
+    """
+    comment = min((item.span.start for item in odd if item.code == "E110" and item.span), default=None)
+    if comment is not None:  # all that follows is part of it
+        mistakes = [
+            item for item in mistakes if item.span and item.span.end < comment and item.code != "E111"
+        ]
+    first: dict[int, tuple[int, int]] = {}  # by line: the place and the kind of its first mistake
+    kinds = list(enumerate((odd, mistakes, inside)))
+    for kind, items in kinds:
+        for item in items:
+            if item.span is not None and item.code not in _BRACES:
+                here = (item.span.start, kind)
+                first[item.span.line] = min(here, first.get(item.span.line, here))
+    found = in_order(
+        item
+        for kind, items in kinds
+        for item in items
+        if item.span is None or item.code in _BRACES or first[item.span.line][1] == kind
+    )
+    if len(found) <= _MOST:
+        return found
+    last = found[_MOST - 1]
+    note = Diagnostic("E113", f"only the first {_MOST} mistakes of the file are listed", last.span)
+    return (*found[:_MOST], note)
+
+
+_BRACES = ("E110", "E111", "E112")
+"""What is shown on a line though it may concern others."""
 
 
 @contextmanager

@@ -18,6 +18,7 @@ _OPEN_DECLARATION = (
 )
 _FORMULA = rf"{_NAME}\s*=(?!=)"
 _LABELS = r"[0-9]+(?:\.[0-9]+)*\s*->"
+_BEGINS_BY_NAME = re.compile(rf"{_FORMULA}|{_LABELS}")
 
 _DECLARATION = re.compile(_CLOSED_DECLARATION)
 _DECLARATION_AT_MARGIN = re.compile(_OPEN_DECLARATION)
@@ -27,13 +28,14 @@ _DECLARATION_AT_MARGIN = re.compile(_OPEN_DECLARATION)
 class Block:
     """A kind of block: the words that begin its entries, and how to recognise where the next one begins.
 
-    `entry` is None where an entry begins with any name: then the next line, or what follows a separator,
-    is taken for the next entry.
+    `entry` is None where an entry begins with any name: then the next line, or what follows one of
+    `separators`, is taken for the next entry.
     """
 
     words: tuple[str, ...]
     entry: re.Pattern[str] | None
     around: tuple[str, ...] = ()
+    separators: str = ""
 
 
 def _block(words: str, entry: str | None, *around: str) -> Block:
@@ -55,8 +57,8 @@ BLOCKS: dict[str, Block] = {
         " property",
         rf"{_CLOSED_DECLARATION}|{_OPEN_DECLARATION}",
     ),
-    "JunkConstant": _block("", None),
-    "JunkField": _block("optional repeated", None),
+    "JunkConstant": Block((), None, separators=",;"),
+    "JunkField": Block(("optional", "repeated"), None, separators=",;"),
     "JunkTopic": _block("signal state data from every queued persist", _any("signal state data")),
     "JunkActor": _block("actor", _any("actor")),
     "JunkGoal": _block("goal depends on", _any("goal"), "JunkActor"),
@@ -92,7 +94,8 @@ _OUTER = {
 }
 
 
-def _begins_declaration(tokens: Tokens, index: int) -> bool:
+def begins_declaration(tokens: Tokens, index: int) -> bool:
+    """Whether a declaration of the file begins here, and not an entry of a block."""
     if not tokens.begins_line(index):
         return False
     start = tokens.starts[index]
@@ -107,21 +110,33 @@ def _begins_outer(tokens: Tokens, index: int, block: Block) -> bool:
     start = tokens.starts[index]
     if any(_OUTER[name].match(tokens.text, start) for name in block.around):
         return True
-    return _begins_declaration(tokens, index)
+    return begins_declaration(tokens, index)
 
 
 def is_outside(tokens: Tokens, index: int, block: Block) -> bool:
-    """Whether the token ends the block, or belongs to a block around it."""
-    if block is BLOCKS["JunkDeclaration"]:
+    """Whether the token begins an entry of a block around `block`."""
+    return block is not BLOCKS["JunkDeclaration"] and _begins_outer(tokens, index, block)
+
+
+def is_stray_brace(tokens: Tokens, index: int) -> bool:
+    """Whether a `}` behind something on its line cannot be meant to close a block of several lines.
+
+    It cannot if what follows on the line begins no entry of any block.
+    """
+    following = index + 1
+    if following >= len(tokens) or tokens.begins_line(following):
         return False
-    return tokens.word(index) == "}" or _begins_outer(tokens, index, block)
+    word = tokens.word(following)
+    if word == "}" or word in _ENTRY_WORDS:
+        return False
+    return not _BEGINS_BY_NAME.match(tokens.text, tokens.starts[following])
 
 
 def _begins_entry(tokens: Tokens, index: int, block: Block) -> bool:
     if block is BLOCKS["JunkDeclaration"]:
-        return _begins_declaration(tokens, index)
+        return begins_declaration(tokens, index)
     if block.entry is None:
-        return tokens.begins_line(index) or tokens.word(index - 1) in (";", ",")
+        return tokens.begins_line(index) or tokens.word(index - 1) in tuple(block.separators)
     return block.entry.match(tokens.text, tokens.starts[index]) is not None
 
 

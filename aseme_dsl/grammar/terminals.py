@@ -24,7 +24,7 @@ from typing import Any
 from arpeggio import EndOfFile, Match, NoMatch, ParsingExpression, RegExMatch, Terminal
 
 from aseme_dsl.grammar.lexer import Lexed, clean
-from aseme_dsl.grammar.recovery import BLOCKS, end_of_header, end_of_junk, is_outside
+from aseme_dsl.grammar.recovery import BLOCKS, end_of_header, end_of_junk, is_outside, is_stray_brace
 from aseme_dsl.grammar.token import token
 from aseme_dsl.source import Source
 
@@ -54,6 +54,15 @@ class Progress:
     openers: list[int] = field(default_factory=list)
     mistakes: list[Mistake] = field(default_factory=list)
 
+    def is_stray(self, brace: int) -> bool:
+        """Whether the `}` at `brace` is too much: see `is_stray_brace`."""
+        text = self.lexed.text
+        opener = self.openers[-1] if self.openers else 0
+        line = text.rfind("\n", 0, brace) + 1
+        if line <= opener or not text[line:brace].strip():
+            return False
+        return is_stray_brace(self.lexed.tokens, self.lexed.tokens.at(brace))
+
     def note(self, kind: str, start: int, end: int, place: int, expected: tuple[Any, ...]) -> None:
         """Remember a mistake, unless nothing has been understood since the last one."""
         tokens = self.lexed.tokens
@@ -67,8 +76,10 @@ class Progress:
 class _Parser:
     """What is laid over the parser class that textX makes."""
 
+    source: Source | None = None
+
     def parse(self, text: str, file_name: str | None = None) -> Any:
-        lexed = clean(Source(file_name or "<text>", text))
+        lexed = clean(self.source or Source(file_name or "<text>", text))
         self.progress = Progress(lexed)
         return super().parse(lexed.text, file_name=file_name)  # type: ignore[misc]
 
@@ -135,7 +146,7 @@ def _skip_blanks(parser: Any) -> int:
     return progress.blank_to  # type: ignore[no-any-return]
 
 
-def _terminal(rule: Any, brace: Callable[[Progress, int], None] | None) -> Callable[[Any], Any]:
+def _terminal(rule: Any, brace: Callable[[Progress, int], bool] | None) -> Callable[[Any], Any]:
     """The terminal's `parse`: what Arpeggio does, with the place in the value and the failure remembered."""
     if isinstance(rule, RegExMatch):
         match = rule.regex.match
@@ -153,20 +164,26 @@ def _terminal(rule: Any, brace: Callable[[Progress, int], None] | None) -> Calla
             elif position == progress.farthest:
                 progress.expected.append(rule)
             raise NoMatch([rule], position, parser)
-        if brace is not None:
-            brace(progress, position)
+        if brace is not None and not brace(progress, position):
+            raise NoMatch([rule], position, parser)
         parser.position = found.end()
         return Terminal(rule, position, token(found.group(), position))
 
     return parse
 
 
-def _open(progress: Progress, position: int) -> None:
+def _open(progress: Progress, position: int) -> bool:
     progress.openers.append(position)
+    return True
 
 
-def _close(progress: Progress, position: int) -> None:
+def _close(progress: Progress, position: int) -> bool:
+    if progress.is_stray(position):
+        return False
     progress.openers.pop()
+    if progress.quiet_before >= 0 and progress.lexed.tokens.at(position) == progress.quiet_before:
+        progress.quiet_before += 1  # a `}` alone does not show that the text is understood again
+    return True
 
 
 def _nothing(rule: Any, position: int) -> Any:
@@ -180,9 +197,13 @@ def _junk(rule: Any) -> Callable[[Any], Any]:
     def parse(parser: Any) -> Any:
         progress: Progress = parser.progress
         start = _skip_blanks(parser)
+        if start == len(parser.input):
+            raise NoMatch([rule], start, parser)
+        if parser.input[start] == "}" and progress.openers and not progress.is_stray(start):
+            raise NoMatch([rule], start, parser)
         tokens = progress.lexed.tokens
         first = tokens.at(start)
-        if first == len(tokens) or is_outside(tokens, first, block):
+        if is_outside(tokens, first, block):
             raise NoMatch([rule], start, parser)
         place = max(start, progress.farthest)
         expected = tuple(progress.expected) if place == progress.farthest else ()
@@ -230,6 +251,7 @@ def read(source: Source) -> tuple[Any, Progress]:
     from textx.model_params import ModelParams
 
     parser = metamodel()._parser_blueprint.clone()
+    parser.source = source
     model = parser.get_model_from_str(
         source.text,
         pre_ref_resolution_callback=lambda made: setattr(made, "_tx_model_params", ModelParams({})),
