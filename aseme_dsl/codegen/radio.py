@@ -11,10 +11,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from aseme_dsl.amola.messages import EnumType, Field, Kind, Message
+from aseme_dsl.amola.system import System
 
 KIND_BYTES = 1
 SIZES = {Kind.BOOL: 1, Kind.ENUM: 1, Kind.INT: 4, Kind.DOUBLE: 4, Kind.DURATION: 4}
 MOST_KINDS = 256
+CODES = {Kind.BOOL: "?", Kind.ENUM: "e", Kind.INT: "i", Kind.DOUBLE: "f", Kind.DURATION: "m"}
+"""What `runtime.wire` calls them; "o" stands before an optional one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +49,7 @@ def parts(
     message_named: Callable[[str], Message | None],
     enum_named: Callable[[str], EnumType | None],
 ) -> tuple[Part | Unfit, ...]:
-    """What is sent for `message`, in order. An optional message inside is a part of its own, of one byte."""
+    """What is sent for `message`, in order; messages inside it are flattened."""
     found: list[Part | Unfit] = []
     stack: list[tuple[tuple[Field, ...], tuple[str, ...]]] = [
         ((field,), (message.name,)) for field in reversed(message.fields)
@@ -65,7 +68,8 @@ def parts(
                 found.append(Unfit(path, f"`{inner.name}` contains itself"))
                 continue
             if extra:
-                found.append(Part(path, extra))
+                found.append(Unfit(path, "it is a message that may be absent"))
+                continue
             stack += [((*path, item), (*around, inner.name)) for item in reversed(inner.fields)]
         elif field.type.kind is Kind.ENUM:
             enum = enum_named(field.type.name)
@@ -78,3 +82,15 @@ def parts(
         else:
             found.append(Unfit(path, f"a {field.type} may be of any length"))
     return tuple(found)
+
+
+def codes(system: System, name: str) -> str:
+    """The members of a message that fits a radio as one letter each, in the order in which they are sent."""
+    message = system.message(name)
+    assert message is not None
+    found = ""
+    for part in parts(message, system.message, system.enum):
+        assert isinstance(part, Part)
+        last = part.path[-1]
+        found += ("o" if last.label == "optional" else "") + CODES[last.type.kind]
+    return found

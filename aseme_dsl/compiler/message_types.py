@@ -89,7 +89,7 @@ def _constants(collector: Collector, enum: tree.Enum) -> tuple[tuple[str, int], 
             collector.diagnostics.append(declared_twice("the constant", name, names[name.text]))
             continue
         names[name.text] = name.span
-        other = shapes.setdefault(_enum_shape(enum.name.text, name.text), name)
+        other = shapes.setdefault(_enum_shape(name.text), name)
         if other is not name:
             collector.report(
                 "E201",
@@ -120,19 +120,9 @@ def _constants(collector: Collector, enum: tree.Enum) -> tuple[tuple[str, int], 
     return tuple(found)
 
 
-def _enum_shape(enum: str, constant: str) -> str:
-    """What protoc compares: without the enum's name in front, in CamelCase."""
-    prefix = enum.replace("_", "").lower()
-    rest, matched = constant, 0
-    while rest and matched < len(prefix):
-        if rest[0] != "_":
-            if rest[0].lower() != prefix[matched]:
-                rest = constant
-                break
-            matched += 1
-        rest = rest[1:]
-    rest = rest.lstrip("_") or constant if matched == len(prefix) else constant
-    return "".join(part[:1].upper() + part[1:].lower() for part in rest.split("_"))
+def _enum_shape(constant: str) -> str:
+    """What protoc compares when it looks for constants that other languages could not tell apart."""
+    return "".join(part[:1].upper() + part[1:].lower() for part in constant.split("_"))
 
 
 def messages(

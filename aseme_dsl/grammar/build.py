@@ -162,7 +162,7 @@ class _Builder:
         def field(entry: Any) -> tree.Field:
             number = self.integer(entry.number) if entry.number else None
             return tree.Field(
-                str(entry.label),
+                str(entry.label or ""),
                 self.name(entry.type),
                 self.new_name(entry.name, "a field"),
                 number,
