@@ -77,6 +77,11 @@ def _parts(piece: str, width: int) -> Iterable[str]:
     ]
 
 
+def short(text: str, most: int) -> str:
+    """The text, cut to `most` characters."""
+    return text if len(text) <= most else f"{text[: most - 3]}..."
+
+
 def text_width(text: str, size: float) -> float:
     """How wide a line of text is, in points: for ASCII as in Arial and Helvetica, else about."""
     return sum(_advance(char) for char in text) * size / 1000

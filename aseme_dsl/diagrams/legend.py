@@ -10,7 +10,7 @@ from aseme_dsl.amola.statechart import Node, NodeType
 from aseme_dsl.diagrams import style
 from aseme_dsl.diagrams.dot import Sheet
 from aseme_dsl.diagrams.drawing import Expressions
-from aseme_dsl.diagrams.labels import Cell, table, table_lines, text_width, wrapped
+from aseme_dsl.diagrams.labels import Cell, short, table, table_lines, text_width, wrapped
 from aseme_dsl.diagrams.view import View, Way
 
 _WIDTH = 92
@@ -63,7 +63,8 @@ def below(sheet: Sheet, rows: Rows, width: float) -> Sheet:
     blocks = max(1, min(len(rows) // 4, int(width // block)))
     height = -(-len(rows) // blocks)
     empty = [Cell(("",))] * 3
-    joined = [
+    joined: list[Sequence[Cell]] = [[Cell(("",), 3 * blocks, size=4)]]  # keeps a distance to the drawing
+    joined += [
         [cell for start in range(0, len(rows), height) for cell in (*rows, *[empty] * height)[start + line]]
         for line in range(height)
     ]
@@ -88,7 +89,7 @@ def _ends(view: View, way: Way) -> str:
     chart = view.chart
     source, target = chart.node(way.transition.source), chart.node(way.transition.target)
     around = next((node for node in chart.ancestors(source.label) if node.name != node.label), None)
-    scope = "" if around is None else f"{_short(around.name, 24)}: "
+    scope = "" if around is None else f"{short(around.name, 24)}: "
     if source is target:
         return f"{scope}{_end(source)} again"
     return f"{scope}{_end(source)} to {_end(target)}"
@@ -96,8 +97,4 @@ def _ends(view: View, way: Way) -> str:
 
 def _end(node: Node) -> str:
     kind = {NodeType.START: "start", NodeType.END: "end", NodeType.CONDITION: "choice"}.get(node.type)
-    return kind or _short(node.name, 32)
-
-
-def _short(name: str, most: int) -> str:
-    return name if len(name) <= most else f"{name[: most - 3]}..."
+    return kind or short(node.name, 32)

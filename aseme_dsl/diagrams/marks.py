@@ -82,14 +82,19 @@ def cells_label(cells: list[Cell]) -> Label:
 def way_label(numbers: Mapping[int, int], way: Way, inline_width: int | None) -> Label:
     """The label of a transition: its number, else its expression in lines of `inline_width`, else nothing."""
     if way.place in numbers:
-        number = str(numbers[way.place])
-        return {"label": _padded(font(number, colour=style.NUMBER_COLOUR, bold=True))}, (number,)
+        number = numbers[way.place]
+        return {"label": number_label(number)}, (str(number),)
     text = expression_text(way.transition.expression)
     if inline_width is None or not text:
         return {}, ()
     lines = wrapped(text, inline_width)
     content = "".join(f'{escaped(line)}<BR ALIGN="LEFT"/>' for line in lines)
     return {"label": _padded(font(content, size=style.SMALL_SIZE))}, lines
+
+
+def number_label(number: int) -> Html:
+    """The number that stands for a transition's expression."""
+    return _padded(font(str(number), colour=style.NUMBER_COLOUR, bold=True))
 
 
 def _padded(content: str) -> Html:

@@ -53,8 +53,9 @@ def sheet(
     lines = _stacking(plan)
     for way in view.ways:
         lines += _lines(view, plan, way, labels[way.place])
-    graph = style.GRAPH | {"compound": "true", "nodesep": "0.25", "ranksep": "0.36"}
-    drawn = Sheet(name, _items(view, labels, links or {}), tuple(lines), graph, style.NODE, style.EDGE)
+    graph = style.GRAPH | {"compound": "true", "nodesep": "0.25", "ranksep": "0.34"}
+    items = _items(view, labels, links or {})
+    drawn = Sheet(name, items, _with_room(lines), graph, style.NODE, style.EDGE)
     return legend.below(drawn, legend.rows(view, expressions), plan.width)
 
 
@@ -221,6 +222,7 @@ def _group(view: View, node: Node, children: tuple[Box | Group, ...]) -> Group:
         "labelloc": "t",
         "labeljust": "l",
         "margin": "9",
+        "peripheries": "1",
         "color": style.LINE,
         "fillcolor": style.PAPER,
         "style": "filled,dashed" if is_region else "filled,rounded",
@@ -250,8 +252,9 @@ def _turning_point(view: View, way: Way, label: Label) -> Box:
     attributes, lines = label
     tip = {"tooltip": way_tip(view, way), "class": "transition"}
     if not lines:
-        point = {"shape": "point", "width": "0.03", "height": "0.03", "color": style.LINE}
-        return Box(_turn(way), tip | point)
+        # A bar rather than a point keeps the line off the border that it runs along.
+        bar = {"shape": "box", "style": "filled", "label": "", "width": "0.2", "height": "0.01"}
+        return Box(_turn(way), tip | bar | {"fixedsize": "true", "fillcolor": style.LINE})
     return Box(
         _turn(way), tip | attributes | {"shape": "plain", "style": "", "width": "0", "height": "0"}, lines
     )
@@ -289,6 +292,21 @@ def _lines(view: View, plan: _Plan, way: Way, label: Label) -> list[Line]:
     if way.is_back:
         own["dir"] = "back"
     return [Line(last(upper), first(lower), way.id, own, text)]
+
+
+def _with_room(lines: Sequence[Line]) -> tuple[Line, ...]:
+    """The lines, with room for the arrow above a composite, whose header would take it.
+
+    As soon as one line has a label, Graphviz makes such room everywhere by itself.
+    """
+    if any("label" in line.attributes for line in lines):
+        return tuple(lines)
+    return tuple(
+        replace(line, attributes={**line.attributes, "minlen": "2"})
+        if "lhead" in line.attributes and "minlen" not in line.attributes
+        else line
+        for line in lines
+    )
 
 
 def _turning_lines(

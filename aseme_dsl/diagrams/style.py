@@ -60,6 +60,7 @@ EDGE = {
     "fontname": FONT,
     "fontsize": str(NUMBER_SIZE),
     "fontcolor": INK,
+    "labelfontname": FONT,
     "color": LINE,
     "arrowsize": "0.7",
 }

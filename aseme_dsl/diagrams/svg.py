@@ -49,11 +49,14 @@ def faults(svg: bytes, shown: Sequence[Shown]) -> list[str]:
         ]
         if not item.id:
             continue
-        frame = _frame(element, item.is_line)
-        if frame is None:
+        shape = _shape(element, item.is_line)
+        frame = None if shape is None else shape_frame(shape.attrib)
+        if shape is None or frame is None:
             if item.is_line or not text:  # a turning point may be nothing but its number
                 found.append(f"{item.id} has no shape")
             continue
+        if shape.get("stroke", "none") in ("none", "transparent"):
+            found.append(f"{item.id} has no border")
         frames[item.id] = frame
         around = frames.get(item.inside or "")
         if around is not None and not _is_inside(frame, around):
@@ -70,13 +73,10 @@ def _without_blanks(text: str) -> str:
     return "".join(text.split())
 
 
-def _frame(element: ElementTree.Element, is_line: bool) -> Frame | None:
-    """The frame of the element's first shape: its border, or for a line its path."""
+def _shape(element: ElementTree.Element, is_line: bool) -> ElementTree.Element | None:
+    """The element's first shape: its border, or for a line its path."""
     names = ("path",) if is_line else ("polygon", "path", "ellipse", "polyline")
-    for shape in element.iter():
-        if shape.tag.removeprefix(_NAMESPACE) in names:
-            return shape_frame(shape.attrib)
-    return None
+    return next((shape for shape in element.iter() if shape.tag.removeprefix(_NAMESPACE) in names), None)
 
 
 def shape_frame(attributes: Mapping[str, str]) -> Frame | None:

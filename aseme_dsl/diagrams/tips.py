@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from aseme_dsl.amola.expression import expression_text
 from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.diagrams.labels import short
 from aseme_dsl.diagrams.view import View, Way
 
 
@@ -42,5 +43,4 @@ def _title(node: Node, most: int = 60) -> str:
     """Label, type and name, which is cut where it is another state's that is told of."""
     if node.name == node.label:
         return f"{node.label} {node.type.value}"
-    name = node.name if len(node.name) <= most else f"{node.name[:most]}..."
-    return f"{node.label} {node.type.value} {name}"
+    return f"{node.label} {node.type.value} {short(node.name, most)}"

@@ -4,24 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from aseme_dsl.amola.expression import expression_text
 from aseme_dsl.amola.statechart import Node
 from aseme_dsl.diagrams import legend, style
 from aseme_dsl.diagrams.dot import Box, Line, Sheet
 from aseme_dsl.diagrams.drawing import Expressions
-from aseme_dsl.diagrams.labels import Cell
+from aseme_dsl.diagrams.labels import Cell, short, wrapped
 from aseme_dsl.diagrams.marks import (
     FILLS,
-    Label,
     branch_mark,
     cells_label,
     class_of,
     closed_marks,
     name_lines,
+    number_label,
     outside_mark,
     protocol_border,
     small,
     state_id,
-    way_label,
 )
 from aseme_dsl.diagrams.tips import state_tip, way_tip
 from aseme_dsl.diagrams.view import View, Way
@@ -30,7 +30,7 @@ _FEW_LEAVES = 14
 """Up to so many leaves the tree grows downwards as in the paper, else to the right, which is less wide."""
 
 _NAME_WIDTH = 26
-_INLINE_WIDTH = 30
+_INLINE_WIDTH = 40
 
 
 def sheet(
@@ -38,15 +38,15 @@ def sheet(
 ) -> Sheet:
     """The drawing of a view. `links` are the files that closed states lead to."""
     numbers = legend.numbers(view) if expressions is Expressions.NUMBERED else {}
-    inline_width = _INLINE_WIDTH if expressions is Expressions.INLINE else None
-    boxes = [_box(view, node, links or {}) for node in view.states]
+    inline = expressions is Expressions.INLINE
+    boxes = [_box(view, node, links or {}, inline=inline) for node in view.states]
     boxes += [
         Box(*outside_mark(view, way, _outside_id(way)))
         for way in view.ways
         if way.source_outside or way.target_outside
     ]
     parents = [_parent_line(node) for node in view.states if node.label != view.top]
-    ways = [_way_line(view, way, way_label(numbers, way, inline_width)) for way in view.ways]
+    ways = [_way_line(view, way, numbers.get(way.place)) for way in view.ways]
     leaves = sum(not view.is_group(node.label) for node in view.states)
     downwards = leaves <= _FEW_LEAVES
     graph = style.GRAPH | {
@@ -60,7 +60,7 @@ def sheet(
     return legend.below(drawn, rows, width=90.0 * (leaves if downwards else view.chart.levels))
 
 
-def _box(view: View, node: Node, links: Mapping[str, str]) -> Box:
+def _box(view: View, node: Node, links: Mapping[str, str], *, inline: bool) -> Box:
     closed, look = closed_marks(view, node, links)
     if node.name == node.label:
         cells = [Cell((node.label,), size=10, align="CENTER"), small(node.type.value)]
@@ -69,12 +69,24 @@ def _box(view: View, node: Node, links: Mapping[str, str]) -> Box:
             Cell(name_lines(node, _NAME_WIDTH), align="CENTER"),
             small(f"{node.type.value} {node.label}"),
         ]
-    label, lines = cells_label([*cells, *branch_mark(view, node), *closed])
+    expressions = _expressions(view, node) if inline else []
+    label, lines = cells_label([*cells, *branch_mark(view, node), *closed, *expressions])
     fill = {"fillcolor": FILLS.get(node.type, style.PAPER), "margin": "0.05,0.02"}
     tip = {"tooltip": state_tip(view, node)}
     return Box(
         state_id(node.label), class_of(node) | fill | label | protocol_border(view, node) | look | tip, lines
     )
+
+
+def _expressions(view: View, node: Node) -> list[Cell]:
+    """The expressions of a state's transitions: between the boxes there is no room for them."""
+    cells = []
+    for transition in view.chart.outgoing(node.label):
+        if text := expression_text(transition.expression):
+            target = view.chart.node(transition.target)
+            lines = wrapped(f"to {short(target.name, _NAME_WIDTH)}: {text}", _INLINE_WIDTH)
+            cells.append(Cell(lines, size=style.SMALL_SIZE))
+    return cells
 
 
 def _parent_line(node: Node) -> Line:
@@ -83,8 +95,8 @@ def _parent_line(node: Node) -> Line:
     return Line(state_id(node.parent), state_id(node.label), f"p{node.label}", look)
 
 
-def _way_line(view: View, way: Way, label: Label) -> Line:
-    attributes, lines = label
+def _way_line(view: View, way: Way, number: int | None) -> Line:
+    """A transition; its number stands at the arrowhead, as Graphviz fails over labels between siblings."""
     source = _outside_id(way) if way.source_outside else state_id(way.source)
     target = _outside_id(way) if way.target_outside else state_id(way.target)
     look = {
@@ -93,7 +105,13 @@ def _way_line(view: View, way: Way, label: Label) -> Line:
         "tooltip": way_tip(view, way),
         "constraint": "false",  # the tree alone decides where the states stand
     }
-    return Line(source, target, way.id, look | attributes, lines)
+    if way.is_back:
+        look["dir"] = "back"
+    if number is not None:
+        end = "taillabel" if way.is_back else "headlabel"
+        look |= {end: number_label(number), "labelangle": "-60", "labeldistance": "1.4"}
+    upper, lower = (target, source) if way.is_back else (source, target)
+    return Line(upper, lower, way.id, look, () if number is None else (str(number),))
 
 
 def _outside_id(way: Way) -> str:
