@@ -1,0 +1,69 @@
+"""Runtime: everything that a robot needs to run a team's statecharts, and nothing else.
+
+Generated code imports only this package; activities use `Context` and, if they like, `Activity`.
+"""
+
+from __future__ import annotations
+
+from aseme_dsl.runtime.activities import Activity, ActivityError
+from aseme_dsl.runtime.board import NEVER, Board
+from aseme_dsl.runtime.body import Body, BodyLost, Heard, World
+from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.context import Cancelled, Context
+from aseme_dsl.runtime.inputs import Arrived, Mail
+from aseme_dsl.runtime.loading import Loaded, LoadError, activities_in, load_system
+from aseme_dsl.runtime.plan import (
+    ActivityInfo,
+    BranchInfo,
+    ChannelInfo,
+    Plan,
+    Region,
+    State,
+    Transition,
+    Variable,
+    find_plan,
+    plans,
+    register,
+)
+from aseme_dsl.runtime.scripted import Scripted, ScriptError, read_script
+from aseme_dsl.runtime.team import AgentResult, RunResult, Team, TeamError, make_team, run
+
+__all__ = [
+    "NEVER",
+    "Activity",
+    "ActivityError",
+    "ActivityInfo",
+    "AgentResult",
+    "Arrived",
+    "Board",
+    "Body",
+    "BodyLost",
+    "BranchInfo",
+    "Cancelled",
+    "ChannelInfo",
+    "Chart",
+    "Context",
+    "Heard",
+    "LoadError",
+    "Loaded",
+    "Mail",
+    "Plan",
+    "Region",
+    "RunResult",
+    "ScriptError",
+    "Scripted",
+    "State",
+    "Team",
+    "TeamError",
+    "Transition",
+    "Variable",
+    "World",
+    "activities_in",
+    "find_plan",
+    "load_system",
+    "make_team",
+    "plans",
+    "read_script",
+    "register",
+    "run",
+]

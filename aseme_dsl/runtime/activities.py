@@ -1,0 +1,133 @@
+"""Activities: ordinary Python classes, found by name, one module each (`kick_ball.py`, class `KickBall`)."""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import keyword
+import re
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, ClassVar
+
+from aseme_dsl.runtime.context import Context
+
+KINDS = ("thread", "async", "process", "step")
+"""How an activity runs: in a resident thread, on the event loop, in a resident process, inside the step."""
+
+ActivityFinder = Callable[[str], "type[Any] | None"]
+"""Gives the class of an activity, or None where there is no code for it."""
+
+
+class ActivityError(Exception):
+    """An activity's code cannot be loaded, or is not what it should be."""
+
+
+class Activity:
+    """The base of activity classes; one object is made for each start.
+
+    A subclass overrides `execute`. A plain function runs in a resident thread (or, with `kind = "process"`, a
+    resident process); an `async def` on the event loop; a generator is advanced inside the agent's steps,
+    must not block, and yields the seconds until it wants to go on (or nothing, for 10 ms). A class whose
+    `execute` is not overridden, or empty, counts as an activity without code.
+    """
+
+    kind: ClassVar[str | None] = None
+    """One of `KINDS`; None: what the document says, or what `execute` shows."""
+
+    def execute(self, context: Context) -> Any:
+        """Do what the activity is for. What it raises makes its state fail."""
+        raise NotImplementedError
+
+
+def module_name(activity: str) -> str:
+    """The module of an activity: `CheckForBallObservation` is in `check_for_ball_observation`."""
+    words = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", activity)
+    name = re.sub(r"_+", "_", words).lower()
+    return f"{name}_" if keyword.iskeyword(name) else name
+
+
+def class_name(activity: str) -> str:
+    """The class of an activity: `kick_ball` and `KickBall` are both `KickBall`."""
+    return "".join(part[:1].upper() + part[1:] for part in activity.split("_")) or "_"
+
+
+def from_mapping(classes: Mapping[str, type[Any]]) -> ActivityFinder:
+    """Activities given by name, for tests and small programs."""
+    return classes.get
+
+
+def from_package(package: str, folder: Path) -> ActivityFinder:
+    """Activities that are modules of an importable package, whose files are in `folder`.
+
+    The finder raises ActivityError for a module that cannot be imported or lacks its class.
+    """
+    found: dict[str, type[Any] | None] = {}
+
+    def find(activity: str) -> type[Any] | None:
+        if activity not in found:
+            found[activity] = _load(package, folder, activity)
+        return found[activity]
+
+    return find
+
+
+def _load(package: str, folder: Path, activity: str) -> type[Any] | None:
+    module = module_name(activity)
+    path = folder / f"{module}.py"
+    if not path.is_file():
+        return None
+    try:
+        loaded = importlib.import_module(f"{package}.{module}")
+    except Exception as error:
+        raise ActivityError(f"{path.name} cannot be imported: {type(error).__name__}: {error}") from error
+    kind = getattr(loaded, class_name(activity), None)
+    if not isinstance(kind, type):
+        raise ActivityError(f"{path.name} has no class {class_name(activity)}")
+    return kind
+
+
+def _empty(self: Any, context: Any) -> None:
+    pass
+
+
+def _described(self: Any, context: Any) -> None:
+    """An execute that says what it would do, but does not."""
+
+
+_NOTHING = {_empty.__code__.co_code, _described.__code__.co_code}
+
+
+def has_code(kind: type[Any] | None) -> bool:
+    """Whether a class says what its activity does: an `execute` that is missing or empty does not."""
+    execute = getattr(kind, "execute", None)
+    if execute is None or execute is Activity.execute:
+        return False
+    code = getattr(execute, "__code__", None)
+    return code is None or code.co_code not in _NOTHING
+
+
+def kind_of(kind: type[Any], declared: str) -> str:
+    """How the activity of a class runs; `declared` is what the document says.
+
+    Raises:
+        ActivityError: the class's `kind` is none, or does not fit its `execute`.
+    """
+    execute = kind.execute
+    shape = (
+        "async"
+        if inspect.iscoroutinefunction(execute)
+        else "step"
+        if inspect.isgeneratorfunction(execute)
+        else None
+    )
+    said: str | None = getattr(kind, "kind", None)
+    chosen: str = said or shape or declared
+    if chosen not in KINDS:
+        raise ActivityError(f"{kind.__name__}.kind is {chosen!r}; it can be {', '.join(KINDS)}")
+    if shape is not None and chosen != shape:
+        needed = "an async def" if shape == "async" else "a generator"
+        raise ActivityError(f"{kind.__name__}.execute is {needed}, which does not run as {chosen!r}")
+    if shape is None and chosen == "async":
+        raise ActivityError(f"{kind.__name__} runs as 'async', but its execute is not an async def")
+    return chosen

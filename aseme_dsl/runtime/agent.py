@@ -1,0 +1,443 @@
+"""Agent: one ordered intake in front of a synchronous chart, and the hands that carry its effects out."""
+
+from __future__ import annotations
+
+import itertools
+from collections import deque
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.runtime import context as c
+from aseme_dsl.runtime.activities import ActivityFinder
+from aseme_dsl.runtime.as_json import to_json
+from aseme_dsl.runtime.body import Body
+from aseme_dsl.runtime.bus import Bus
+from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.conversation import Conversations
+from aseme_dsl.runtime.execution import Execution, Executions
+from aseme_dsl.runtime.inputs import (
+    Arrived,
+    Cancel,
+    Crashed,
+    Fault,
+    FunctionResult,
+    Happened,
+    Identity,
+    Input,
+    Joined,
+    Left,
+    Mail,
+    MailTaken,
+    Outcome,
+    Publication,
+    Sending,
+    Start,
+    Written,
+)
+from aseme_dsl.runtime.plan import BranchInfo, Variable
+from aseme_dsl.runtime.timers import Timer
+from aseme_dsl.runtime.trace import Trace
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.driver import Driver
+
+Errand = Callable[[], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Posted:
+    """An input on its way into a step, with its identity.
+
+    What an activity wrote is dropped if the `execution` was cancelled meanwhile, mail if the branch is not in
+    its `conversation` any more.
+    """
+
+    identity: Identity
+    input: Input
+    execution: Execution | None = None
+    conversation: str | None = None
+
+
+class Agent:
+    """A running chart with its activities, its place on the bus and in conversations.
+
+    `post` and `errand` may be called from any thread; the driver sees to it that `process` is not called
+    twice at once, and that items are processed in the order in which they came.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        chart: Chart,
+        find: ActivityFinder,
+        driver: Driver,
+        bus: Bus,
+        conversations: Conversations,
+        trace: Trace,
+        seed: int = 1,
+        body: Body[Any, Any] | None = None,
+    ) -> None:
+        self.name = name
+        self.chart = chart
+        self.plan = chart.PLAN
+        self.driver = driver
+        self.bus = bus
+        self.conversations = conversations
+        self.trace = trace
+        self.seed = seed
+        self.body = body
+        self.executions = Executions(self, find)
+        self.intake: deque[Posted | Errand] = deque()
+        self.steps = 0
+        self.recent: deque[tuple[int, ...]] = deque(maxlen=8)
+        """The transitions taken last, for messages about what does not end."""
+        self.stopped = False
+        self.failed_at = ""
+        """The place in the source where the agent failed."""
+        self._sequence = itertools.count(1)
+        self._wanted = True  # the first step enters the root
+        self._inputs: list[Posted] | None = None
+        self._due: Timer | None = None
+        self._prepared: dict[tuple[str | None, str], Any] = {}
+        self._crashed: dict[str, str] = {}
+        self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
+        self._carried_out: dict[type[Any], Callable[[Any], None]] = {
+            Start: self.executions.start,
+            Cancel: self.executions.cancel,
+            Publication: self._publish,
+            Sending: self._send,
+            MailTaken: lambda effect: self.conversations.taken(self, effect.branch, effect.identity),
+            Joined: lambda effect: self.conversations.joined(self, effect.branch),
+            Left: lambda effect: self.conversations.left(self, effect.branch),
+            FunctionResult: _nothing,
+            Fault: _nothing,
+        }
+        if not driver.clock.virtual:
+            chart.pending = self._pending
+
+    @property
+    def role(self) -> str:
+        """The name of the plan that the agent follows."""
+        return self.plan.name
+
+    @property
+    def over(self) -> bool:
+        """Whether the agent has finished, failed or been stopped."""
+        return self.stopped or self.chart.finished or self.chart.failure is not None
+
+    # ---- the intake --------------------------------------------------------------------------
+
+    def identity(self) -> Identity:
+        """A new identity for something that comes from this agent."""
+        return self.name, next(self._sequence)
+
+    def post(
+        self,
+        identity: Identity,
+        item: Input,
+        execution: Execution | None = None,
+        conversation: str | None = None,
+    ) -> None:
+        """Give the agent an input for its next step (for this one, from an errand that precedes it)."""
+        posted = Posted(identity, item, execution, conversation)
+        if self._inputs is not None and self.driver.owns(self):
+            self._inputs.append(posted)
+        else:
+            self.intake.append(posted)
+            self.driver.wake(self)
+
+    def errand(self, call: Errand) -> None:
+        """Have something done while the agent is guarded, in its turn among the inputs."""
+        self.intake.append(call)
+        self.driver.wake(self)
+
+    def take(self) -> list[Posted | Errand]:
+        """Everything that has come in so far."""
+        items: list[Posted | Errand] = []
+        intake = self.intake
+        while intake:
+            items.append(intake.popleft())
+        return items
+
+    def begin(self) -> None:
+        """Ask for the first step."""
+        self.errand(self._want)
+
+    def _want(self) -> None:
+        self._wanted = True
+
+    def _pending(self) -> Iterable[Arrived]:
+        """What has arrived since the step began."""
+        return [
+            item.input
+            for item in list(self.intake)
+            if isinstance(item, Posted) and isinstance(item.input, Arrived)
+        ]
+
+    # ---- the step ----------------------------------------------------------------------------
+
+    def process(self, items: Iterable[Posted | Errand]) -> None:
+        """Run the errands, and give the inputs to one step, if there is anything to step for."""
+        inputs = self._inputs = []
+        for item in items:
+            if not isinstance(item, Posted):
+                item()
+            elif self._counts(item):
+                inputs.append(item)
+        self._inputs = None
+        if self.over or not (inputs or self._wanted):
+            return
+        self._wanted = False
+        self._step(inputs)
+
+    def _counts(self, item: Posted) -> bool:
+        """Whether an input is still wanted."""
+        if item.execution is not None and item.execution.cancelled:
+            item.execution.dropped += 1
+            return False
+        if isinstance(item.input, Mail):
+            return self.conversations.arrives(self, item.input, item.conversation)
+        return True
+
+    def _step(self, inputs: list[Posted]) -> None:
+        chart = self.chart
+        now = self.driver.clock.now()
+        self.steps += 1
+        ahead: list[Arrived] = []
+        if not self.driver.clock.virtual:
+            chart.pending = lambda: self._ahead(ahead)
+        outcome = chart.step(now, [item.input for item in inputs])
+        self.recent.extend(outcome.taken)
+        configuration = chart.configuration() if self.trace.active else ()
+        self.trace.step(
+            now,
+            self.name,
+            self.plan,
+            self.steps,
+            [item.identity for item in inputs],
+            ahead,
+            outcome,
+            configuration,
+        )
+        for item in inputs:
+            if isinstance(item.input, Crashed):
+                self._crashed[item.input.label] = self.plan.by_label[item.input.label].at
+        for effect in outcome.effects:
+            self._carried_out[type(effect)](effect)
+        if outcome.failure is not None:
+            self._note_failure(now, outcome)
+        if outcome.failure is not None or outcome.finished:
+            self._end()
+            return
+        if outcome.again:
+            self.errand(self._want)
+        self._sleep(now)
+
+    def _ahead(self, seen: list[Arrived]) -> Iterable[Arrived]:
+        found = self._pending()
+        seen.extend(item for item in found if item not in seen)
+        return found
+
+    def _sleep(self, now: int) -> None:
+        """Have the agent woken when time alone may enable something."""
+        due = self.chart.due(now)
+        if self._due is not None:
+            if self._due.moment == due and self._due.call is not None:
+                return
+            self._due.cancel()
+            self._due = None
+        if due is not None:
+            self._due = self.driver.at(due, self._wake)
+
+    def _wake(self) -> None:
+        self.errand(self._come_due)
+
+    def _come_due(self) -> None:
+        self._due = None
+        self._wanted = True
+
+    # ---- the end -----------------------------------------------------------------------------
+
+    def _note_failure(self, now: int, outcome: Outcome) -> None:
+        reason = outcome.failure or ""
+        at = next((at for label, at in self._crashed.items() if f"state {label} failed" in reason), "")
+        if not at and outcome.taken:
+            at = self.plan.transitions[outcome.taken[-1][0]].at
+        self.failed_at = at
+        self.trace.failure(now, self.name, reason, at)
+
+    def fail(self, reason: str) -> None:
+        """Stop the agent for a reason that its chart does not know. Called while the agent is guarded."""
+        if self.over:
+            return
+        self.chart.failure = reason
+        if self.recent:
+            self.failed_at = self.plan.transitions[self.recent[-1][0]].at
+        self.trace.failure(self.driver.clock.now(), self.name, reason, self.failed_at)
+        self._end()
+
+    def stop(self) -> None:
+        """Cancel what runs and do nothing more. Called while the agent is guarded."""
+        if not self.over:
+            self.stopped = True
+        self._end()
+
+    def _end(self) -> None:
+        if self._due is not None:
+            self._due.cancel()
+            self._due = None
+        self.executions.cancel_all()
+        self.conversations.gone(self)
+
+    def cycle(self) -> str:
+        """The transitions taken last, for messages about what does not end."""
+        transitions = self.plan.transitions
+        names = [f"{transitions[n[0]].source} -> {transitions[n[-1]].target}" for n in self.recent]
+        activities = [
+            activity
+            for numbers in self.recent
+            if (activity := self.plan.by_label[transitions[numbers[-1]].target].activity)
+        ]
+        text = ", ".join(dict.fromkeys(names)) or "no transition"
+        return text + (f" (activities {', '.join(dict.fromkeys(activities))})" if activities else "")
+
+    # ---- effects -----------------------------------------------------------------------------
+
+    def _publish(self, effect: Publication) -> None:
+        self.bus.publish(self, effect.channel, effect.message, effect.host, region=effect.region)
+
+    def _send(self, effect: Sending) -> None:
+        content = effect.content
+        for key in ((effect.branch, effect.message), (None, effect.message)):
+            if key in self._prepared:
+                content = self._prepared.pop(key)
+                break
+        self.conversations.send(
+            self, effect.branch, effect.performative, effect.message, content, effect.participant
+        )
+
+    # ---- what activities do ------------------------------------------------------------------
+
+    def perform(self, execution: Execution, doing: c.Doing) -> None:
+        """Do what an activity asks for. Called from the activity's thread."""
+        now = self.driver.clock.now()
+        activity = execution.activity
+        match doing:
+            case c.Publish(channel, message, host):
+                self.bus.publish(self, channel, message, host, activity=activity)
+            case c.SetVariable(name, value):
+                key = self.variable_of(name, execution.label).name
+                identity = self.identity()
+                self.trace.write(
+                    "variable",
+                    now,
+                    agent=self.name,
+                    sequence=identity[1],
+                    variable=key,
+                    value=to_json(value),
+                    activity=activity,
+                    label=execution.label,
+                )
+                self.post(identity, Written(key, value), execution)
+            case c.RaiseEvent(name):
+                identity = self.identity()
+                self.trace.write(
+                    "event",
+                    now,
+                    agent=self.name,
+                    sequence=identity[1],
+                    event=name,
+                    activity=activity,
+                    label=execution.label,
+                )
+                self.post(identity, Happened(name), execution)
+            case c.Prepare(message):
+                self._prepared[execution.branch, type(message).__name__] = message
+            case c.Send(performative, message, to):
+                assert execution.branch is not None  # checked before
+                self.conversations.send(
+                    self, execution.branch, performative, type(message).__name__, message, to
+                )
+            case c.Log(text):
+                self.trace.write(
+                    "log", now, agent=self.name, activity=activity, label=execution.label, text=text
+                )
+
+    def take_mail(
+        self,
+        execution: Execution,
+        performative: str | None,
+        message: str | None,
+        sender: str | None,
+        identity: Identity | None = None,
+    ) -> Mail | None:
+        """The oldest agent message that waits in the activity's branch. Called while the agent is guarded."""
+        branch = execution.branch
+        if branch is None or execution.cancelled:
+            return None
+        waiting = self.chart.mail[branch]
+        for item in waiting:
+            if (
+                performative in (None, item.performative)
+                and message in (None, item.message)
+                and sender in (None, item.sender)
+                and identity in (None, item.identity)
+            ):
+                waiting.remove(item)
+                self.trace.write(
+                    "taken",
+                    self.driver.clock.now(),
+                    agent=self.name,
+                    input=list(item.identity),
+                    label=execution.label,
+                    activity=execution.activity,
+                    token=execution.start.token,
+                )
+                self.conversations.taken(self, branch, item.identity)
+                return item
+        return None
+
+    # ---- questions ---------------------------------------------------------------------------
+
+    def message_of(self, channel: str) -> str:
+        """The type of a channel's messages. Raises LookupError for what is no channel."""
+        parts = channel.split(".")
+        if len(parts) != 3 or parts[1] not in ("signal", "state", "data"):
+            raise LookupError(f"{channel!r} is no channel: it is written like vision.state.Ball")
+        return parts[2]
+
+    def branch_of(self, label: str) -> str | None:
+        """The label of the innermost protocol branch around a state, or None."""
+        return next((b.label for b in self._branches if (label + ".").startswith(b.label + ".")), None)
+
+    def branch_info(self, label: str) -> BranchInfo:
+        """What the plan says of a branch."""
+        return next(info for info in self._branches if info.label == label)
+
+    def variable_of(self, name: str, label: str) -> Variable:
+        """The variable that a state's activity means by a name: the innermost. Raises LookupError."""
+        found = [
+            variable
+            for variable in self.plan.variables
+            if variable.name.partition("@")[0] == name
+            and (variable.scope is None or (label + ".").startswith(variable.scope + "."))
+        ]
+        if not found:
+            known = ", ".join(sorted({v.name.partition("@")[0] for v in self.plan.variables})) or "none"
+            raise LookupError(f"no variable {name} here; {self.role} has {known}")
+        return max(found, key=lambda variable: len(variable.scope or ""))
+
+    def check_send(self, branch: str | None, performative: str, message: str, to: str) -> None:
+        """Raises LookupError if an activity of this branch cannot send such a message to `to`."""
+        if branch is None:
+            raise LookupError("only an activity of a protocol's participant sends agent messages")
+        info = self.branch_info(branch)
+        if (performative, message) not in info.sends:
+            known = ", ".join(" ".join(pair) for pair in info.sends) or "nothing"
+            raise LookupError(f"{info.participant} sends {known}, not {performative} {message}")
+        self.conversations.check_receiver(self, branch, to)
+
+
+def _nothing(effect: object) -> None:
+    """Function results and faults are told by the line of the step."""

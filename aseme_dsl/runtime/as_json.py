@@ -1,0 +1,118 @@
+"""Messages as JSON and back, the way Protocol Buffers spell them: enums by name, bytes in base64."""
+
+from __future__ import annotations
+
+import base64
+import math
+from dataclasses import fields, is_dataclass
+from enum import IntEnum
+from functools import cache
+from types import NoneType, UnionType
+from typing import Any, Union, get_args, get_origin, get_type_hints
+
+_WORDS = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf}
+
+
+def to_json(value: Any) -> Any:
+    """A value of a message as what `json` can write. Raises TypeError for what no message contains."""
+    kind = value.__class__
+    if kind is float:
+        if math.isfinite(value):
+            return value
+        return "NaN" if value != value else ("Infinity" if value > 0 else "-Infinity")
+    if kind is bool or kind is int or kind is str or value is None:
+        return value
+    if hasattr(kind, "__dataclass_fields__"):
+        return {name: to_json(getattr(value, name)) for name in _names(kind)}
+    if isinstance(value, IntEnum):
+        return value.name
+    if isinstance(value, (tuple, list)):
+        return [to_json(item) for item in value]
+    if isinstance(value, (bytes, bytearray)):
+        return base64.b64encode(value).decode("ascii")
+    if isinstance(value, (bool, int, float, str)):
+        return to_json(kind.__mro__[1](value))
+    raise TypeError(f"a message does not contain a {kind.__name__}: {value!r}")
+
+
+def from_json(kind: Any, data: Any) -> Any:
+    """The value of type `kind` that `to_json` wrote as `data`; members not given have their defaults.
+
+    Raises:
+        ValueError: `data` does not fit; it says which member.
+    """
+    return _read(kind, data, "")
+
+
+@cache
+def _names(kind: type) -> tuple[str, ...]:
+    return tuple(item.name for item in fields(kind))
+
+
+@cache
+def member_types(kind: type) -> dict[str, Any]:
+    """The types of a message's members."""
+    hints = get_type_hints(kind)
+    return {name: hints[name] for name in _names(kind)}
+
+
+def _read(kind: Any, data: Any, place: str) -> Any:
+    origin = get_origin(kind)
+    if origin in (Union, UnionType):
+        if data is None:
+            return None
+        return _read(next(arm for arm in get_args(kind) if arm is not NoneType), data, place)
+    if origin in (tuple, list):
+        if not isinstance(data, list):
+            raise _misfit(place, "a list", data)
+        item = get_args(kind)[0]
+        return tuple(_read(item, value, f"{place}[{number}]") for number, value in enumerate(data))
+    if is_dataclass(kind) and isinstance(kind, type):
+        return _read_message(kind, data, place)
+    if isinstance(kind, type) and issubclass(kind, IntEnum):
+        return _read_enum(kind, data, place)
+    if kind is bool and isinstance(data, bool):
+        return data
+    if kind is int and isinstance(data, int) and not isinstance(data, bool):
+        return data
+    if kind is float and isinstance(data, (int, float)) and not isinstance(data, bool):
+        return float(data)
+    if kind is float and isinstance(data, str) and data in _WORDS:
+        return _WORDS[data]
+    if kind is str and isinstance(data, str):
+        return data
+    if kind is bytes and isinstance(data, str):
+        try:
+            return base64.b64decode(data, validate=True)
+        except ValueError as error:
+            raise _misfit(place, "bytes in base64", data) from error
+    raise _misfit(place, f"a {getattr(kind, '__name__', kind)}", data)
+
+
+def _read_message(kind: type, data: Any, place: str) -> Any:
+    if not isinstance(data, dict):
+        raise _misfit(place, f"a {kind.__name__}", data)
+    types = member_types(kind)
+    strangers = [name for name in data if name not in types]
+    if strangers:
+        known = ", ".join(types) or "none"
+        raise ValueError(f"{place or kind.__name__} has no member {strangers[0]}; it has {known}")
+    inside = place + "." if place else ""
+    return kind(**{name: _read(types[name], value, inside + name) for name, value in data.items()})
+
+
+def _read_enum(kind: type[IntEnum], data: Any, place: str) -> IntEnum:
+    if isinstance(data, str):
+        name = data.removeprefix(kind.__name__ + ".")
+        if name in kind.__members__:
+            return kind[name]
+    elif isinstance(data, int) and not isinstance(data, bool):
+        try:
+            return kind(data)
+        except ValueError:
+            pass
+    raise _misfit(place, f"one of {', '.join(kind.__members__)}", data)
+
+
+def _misfit(place: str, wanted: str, data: Any) -> ValueError:
+    return ValueError(f"{place + ': ' if place else ''}{wanted} is wanted, not {data!r}")

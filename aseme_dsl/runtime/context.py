@@ -1,0 +1,254 @@
+"""Context: all that an activity sees of its agent, and all that it can do to it."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeVar, overload
+
+from aseme_dsl.runtime.body import Body
+from aseme_dsl.runtime.clock import nanoseconds
+from aseme_dsl.runtime.inputs import Arrived, Mail
+
+MessageT = TypeVar("MessageT")
+
+
+class Cancelled(BaseException):
+    """The activity's state was left. Not an `Exception`, so that a careless `except` does not swallow it."""
+
+
+# ---- what an activity can do -------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Publish:
+    """Publish a message, to all or to one host."""
+
+    channel: str
+    message: Any
+    host: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class SetVariable:
+    """Write a variable of the role or of the protocol's participant."""
+
+    name: str
+    value: Any
+
+
+@dataclass(frozen=True, slots=True)
+class RaiseEvent:
+    """Raise an event for the agent's transitions."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Prepare:
+    """Give the content of the next agent message of this type that a transition sends."""
+
+    message: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Send:
+    """Send an agent message, to a participant or to one agent."""
+
+    performative: str
+    message: Any
+    to: str
+
+
+@dataclass(frozen=True, slots=True)
+class Log:
+    """Write a line into the trace."""
+
+    text: str
+
+
+Doing = Publish | SetVariable | RaiseEvent | Prepare | Send | Log
+
+
+class Port(Protocol):
+    """What stands behind a context: the agent itself, or a snapshot of it in another process."""
+
+    @property
+    def agent(self) -> str: ...
+    @property
+    def label(self) -> str: ...
+    @property
+    def activity(self) -> str: ...
+    @property
+    def cancelled(self) -> bool: ...
+    @property
+    def body(self) -> Body[Any, Any]: ...
+    @property
+    def random(self) -> random.Random: ...
+    def now(self) -> int: ...
+    def wait(self, duration: int) -> None: ...
+    async def sleep(self, duration: int) -> None: ...
+    def newest(self, channel: str, host: str | None) -> Arrived | None: ...
+    def history(self, channel: str, host: str | None) -> tuple[Arrived, ...]: ...
+    def take(self, channel: str, host: str | None) -> Arrived | None: ...
+    def variable(self, name: str) -> Any: ...
+    def receive(self, performative: str | None, message: str | None, sender: str | None) -> Mail | None: ...
+    def do(self, doing: Doing) -> None: ...
+
+
+class Context:
+    """What an activity is given. May be used from any thread, as long as the activity lasts.
+
+    Channels are written as in the document: `vision.state.Ball`. What the activity reads or writes without
+    having declared it is noted in the trace, once. After the activity was cancelled, what it publishes,
+    writes, raises or sends is dropped.
+    """
+
+    __slots__ = ("_port",)
+
+    def __init__(self, port: Port) -> None:
+        self._port = port
+
+    # ---- where and when ----------------------------------------------------------------------
+
+    @property
+    def agent(self) -> str:
+        """The name of the agent."""
+        return self._port.agent
+
+    @property
+    def activity(self) -> str:
+        """The name of the activity."""
+        return self._port.activity
+
+    @property
+    def label(self) -> str:
+        """The label of the state that started the activity."""
+        return self._port.label
+
+    @property
+    def now(self) -> int:
+        """The time in ns since the run began."""
+        return self._port.now()
+
+    @property
+    def body(self) -> Body[Any, Any]:
+        """The robot's body. Raises LookupError if the agent has none here."""
+        return self._port.body
+
+    @property
+    def random(self) -> random.Random:
+        """Chance, the same in every run with the same seed; each start of an activity has its own."""
+        return self._port.random
+
+    def log(self, text: str) -> None:
+        """Write a line into the trace."""
+        self._port.do(Log(str(text)))
+
+    # ---- cancellation ------------------------------------------------------------------------
+
+    @property
+    def cancelled(self) -> bool:
+        """Whether the state was left: the activity should end, and what it still does is dropped."""
+        return self._port.cancelled
+
+    def check(self) -> None:
+        """Raise Cancelled if the state was left."""
+        if self._port.cancelled:
+            raise Cancelled
+
+    def wait(self, seconds: float) -> None:
+        """Let time pass; with the virtual clock, virtual time. For activities of kind thread and process.
+
+        Raises:
+            Cancelled: the state was left, before or meanwhile.
+        """
+        self._port.wait(nanoseconds(seconds))
+
+    async def sleep(self, seconds: float) -> None:
+        """Let time pass in an `async` activity; cancellation arrives as `asyncio.CancelledError`."""
+        await self._port.sleep(nanoseconds(seconds))
+
+    # ---- reading -----------------------------------------------------------------------------
+
+    @overload
+    def read(self, channel: str, kind: None = None, host: str | None = None) -> Any: ...
+    @overload
+    def read(self, channel: str, kind: type[MessageT], host: str | None = None) -> MessageT | None: ...
+    def read(self, channel: str, kind: type[Any] | None = None, host: str | None = None) -> Any:
+        """The message that a condition would see, or None: a signal is taken by that.
+
+        With `kind` the result is typed: `context.read("vision.state.Ball", Ball)`. Raises TypeError if the
+        channel carries another message.
+        """
+        item = self._port.take(channel, host) if _is_signal(channel) else self._port.newest(channel, host)
+        if item is None:
+            return None
+        if kind is not None and not isinstance(item.message, kind):
+            raise TypeError(f"{channel} carries {type(item.message).__name__}, not {kind.__name__}")
+        return item.message
+
+    def state(self, channel: str, host: str | None = None) -> Any:
+        """The latest message of a channel (of that sender), or None. A signal is only looked at."""
+        item = self._port.newest(channel, host)
+        return None if item is None else item.message
+
+    def latest(self, channel: str, host: str | None = None) -> Arrived | None:
+        """Like `state`, with the sender and the time of measurement."""
+        return self._port.newest(channel, host)
+
+    def history(self, channel: str, host: str | None = None) -> tuple[Arrived, ...]:
+        """What is kept of a data channel, oldest first, with times of measurement."""
+        return self._port.history(channel, host)
+
+    def take(self, channel: str, host: str | None = None) -> Any:
+        """The oldest waiting signal (of that sender), which is gone then, or None."""
+        item = self._port.take(channel, host)
+        return None if item is None else item.message
+
+    def variable(self, name: str) -> Any:
+        """A variable of the protocol's participant or of the role. Raises LookupError if there is none."""
+        return self._port.variable(name)
+
+    # ---- writing -----------------------------------------------------------------------------
+
+    def publish(self, channel: str, message: Any, host: str | None = None) -> None:
+        """Publish a message, or send it to one host. Raises TypeError if the channel carries another type."""
+        self._port.do(Publish(channel, message, host))
+
+    def set(self, name: str, value: Any) -> None:
+        """Write a variable. Raises LookupError if there is none, TypeError if it is of another type."""
+        self._port.do(SetVariable(name, value))
+
+    def raise_event(self, name: str) -> None:
+        """Raise an event: transitions that wait for it see it in the agent's next step."""
+        self._port.do(RaiseEvent(name))
+
+    # ---- agent messages ----------------------------------------------------------------------
+
+    def prepare(self, message: Any) -> None:
+        """Give what the next `send` of this message type contains.
+
+        Inside a protocol's participant it is for that participant's transitions, elsewhere for any.
+        """
+        self._port.do(Prepare(message))
+
+    def send(self, performative: str, message: Any, to: str) -> None:
+        """Send an agent message in this participant's conversation, to a participant or to one agent.
+
+        Raises LookupError outside a protocol's participant.
+        """
+        self._port.do(Send(performative, message, to))
+
+    def receive(
+        self, performative: str | None = None, message: str | None = None, sender: str | None = None
+    ) -> Mail | None:
+        """Take the oldest agent message of this kind that waits for this participant, or None.
+
+        It waits for nothing: an activity that wants to, waits in between.
+        """
+        return self._port.receive(performative, message, sender)
+
+
+def _is_signal(channel: str) -> bool:
+    return channel.split(".", 2)[1:2] == ["signal"]

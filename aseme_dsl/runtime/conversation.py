@@ -1,0 +1,435 @@
+"""Conversations: one run of a protocol between its participants, and the agent messages that belong to it.
+
+A conversation is opened by the first message that a participant sends after it was entered. A message goes to
+everybody who takes part as the addressed participant or, while nobody does, to all other agents that play
+it. At the receiver it goes to the branch that takes part in that conversation; if none does, it is offered to
+a free branch of the participant, or waits until one is entered or free. A branch that is left takes part no
+more. What a participant does not list as received, and what comes for a participation that is over, is
+unexpected: it is told in the trace and answered `not_understood`.
+"""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Protocol
+
+from aseme_dsl.runtime.as_json import to_json
+from aseme_dsl.runtime.inputs import Identity, Mail
+from aseme_dsl.runtime.plan import BranchInfo
+from aseme_dsl.runtime.trace import Trace
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.agent import Agent
+    from aseme_dsl.runtime.driver import Driver
+
+PERFORMATIVES = (
+    "accept_proposal",
+    "agree",
+    "cancel",
+    "cfp",
+    "confirm",
+    "disconfirm",
+    "failure",
+    "inform",
+    "inform_if",
+    "inform_ref",
+    "not_understood",
+    "propagate",
+    "propose",
+    "proxy",
+    "query_if",
+    "query_ref",
+    "refuse",
+    "reject_proposal",
+    "request",
+    "request_when",
+    "request_whenever",
+    "subscribe",
+)
+"""FIPA's communicative acts, as a document writes them."""
+
+NOT_UNDERSTOOD = "not_understood"
+
+
+def fipa_name(performative: str) -> str:
+    """A performative as FIPA spells it: `accept-proposal`."""
+    return performative.replace("_", "-")
+
+
+@dataclass(frozen=True, slots=True)
+class AclMessage:
+    """An agent message, with the parameters of FIPA's Agent Communication Language that are used here.
+
+    `message` is the type of the content; `participant` and `to` are the sender's and the receivers' parts in
+    the protocol.
+    """
+
+    performative: str
+    sender: str
+    receivers: tuple[str, ...]
+    message: str
+    content: Any
+    protocol: str
+    conversation: str
+    participant: str
+    to: str
+    identity: Identity
+
+
+class Platform(Protocol):
+    """What carries agent messages to agents that are not in this process."""
+
+    def carry(self, message: AclMessage) -> None:
+        """Send a message on its way. Does not wait for it to arrive."""
+        ...
+
+
+@dataclass(slots=True)
+class _Branch:
+    """A protocol branch that is entered: in which conversation it takes part, and what it has not taken."""
+
+    info: BranchInfo
+    conversation: str | None = None
+    waiting: list[Identity] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class _Conversation:
+    """Who takes part, by participant; who is invited, and who has left."""
+
+    protocol: str
+    members: dict[str, list[str]] = field(default_factory=dict)
+    past: set[tuple[str, str]] = field(default_factory=set)
+
+
+class Conversations:
+    """All conversations of a team. May be used from any thread."""
+
+    def __init__(self, driver: Driver, trace: Trace) -> None:
+        self._driver = driver
+        self._trace = trace
+        self._agents: dict[str, Agent] = {}
+        self._branches: dict[str, dict[str, _Branch]] = {}
+        self._queues: dict[str, list[tuple[AclMessage, BranchInfo]]] = {}
+        self._conversations: dict[str, _Conversation] = {}
+        self._opened: dict[tuple[str, str], int] = {}
+        self._lock = threading.RLock()
+
+    def join(self, agent: Agent) -> None:
+        """An agent can be talked to; the order in which they come is the team's."""
+        self._agents[agent.name] = agent
+        self._branches[agent.name] = {}
+        self._queues[agent.name] = []
+
+    # ---- sending -----------------------------------------------------------------------------
+
+    def check_receiver(self, agent: Agent, branch: str, to: str) -> None:
+        """Raises LookupError if `to` is neither a participant of the branch's protocol nor an agent."""
+        protocol = agent.branch_info(branch).protocol
+        if to not in self._agents and not self._players(protocol, to):
+            raise LookupError(f"{to} is neither an agent nor a participant of {protocol} that somebody plays")
+
+    def send(self, agent: Agent, branch: str, performative: str, message: str, content: Any, to: str) -> None:
+        """Send in the conversation of a branch, which it opens if it has none; `to` may be an agent."""
+        with self._driver.holding(), self._lock:
+            info = agent.branch_info(branch)
+            place = self._branches[agent.name].get(branch)
+            if place is None:  # left meanwhile
+                self._tell(
+                    "unsent", agent, performative, message, content, info, reason="its participant was left"
+                )
+                return
+            if place.conversation is None:
+                self._open(agent, place)
+            assert place.conversation is not None
+            receivers, part = self._receivers(agent, place, to)
+            identity = agent.identity()
+            acl = AclMessage(
+                performative,
+                agent.name,
+                receivers,
+                message,
+                content,
+                info.protocol,
+                place.conversation,
+                info.participant,
+                part,
+                identity,
+            )
+            self._tell_sent(acl)
+            for name in receivers:
+                self._deliver(self._agents[name], acl)
+
+    def _open(self, agent: Agent, place: _Branch) -> None:
+        protocol = place.info.protocol
+        number = self._opened[protocol, agent.name] = self._opened.get((protocol, agent.name), 0) + 1
+        name = f"{protocol}-{agent.name}-{number}"
+        self._conversations[name] = _Conversation(protocol)
+        self._take_part(agent, place, name, "open")
+
+    def _take_part(self, agent: Agent, place: _Branch, name: str, what: str) -> None:
+        place.conversation = name
+        members = self._conversations[name].members.setdefault(place.info.participant, [])
+        if agent.name not in members:
+            members.append(agent.name)
+        self._told(what, agent, place, name)
+
+    def _receivers(self, agent: Agent, place: _Branch, to: str) -> tuple[tuple[str, ...], str]:
+        """Who is addressed, and as which participant."""
+        assert place.conversation is not None
+        conversation = self._conversations[place.conversation]
+        protocol = place.info.protocol
+        if to in self._agents and not self._players(protocol, to):
+            part = next((p for p, members in conversation.members.items() if to in members), None)
+            if part is None:
+                part = next(
+                    (b.participant for b in self._agents[to].plan.branches if b.protocol == protocol), ""
+                )
+            return (to,), part
+        members = conversation.members.get(to)
+        if members is None:
+            members = conversation.members[to] = [n for n in self._players(protocol, to) if n != agent.name]
+        return tuple(members), to
+
+    def _players(self, protocol: str, participant: str) -> list[str]:
+        return [
+            agent.name
+            for agent in self._agents.values()
+            if any((b.protocol, b.participant) == (protocol, participant) for b in agent.plan.branches)
+        ]
+
+    # ---- delivering --------------------------------------------------------------------------
+
+    def _deliver(self, agent: Agent, acl: AclMessage) -> None:
+        place = self._place_in(agent, acl)
+        if place is not None:
+            if self._receives(place.info, acl):
+                self._post(agent, place, acl)
+            else:
+                self._unexpected(agent, acl, f"{acl.to} does not receive it")
+            return
+        conversation = self._conversations.get(acl.conversation)
+        if conversation is None:
+            self._unexpected(agent, acl, "the conversation is closed")
+            return
+        if (agent.name, acl.to) in conversation.past:
+            self._unexpected(agent, acl, "its part in the conversation is over")
+            return
+        info = next(
+            (
+                info
+                for info in agent.plan.branches
+                if (info.protocol, info.participant) == (acl.protocol, acl.to) and self._receives(info, acl)
+            ),
+            None,
+        )
+        if info is None or agent.over:
+            reason = f"{agent.name} has ended" if agent.over else f"{agent.role} does not receive it"
+            self._unexpected(agent, acl, reason)
+            return
+        queue = self._queues[agent.name]
+        if not any(other.conversation == acl.conversation for other, _ in queue):
+            for place in self._branches[agent.name].values():
+                if self._is_free(place, acl):
+                    self._take_part(agent, place, acl.conversation, "join")
+                    self._post(agent, place, acl)
+                    return
+        queue.append((acl, info))
+
+    def _place_in(self, agent: Agent, acl: AclMessage) -> _Branch | None:
+        return next(
+            (
+                place
+                for place in self._branches[agent.name].values()
+                if place.conversation == acl.conversation and place.info.participant == acl.to
+            ),
+            None,
+        )
+
+    def _is_free(self, place: _Branch, acl: AclMessage) -> bool:
+        return place.conversation is None and (place.info.protocol, place.info.participant) == (
+            acl.protocol,
+            acl.to,
+        )
+
+    def _receives(self, info: BranchInfo, acl: AclMessage) -> bool:
+        return (acl.performative, acl.message) in info.receives
+
+    def _post(self, agent: Agent, place: _Branch, acl: AclMessage) -> None:
+        place.waiting.append(acl.identity)
+        mail = Mail(
+            place.info.label,
+            acl.performative,
+            acl.message,
+            acl.content,
+            acl.participant,
+            acl.sender,
+            acl.identity,
+        )
+        agent.post(acl.identity, mail, conversation=acl.conversation)
+
+    def _unexpected(self, agent: Agent, acl: AclMessage, reason: str) -> None:
+        """Tell of a message that nobody expects, and answer it, but never an answer to that."""
+        self._trace.write(
+            "unexpected",
+            self._driver.clock.now(),
+            agent=agent.name,
+            input=list(acl.identity),
+            performative=acl.performative,
+            message=acl.message,
+            sender=acl.sender,
+            conversation=acl.conversation,
+            reason=reason,
+        )
+        if acl.performative == NOT_UNDERSTOOD or acl.sender not in self._agents:
+            return
+        answer = AclMessage(
+            NOT_UNDERSTOOD,
+            agent.name,
+            (acl.sender,),
+            acl.message,
+            acl.content,
+            acl.protocol,
+            acl.conversation,
+            acl.to,
+            acl.participant,
+            agent.identity(),
+        )
+        self._tell_sent(answer)
+        self._deliver(self._agents[acl.sender], answer)
+
+    # ---- what the charts do ------------------------------------------------------------------
+
+    def joined(self, agent: Agent, branch: str) -> None:
+        """A branch was entered: it is free, and takes the conversation that waits longest."""
+        with self._driver.holding(), self._lock:
+            place = _Branch(agent.branch_info(branch))
+            self._branches[agent.name][branch] = place
+            queue = self._queues[agent.name]
+            first = next((acl for acl, _ in queue if self._is_free(place, acl)), None)
+            if first is None:
+                return
+            self._take_part(agent, place, first.conversation, "join")
+            mine = [acl for acl, _ in queue if acl.conversation == first.conversation and acl.to == first.to]
+            queue[:] = [entry for entry in queue if entry[0] not in mine]
+            for acl in mine:
+                if self._receives(place.info, acl):
+                    self._post(agent, place, acl)
+                else:
+                    self._unexpected(agent, acl, f"{acl.to} does not receive it")
+
+    def left(self, agent: Agent, branch: str) -> None:
+        """A branch was left: its part in the conversation is over, and what it did not take is given up."""
+        with self._driver.holding(), self._lock:
+            place = self._branches[agent.name].pop(branch, None)
+            if place is None or place.conversation is None:
+                return
+            name = place.conversation
+            conversation = self._conversations[name]
+            conversation.past.add((agent.name, place.info.participant))
+            self._told("leave", agent, place, name, untaken=[list(i) for i in place.waiting] or None)
+            self._close(name)
+
+    def _close(self, name: str) -> None:
+        """Forget a conversation in which nobody takes part or may still do so."""
+        places = (place for branches in self._branches.values() for place in branches.values())
+        invited = (acl for queue in self._queues.values() for acl, _ in queue)
+        if not any(place.conversation == name for place in places) and not any(
+            acl.conversation == name for acl in invited
+        ):
+            del self._conversations[name]
+
+    def taken(self, agent: Agent, branch: str, identity: Identity) -> None:
+        """A transition or an activity took a message."""
+        with self._lock:
+            place = self._branches[agent.name].get(branch)
+            if place is not None and identity in place.waiting:
+                place.waiting.remove(identity)
+
+    def arrives(self, agent: Agent, mail: Mail, conversation: str | None) -> bool:
+        """Whether mail that was under way still finds its participant; tells and answers if it does not."""
+        with self._driver.holding(), self._lock:
+            place = self._branches[agent.name].get(mail.branch)
+            if conversation is None or (place is not None and place.conversation == conversation):
+                return True
+            info = agent.branch_info(mail.branch)
+            acl = AclMessage(
+                mail.performative,
+                mail.sender,
+                (agent.name,),
+                mail.message,
+                mail.content,
+                info.protocol,
+                conversation,
+                mail.participant,
+                info.participant,
+                mail.identity,
+            )
+            self._unexpected(agent, acl, "its part in the conversation is over")
+            return False
+
+    def gone(self, agent: Agent) -> None:
+        """An agent has ended: it takes part in nothing more, and what waited for it is answered."""
+        with self._driver.holding(), self._lock:
+            for branch in list(self._branches[agent.name]):
+                self.left(agent, branch)
+            queue, self._queues[agent.name] = self._queues[agent.name], []
+            for acl, _ in queue:
+                self._unexpected(agent, acl, f"{agent.name} has ended")
+
+    # ---- the trace ---------------------------------------------------------------------------
+
+    def _tell_sent(self, acl: AclMessage) -> None:
+        if self._trace.active:
+            self._trace.write(
+                "mail",
+                self._driver.clock.now(),
+                agent=acl.sender,
+                sequence=acl.identity[1],
+                performative=acl.performative,
+                message=acl.message,
+                content=to_json(acl.content),
+                protocol=acl.protocol,
+                conversation=acl.conversation,
+                participant=acl.participant,
+                receiver=acl.to,
+                to=list(acl.receivers),
+            )
+
+    def _tell(
+        self,
+        kind: str,
+        agent: Agent,
+        performative: str,
+        message: str,
+        content: Any,
+        info: BranchInfo,
+        reason: str,
+    ) -> None:
+        if self._trace.active:
+            self._trace.write(
+                kind,
+                self._driver.clock.now(),
+                agent=agent.name,
+                performative=performative,
+                message=message,
+                content=to_json(content),
+                protocol=info.protocol,
+                participant=info.participant,
+                reason=reason,
+            )
+
+    def _told(
+        self, what: str, agent: Agent, place: _Branch, name: str, untaken: list[list[Any]] | None = None
+    ) -> None:
+        self._trace.write(
+            "conversation",
+            self._driver.clock.now(),
+            agent=agent.name,
+            what=what,
+            conversation=name,
+            participant=place.info.participant,
+            branch=place.info.label,
+            untaken=untaken,
+        )

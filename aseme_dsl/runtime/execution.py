@@ -1,0 +1,541 @@
+"""Executions: the activities of one agent, from the start that a step asks for to the end it hears of."""
+
+from __future__ import annotations
+
+import random
+import traceback
+from collections.abc import Generator
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.runtime import context as c
+from aseme_dsl.runtime.activities import ActivityError, ActivityFinder, has_code, kind_of
+from aseme_dsl.runtime.board import Board
+from aseme_dsl.runtime.body import Body
+from aseme_dsl.runtime.clock import MILLISECOND, nanoseconds, shown
+from aseme_dsl.runtime.inputs import Arrived, Cancel, Completed, Crashed, Mail, Start
+from aseme_dsl.runtime.plan import ActivityInfo
+from aseme_dsl.runtime.timers import Timer
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.agent import Agent
+
+WITHOUT_CODE = 100 * MILLISECOND
+"""How long an activity lasts that has neither code nor `takes`."""
+TICK = 10 * MILLISECOND
+"""How long a `step` activity sleeps that yields nothing."""
+
+_CANCELLATIONS = ("Cancelled", "CancelledError", "GeneratorExit")
+"""How a cancelled activity may end without having failed."""
+_RUNTIME = str(Path(__file__).parent)
+
+
+class Execution:
+    """One start of an activity: the port of its context.
+
+    Its methods for the context may be called from the activity's thread; all else happens while the agent is
+    guarded.
+    """
+
+    __slots__ = (
+        "_chance",
+        "board",
+        "branch",
+        "cancelled",
+        "code",
+        "context",
+        "dropped",
+        "error",
+        "generator",
+        "handle",
+        "has_returned",
+        "held",
+        "info",
+        "kind",
+        "number",
+        "opens",
+        "owner",
+        "start",
+        "started",
+        "timer",
+    )
+
+    def __init__(
+        self, owner: Executions, start: Start, info: ActivityInfo, code: type[Any] | None, number: int
+    ) -> None:
+        agent = owner.agent
+        self.owner = owner
+        self.start = start
+        self.info = info
+        self.code = code
+        self.number = number
+        self.started = agent.driver.clock.now()
+        self.board: Board = agent.chart.board_of(start.label)
+        self.branch = agent.branch_of(start.label)
+        self.context = c.Context(self)
+        self.kind = info.kind
+        self.cancelled = False
+        self.has_returned = False
+        self.error: BaseException | None = None
+        self.opens: int | None = None
+        """In virtual time, the moment from which what the activity does counts, until it has come."""
+        self.held: list[c.Doing] = []
+        self.dropped = 0
+        self.timer: Timer | None = None
+        self.generator: Generator[Any, None, Any] | None = None
+        self.handle: Any = None
+        """What the driver keeps for it."""
+        self._chance: random.Random | None = None
+
+    # ---- the port ----------------------------------------------------------------------------
+
+    @property
+    def agent(self) -> str:
+        return self.owner.agent.name
+
+    @property
+    def label(self) -> str:
+        return self.start.label
+
+    @property
+    def activity(self) -> str:
+        return self.start.activity
+
+    @property
+    def body(self) -> Body[Any, Any]:
+        body = self.owner.agent.body
+        if body is None:
+            raise LookupError(f"agent {self.agent} has no body here: run it in a world")
+        return body
+
+    @property
+    def random(self) -> random.Random:
+        if self._chance is None:
+            self._chance = random.Random(self.chance_seed)
+        return self._chance
+
+    @property
+    def chance_seed(self) -> str:
+        """What the activity's chance depends on: the run's seed, the agent, the state, which start it is."""
+        return f"{self.owner.agent.seed}/{self.agent}/{self.label}/{self.number}"
+
+    def now(self) -> int:
+        return self.owner.agent.driver.clock.now()
+
+    def wait(self, duration: int) -> None:
+        if self.kind not in ("thread", "process"):
+            instead = "await context.sleep(…)" if self.kind == "async" else "yield the seconds"
+            raise RuntimeError(f"a {self.kind!r} activity must not block; {instead} instead of wait")
+        self.owner.agent.driver.wait(self, duration)
+
+    async def sleep(self, duration: int) -> None:
+        import asyncio
+
+        await asyncio.sleep(duration / 1e9)
+
+    def newest(self, channel: str, host: str | None) -> Arrived | None:
+        self._declared("reads", channel)
+        agent = self.owner.agent
+        with agent.driver.guard(agent):
+            return self.board.newest(channel, host)
+
+    def history(self, channel: str, host: str | None) -> tuple[Arrived, ...]:
+        self._declared("reads", channel)
+        agent = self.owner.agent
+        with agent.driver.guard(agent):
+            return self.board.history(channel, host)
+
+    def take(self, channel: str, host: str | None) -> Arrived | None:
+        self._declared("reads", channel)
+        agent = self.owner.agent
+        with agent.driver.guard(agent):
+            item = self.board.take(channel, host)
+            if item is not None:
+                agent.trace.write(
+                    "taken",
+                    self.now(),
+                    agent=agent.name,
+                    input=list(item.identity),
+                    label=self.label,
+                    activity=self.activity,
+                    token=self.start.token,
+                )
+            return item
+
+    def variable(self, name: str) -> Any:
+        agent = self.owner.agent
+        key = agent.variable_of(name, self.label).name
+        with agent.driver.guard(agent):
+            return agent.chart.variable(key)
+
+    def receive(self, performative: str | None, message: str | None, sender: str | None) -> Mail | None:
+        if self.branch is None:
+            raise LookupError(f"{self.activity} is not part of a protocol's participant here")
+        agent = self.owner.agent
+        with agent.driver.guard(agent):
+            return agent.take_mail(self, performative, message, sender)
+
+    def do(self, doing: c.Doing) -> None:
+        self.owner.check(self, doing)
+        if self.cancelled:
+            self.dropped += 1
+        elif self.opens is not None:
+            self.held.append(doing)
+        else:
+            self.owner.agent.perform(self, doing)
+
+    def _declared(self, what: str, channel: str) -> None:
+        known = self.info.reads if what == "reads" else self.info.writes
+        if channel not in known:
+            self.owner.undeclared(self, f"{what} {channel}")
+
+    # ---- its end -----------------------------------------------------------------------------
+
+    def run(self) -> None:
+        """Run the code of a thread activity to its end, in this thread, and say how it ended."""
+        error: BaseException | None = None
+        try:
+            self.context.check()
+            assert self.code is not None
+            self.code().execute(self.context)
+        except BaseException as raised:  # whatever it is, the agent must hear of it
+            error = raised
+        self.returned(error)
+
+    def returned(self, error: BaseException | None) -> None:
+        """The code has come to its end. May be called from any thread."""
+        agent = self.owner.agent
+        agent.errand(lambda: self.owner.returned(self, error))
+
+
+@dataclass(slots=True)
+class _Node:
+    """A BASIC state: what runs there, and what is to run next."""
+
+    every: int | None
+    starts: int = 0
+    last_start: int | None = None
+    last_end: int = 0
+    current: Execution | None = None
+    next: Start | None = None
+    held: Timer | None = None
+    waits: bool = False
+    warned: set[str] = field(default_factory=set)
+
+
+class Executions:
+    """The activities of one agent. Called only while the agent is guarded, but for `check`."""
+
+    def __init__(self, agent: Agent, find: ActivityFinder) -> None:
+        self.agent = agent
+        self._find = find
+        self._infos = {info.name: info for info in agent.plan.activities}
+        self._nodes: dict[str, _Node] = {}
+        self._noted: set[tuple[str, str]] = set()
+        self._late_codeless: set[str] = set()
+
+    # ---- what the step asks for --------------------------------------------------------------
+
+    def start(self, start: Start) -> None:
+        """Start an activity, as soon as its period and its predecessor allow it."""
+        node = self._nodes.get(start.label)
+        if node is None:
+            node = self._nodes[start.label] = _Node(self._info(start.activity).every)
+        node.next = start
+        node.waits = False
+        self._begin_when_free(node)
+
+    def cancel(self, cancel: Cancel) -> None:
+        """Cancel an activity that runs, or that was to start."""
+        node = self._nodes.get(cancel.label)
+        if node is None:
+            return
+        if node.next is not None and node.next.token == cancel.token:
+            node.next = None
+            if node.held is not None:
+                node.held.cancel()
+                node.held = None
+            self._trace("cancel", cancel, started=False)
+            return
+        execution = node.current
+        if execution is None or execution.start.token != cancel.token or execution.cancelled:
+            return
+        execution.cancelled = True
+        execution.dropped += len(execution.held)
+        execution.held.clear()
+        self._trace("cancel", cancel)
+        if execution.timer is not None:
+            execution.timer.cancel()
+        if execution.code is None or execution.has_returned:
+            self._free(node, execution)
+        elif execution.generator is not None:
+            self._close(execution)
+        else:
+            self.agent.driver.cancel(execution)
+
+    def cancel_all(self) -> None:
+        """Cancel everything: the agent stops."""
+        for label, node in self._nodes.items():
+            if node.next is not None:
+                self.cancel(Cancel(label, node.next.activity, node.next.token))
+            if node.current is not None:
+                start = node.current.start
+                self.cancel(Cancel(label, start.activity, start.token))
+
+    def running(self) -> list[Execution]:
+        """What has not come to its end yet, cancelled or not."""
+        return [node.current for node in self._nodes.values() if node.current is not None]
+
+    # ---- beginning ---------------------------------------------------------------------------
+
+    def _info(self, activity: str) -> ActivityInfo:
+        return self._infos.get(activity) or ActivityInfo(activity)
+
+    def _begin_when_free(self, node: _Node) -> None:
+        """Begin what is next, unless the old one has not returned or the period is not over."""
+        start = node.next
+        if start is None or node.held is not None:
+            return
+        if node.current is not None:
+            if not node.waits:
+                node.waits = True
+                self._trace("wait", start)
+            return
+        now = self.agent.driver.clock.now()
+        if node.every is not None and node.last_start is not None:
+            due = node.last_start + node.every
+            if now < due:
+                release = partial(self._release, node, due)
+                node.held = self.agent.driver.at(due, lambda: self.agent.errand(release))
+                return
+            missed = (node.last_end - node.last_start - 1) // node.every
+            if missed > 0:
+                self._trace("missed", start, beats=missed)
+        self._begin(node, start, now)
+
+    def _release(self, node: _Node, due: int) -> None:
+        """The period is over, if it is still this start that is held back."""
+        if node.held is not None and node.held.moment == due:
+            node.held = None
+            self._begin_when_free(node)
+
+    def _begin(self, node: _Node, start: Start, now: int) -> None:
+        info = self._info(start.activity)
+        node.next = None
+        node.last_start = now
+        node.starts += 1
+        error: ActivityError | None = None
+        code: type[Any] | None = None
+        try:
+            code = self._find(start.activity)
+        except ActivityError as raised:
+            error = raised
+        execution = node.current = Execution(self, start, info, code if has_code(code) else None, node.starts)
+        if execution.code is not None:
+            try:
+                execution.kind = kind_of(execution.code, info.kind)
+            except ActivityError as raised:
+                error = raised
+        self._trace("start", start)
+        if error is not None:
+            self.returned(execution, error)
+        elif execution.code is None:
+            self._last(execution, info, now)
+        else:
+            if info.takes is not None and self.agent.driver.clock.virtual:
+                execution.opens = now + info.takes
+                execution.timer = self.agent.driver.at(execution.opens, lambda: self._open(execution))
+            if execution.kind == "step":
+                self._advance(execution)
+            else:
+                self.agent.driver.launch(execution)
+
+    def _last(self, execution: Execution, info: ActivityInfo, now: int) -> None:
+        """Let an activity without code last."""
+        if info.takes is None and info.name not in self._late_codeless:
+            self._late_codeless.add(info.name)
+            text = f"activity {info.name} has neither code nor `takes`: it lasts {shown(WITHOUT_CODE)}"
+            self.agent.trace.fault(now, self.agent.name, text, code="W201", activity=info.name)
+        lasts = WITHOUT_CODE if info.takes is None else info.takes
+        execution.timer = self.agent.driver.at(
+            now + lasts, lambda: self.agent.errand(lambda: self.returned(execution, None))
+        )
+
+    def _open(self, execution: Execution) -> None:
+        """The activity has lasted what it takes: what it did counts."""
+        if execution.cancelled:
+            return
+        execution.opens = None
+        held, execution.held = execution.held, []
+        for doing in held:
+            self.agent.perform(execution, doing)
+        if execution.has_returned:
+            self.agent.errand(lambda: self._end(execution))
+
+    def _advance(self, execution: Execution) -> None:
+        """Let a `step` activity go on until it yields."""
+        if execution.cancelled or execution.has_returned:
+            return
+        try:
+            if execution.generator is None:
+                assert execution.code is not None
+                made = execution.code().execute(execution.context)
+                if not isinstance(made, Generator):  # a plain function is one that never yields
+                    self.returned(execution, None)
+                    return
+                execution.generator = made
+            pause = next(execution.generator)
+            delay = TICK if pause is None else nanoseconds(pause)
+        except StopIteration:
+            self.returned(execution, None)
+        except BaseException as error:
+            if execution.generator is not None:
+                execution.generator.close()
+            self.returned(execution, error)
+        else:
+            moment = self.agent.driver.clock.now() + delay
+            execution.handle = self.agent.driver.at(
+                moment, lambda: self.agent.errand(lambda: self._advance(execution))
+            )
+
+    def _close(self, execution: Execution) -> None:
+        """End a cancelled generator where it stands."""
+        if execution.handle is not None:
+            execution.handle.cancel()
+        error: BaseException | None = None
+        try:
+            assert execution.generator is not None
+            execution.generator.close()
+        except BaseException as raised:
+            error = raised
+        self.returned(execution, error)
+
+    # ---- ending ------------------------------------------------------------------------------
+
+    def returned(self, execution: Execution, error: BaseException | None) -> None:
+        """The code has come to its end, or what has no code has lasted long enough."""
+        if execution.has_returned:
+            return
+        execution.has_returned = True
+        execution.error = error
+        if execution.cancelled:
+            if error is not None and type(error).__name__ in _CANCELLATIONS:
+                error = None
+            self._trace(
+                "late",
+                execution.start,
+                dropped=execution.dropped or None,
+                reason=None if error is None else reason_of(error),
+                traceback=None if error is None else frames_of(error),
+            )
+            self._free(self._nodes[execution.label], execution)
+        elif execution.opens is None or error is not None:
+            self._end(execution)
+
+    def _end(self, execution: Execution) -> None:
+        if execution.cancelled:
+            return
+        agent = self.agent
+        now = agent.driver.clock.now()
+        start = execution.start
+        takes = execution.info.takes
+        if takes is not None and now - execution.started > takes:
+            self._trace("overrun", start, takes=takes, lasted=now - execution.started)
+        identity = agent.identity()
+        if execution.timer is not None:
+            execution.timer.cancel()
+        if execution.error is None:
+            self._trace("end", start, sequence=identity[1])
+            agent.post(identity, Completed(start.label, start.token))
+        else:
+            reason = reason_of(execution.error)
+            self._trace(
+                "crash",
+                start,
+                sequence=identity[1],
+                reason=reason,
+                traceback=frames_of(execution.error),
+                dropped=len(execution.held) or None,
+            )
+            agent.post(identity, Crashed(start.label, start.token, reason))
+        self._free(self._nodes[start.label], execution)
+
+    def _free(self, node: _Node, execution: Execution) -> None:
+        if node.current is execution:
+            node.current = None
+            node.last_end = self.agent.driver.clock.now()
+            self._begin_when_free(node)
+
+    # ---- what an activity does ---------------------------------------------------------------
+
+    def check(self, execution: Execution, doing: c.Doing) -> None:
+        """Refuse at once what means nothing, and note what was not declared.
+
+        Raises:
+            LookupError: there is no such channel, variable or participant.
+            TypeError: a message or value is of another type.
+        """
+        match doing:
+            case c.Publish(channel, message):
+                expected = self.agent.message_of(channel)
+                if type(message).__name__ != expected:
+                    raise TypeError(f"{channel} carries {expected}, not {type(message).__name__}")
+                if channel not in execution.info.writes:
+                    self.undeclared(execution, f"writes {channel}")
+            case c.SetVariable(name, value):
+                variable = self.agent.variable_of(name, execution.label)
+                if not _fits(variable.type, value):
+                    raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
+                if name not in execution.info.variables:
+                    self.undeclared(execution, f"writes variable {name}")
+            case c.Send(performative, message, to):
+                self.agent.check_send(execution.branch, performative, type(message).__name__, to)
+
+    def undeclared(self, execution: Execution, what: str) -> None:
+        """Note, once, that an activity does what it does not declare."""
+        key = (execution.activity, what)
+        if key not in self._noted:
+            self._noted.add(key)
+            text = f"activity {execution.activity} {what}, which it does not declare"
+            self.agent.trace.fault(
+                self.agent.driver.clock.now(), self.agent.name, text, activity=execution.activity
+            )
+
+    def _trace(self, what: str, effect: Start | Cancel, **members: Any) -> None:
+        agent = self.agent
+        agent.trace.activity(what, agent.driver.clock.now(), agent.name, effect, **members)
+
+
+_TYPES: dict[str, tuple[type, ...]] = {
+    "bool": (bool,),
+    "int": (int,),
+    "double": (int, float),
+    "string": (str,),
+    "bytes": (bytes,),
+    "duration": (int,),
+}
+
+
+def _fits(kind: str, value: Any) -> bool:
+    expected = _TYPES.get(kind)
+    if expected is None:
+        return type(value).__name__ == kind
+    return isinstance(value, expected) and (bool in expected or not isinstance(value, bool))
+
+
+def reason_of(error: BaseException) -> str:
+    """An exception in one line."""
+    text = str(error)
+    return f"{type(error).__name__}: {text}" if text else type(error).__name__
+
+
+def frames_of(error: BaseException) -> list[dict[str, Any]] | None:
+    """Where an exception was raised, outermost first, without the frames of the runtime itself."""
+    frames = [
+        {"file": Path(frame.filename).name, "line": frame.lineno, "function": frame.name}
+        for frame in traceback.extract_tb(error.__traceback__)
+        if not frame.filename.startswith(_RUNTIME)
+    ]
+    return frames or getattr(error, "frames", None)

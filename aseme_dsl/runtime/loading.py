@@ -1,0 +1,118 @@
+"""Loading: a generated package and the activities of a project, imported from where they are.
+
+A generated package is imported as `FOLDER.SYSTEM` (`monas.Kouretes`), so that activities may import its
+messages: `from monas.Kouretes.messages import Ball`. What functions and activities import besides is looked
+for in the folders given as `path`. These folders are on `sys.path` only inside `importing`.
+"""
+
+from __future__ import annotations
+
+import importlib
+import itertools
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, is_dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from aseme_dsl.runtime.activities import ActivityFinder, from_package
+from aseme_dsl.runtime.as_json import member_types
+from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.plan import Plan
+from aseme_dsl.runtime.wire import Schema
+
+_numbers = itertools.count(1)
+
+
+class LoadError(Exception):
+    """There is no generated package at a place, or it cannot be imported."""
+
+
+@dataclass(frozen=True, slots=True)
+class Loaded:
+    """A generated system: its roles' charts by name, its team as (agent, role), its messages by name."""
+
+    name: str
+    charts: Mapping[str, type[Chart]]
+    team: tuple[tuple[str, str], ...]
+    messages: Mapping[str, Any]
+    schema: Schema | None = None
+    folder: Path | None = None
+    path: tuple[Path, ...] = ()
+
+    @property
+    def plans(self) -> tuple[Plan, ...]:
+        """The plans of the roles."""
+        return tuple(chart.PLAN for chart in self.charts.values())
+
+
+@contextmanager
+def importing(folders: Sequence[Path]) -> Iterator[None]:
+    """Inside, modules are looked for in these folders first."""
+    added = [str(folder) for folder in folders]
+    sys.path[:0] = added
+    importlib.invalidate_caches()
+    try:
+        yield
+    finally:
+        for entry in added:
+            if entry in sys.path:
+                sys.path.remove(entry)
+
+
+def load_system(folder: Path, path: Sequence[Path] = ()) -> Loaded:
+    """Import the generated package in `folder` (`build/monas/Kouretes`), afresh each time.
+
+    Raises:
+        LoadError: it is not there, cannot be imported, or is not a generated package.
+    """
+    folder = folder.resolve()
+    if not (folder / "__init__.py").is_file():
+        raise LoadError(f"there is no generated package in {folder}: build it first")
+    folders = (folder.parent.parent, *(entry.resolve() for entry in path))
+    parent = folder.parent.name
+    name = f"{parent}.{folder.name}"
+    _forget(name)
+    known = sys.modules.get(parent)
+    if known is not None and folder.parent not in [Path(p).resolve() for p in getattr(known, "__path__", [])]:
+        _forget(parent)  # it stands for another folder of that name
+    with importing(folders):
+        package = _import(name, folder)
+        messages = _import(f"{name}.messages", folder)
+        charts = getattr(package, "CHARTS", None)
+        team = getattr(package, "TEAM", None)
+        if not isinstance(charts, dict) or not isinstance(team, tuple):
+            raise LoadError(f"{folder} is not a package that asemec has generated")
+        classes = {
+            key: kind
+            for key, kind in vars(messages).items()
+            if isinstance(kind, type) and kind.__module__ == messages.__name__ and is_dataclass(kind)
+        }
+        for kind in classes.values():
+            member_types(kind)  # while their module can be found under its name
+    system = str(getattr(package, "SYSTEM", folder.name))
+    return Loaded(system, charts, team, classes, getattr(messages, "SCHEMA", None), folder, folders)
+
+
+def _import(name: str, folder: Path) -> ModuleType:
+    try:
+        return importlib.import_module(name)
+    except Exception as error:
+        raise LoadError(f"{folder} cannot be imported: {type(error).__name__}: {error}") from error
+
+
+def _forget(package: str) -> None:
+    for name in [n for n in sys.modules if n == package or n.startswith(package + ".")]:
+        del sys.modules[name]
+
+
+def activities_in(folder: Path) -> ActivityFinder:
+    """The activities in a folder, one module each; the modules may import each other relatively."""
+    folder = folder.resolve()
+    name = f"aseme_activities_{next(_numbers)}"
+    package = ModuleType(name, "Activities that a run has loaded.")
+    package.__path__ = [str(folder)]
+    sys.modules[name] = package
+    return from_package(name, folder)

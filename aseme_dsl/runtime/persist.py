@@ -1,0 +1,89 @@
+"""Kept states: what `persist` channels said last, in one JSON file per agent."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from aseme_dsl.runtime.as_json import from_json, to_json
+
+
+class Kept:
+    """The files of a state directory. A file is replaced whole, so that a broken run leaves the old one."""
+
+    def __init__(self, directory: Path) -> None:
+        self._directory = directory
+        self._states: dict[str, dict[tuple[str, str | None], Any]] = {}
+        self._changed: set[str] = set()
+
+    def put(self, agent: str, channel: str, host: str | None, message: Any) -> str | None:
+        """Note what an agent said last; the reason why it cannot be kept, or None."""
+        try:
+            value = to_json(message)
+        except TypeError as error:
+            return f"the state {channel} is not kept: {error}"
+        self._states.setdefault(agent, {})[channel, host] = value
+        self._changed.add(agent)
+        return None
+
+    def save(self) -> list[tuple[str, str]]:
+        """Write what has changed; for each agent where that failed, why."""
+        failed: list[tuple[str, str]] = []
+        while self._changed:
+            agent = min(self._changed)
+            self._changed.discard(agent)
+            path = self._path(agent)
+            part = path.with_name(path.name + ".part")
+            states = [
+                {"channel": channel, "host": host, "message": value}
+                for (channel, host), value in sorted(
+                    self._states[agent].items(), key=lambda item: (item[0][0], item[0][1] or "")
+                )
+            ]
+            try:
+                self._directory.mkdir(parents=True, exist_ok=True)
+                with part.open("w", encoding="utf-8") as file:
+                    json.dump({"format": 1, "agent": agent, "states": states}, file, indent=1)
+                    file.write("\n")
+                    file.flush()
+                    os.fsync(file.fileno())
+                part.replace(path)
+            except OSError as error:
+                failed.append((agent, f"its states are not kept in {path}: {error.strerror or error}"))
+        return failed
+
+    def load(
+        self, agent: str, messages: dict[str, Any]
+    ) -> tuple[list[tuple[str, str | None, Any]], list[str]]:
+        """What an agent said last as (channel, host, message), and what could not be read of it."""
+        path = self._path(agent)
+        try:
+            text = path.read_text("utf-8")
+        except FileNotFoundError:
+            return [], []
+        except (OSError, UnicodeDecodeError) as error:
+            return [], [f"{path} cannot be read: {error}"]
+        try:
+            states = json.loads(text)["states"]
+            entries = [(str(s["channel"]), s["host"], s["message"]) for s in states]
+        except (ValueError, KeyError, TypeError) as error:
+            return [], [f"{path} is not a file of kept states: {error!r}"]
+        found: list[tuple[str, str | None, Any]] = []
+        errors: list[str] = []
+        for channel, host, value in entries:
+            kind = messages.get(channel.rpartition(".")[2])
+            try:
+                if kind is None:
+                    raise ValueError("there is no such message any more")
+                message = from_json(kind, value)
+            except ValueError as error:
+                errors.append(f"the kept state {channel} is left out: {error}")
+                continue
+            self._states.setdefault(agent, {})[channel, host] = value
+            found.append((channel, host, message))
+        return found, errors
+
+    def _path(self, agent: str) -> Path:
+        return self._directory / f"{agent}.json"

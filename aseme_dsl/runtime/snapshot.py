@@ -1,0 +1,235 @@
+"""Snapshots: what a `process` activity sees, taken when it starts and sent to another process."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.runtime.board import Board
+from aseme_dsl.runtime.body import Body
+from aseme_dsl.runtime.context import Context, Doing
+from aseme_dsl.runtime.inputs import Arrived, Identity, Mail
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.execution import Execution
+
+
+class BoardCopy(Board):
+    """Some channels of a blackboard, as they were."""
+
+    __slots__ = ()
+
+    def __init__(self, board: Board, channels: Iterable[str]) -> None:
+        super().__init__()
+        for channel in channels:
+            if channel in board._states:
+                self._states[channel] = dict(board._states[channel])
+            if channel in board._data:
+                self._data[channel] = board._data[channel]
+            if channel in board._signals:
+                self._signals[channel] = list(board._signals[channel])
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """An activity's agent at one moment: what it declares to read, the variables it can see, its mail."""
+
+    agent: str
+    activity: str
+    label: str
+    now: int
+    chance_seed: str
+    reads: tuple[str, ...]
+    board: Board
+    variables: dict[str, Any]
+    mail: tuple[Mail, ...] | None
+    """None outside a protocol's participant."""
+
+
+@dataclass(frozen=True, slots=True)
+class TookSignal:
+    """The activity has taken this signal out of its snapshot."""
+
+    channel: str
+    sender: str
+    identity: Identity
+
+
+@dataclass(frozen=True, slots=True)
+class TookMail:
+    """The activity has taken this agent message out of its snapshot."""
+
+    identity: Identity
+
+
+@dataclass(frozen=True, slots=True)
+class Undeclared:
+    """The activity does something that it does not declare."""
+
+    what: str
+
+
+Told = Doing | TookSignal | TookMail | Undeclared
+"""What is told to the agent while the activity runs."""
+
+
+class SnapshotPort:
+    """The port of a context that stands on a snapshot; what is done is handed to `tell`."""
+
+    def __init__(
+        self,
+        snapshot: Snapshot,
+        tell: Callable[[Told], None],
+        now: Callable[[], int],
+        wait: Callable[[int], None],
+        is_cancelled: Callable[[], bool],
+    ) -> None:
+        self._snapshot = snapshot
+        self._tell = tell
+        self._clock = now
+        self._wait = wait
+        self._is_cancelled = is_cancelled
+        self._mail = list(snapshot.mail or ())
+        self._chance: random.Random | None = None
+
+    @property
+    def agent(self) -> str:
+        return self._snapshot.agent
+
+    @property
+    def label(self) -> str:
+        return self._snapshot.label
+
+    @property
+    def activity(self) -> str:
+        return self._snapshot.activity
+
+    @property
+    def cancelled(self) -> bool:
+        return self._is_cancelled()
+
+    @property
+    def body(self) -> Body[Any, Any]:
+        raise LookupError("a 'process' activity cannot reach the robot's body: publish what it is to do")
+
+    @property
+    def random(self) -> random.Random:
+        if self._chance is None:
+            self._chance = random.Random(self._snapshot.chance_seed)
+        return self._chance
+
+    def now(self) -> int:
+        return self._clock()
+
+    def wait(self, duration: int) -> None:
+        self._wait(duration)
+
+    async def sleep(self, duration: int) -> None:
+        raise RuntimeError("a 'process' activity waits with context.wait(…)")
+
+    def newest(self, channel: str, host: str | None) -> Arrived | None:
+        self._declared(channel)
+        return self._snapshot.board.newest(channel, host)
+
+    def history(self, channel: str, host: str | None) -> tuple[Arrived, ...]:
+        self._declared(channel)
+        return self._snapshot.board.history(channel, host)
+
+    def take(self, channel: str, host: str | None) -> Arrived | None:
+        self._declared(channel)
+        item = self._snapshot.board.take(channel, host)
+        if item is not None:
+            self._tell(TookSignal(channel, item.sender, item.identity))
+        return item
+
+    def variable(self, name: str) -> Any:
+        try:
+            return self._snapshot.variables[name]
+        except KeyError:
+            known = ", ".join(sorted(self._snapshot.variables)) or "none"
+            raise LookupError(f"no variable {name} here; there is {known}") from None
+
+    def receive(self, performative: str | None, message: str | None, sender: str | None) -> Mail | None:
+        if self._snapshot.mail is None:
+            raise LookupError(f"{self.activity} is not part of a protocol's participant here")
+        for item in self._mail:
+            if (
+                performative in (None, item.performative)
+                and message in (None, item.message)
+                and sender in (None, item.sender)
+            ):
+                self._mail.remove(item)
+                self._tell(TookMail(item.identity))
+                return item
+        return None
+
+    def do(self, doing: Doing) -> None:
+        self._tell(doing)
+
+    def _declared(self, channel: str) -> None:
+        if channel not in self._snapshot.reads:
+            self._tell(Undeclared(f"reads {channel}"))
+
+
+def snapshot_of(execution: Execution) -> Snapshot:
+    """What the activity sees now. Called while its agent is guarded."""
+    agent = execution.owner.agent
+    board = BoardCopy(execution.board, execution.info.reads)
+    names = {variable.name.partition("@")[0] for variable in agent.plan.variables}
+    variables: dict[str, Any] = {}
+    for name in sorted(names):
+        try:
+            variables[name] = agent.chart.variable(agent.variable_of(name, execution.label).name)
+        except LookupError:
+            continue  # the variable of a participant that the activity is no part of
+    mail = None if execution.branch is None else tuple(agent.chart.mail[execution.branch])
+    return Snapshot(
+        agent.name,
+        execution.activity,
+        execution.label,
+        execution.now(),
+        execution.chance_seed,
+        execution.info.reads,
+        board,
+        variables,
+        mail,
+    )
+
+
+def tell(execution: Execution, told: Told) -> None:
+    """Do in the agent what its activity says. Raises what the activity's own context would raise."""
+    agent = execution.owner.agent
+    match told:
+        case TookSignal(channel, sender, identity):
+            with agent.driver.guard(agent):
+                item = execution.board.newest(channel, sender)
+                if item is not None and item.identity == identity:
+                    execution.take(channel, sender)
+        case TookMail(identity):
+            with agent.driver.guard(agent):
+                agent.take_mail(execution, None, None, None, identity)
+        case Undeclared(what):
+            execution.owner.undeclared(execution, what)
+        case _:
+            execution.do(told)
+
+
+def run_snapshot(execution: Execution) -> None:
+    """Run a `process` activity in this thread, on a snapshot as if it were in another process."""
+    error: BaseException | None = None
+    try:
+        execution.context.check()
+        port = SnapshotPort(
+            snapshot_of(execution),
+            lambda told: tell(execution, told),
+            execution.now,
+            execution.wait,
+            lambda: execution.cancelled,
+        )
+        assert execution.code is not None
+        execution.code().execute(Context(port))
+    except BaseException as raised:  # whatever it is, the agent must hear of it
+        error = raised
+    execution.returned(error)

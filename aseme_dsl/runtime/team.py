@@ -1,0 +1,348 @@
+"""Teams: agents on one bus, run in virtual or real time until something ends the run."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from aseme_dsl.runtime.activities import ActivityError, ActivityFinder
+from aseme_dsl.runtime.agent import Agent
+from aseme_dsl.runtime.body import World
+from aseme_dsl.runtime.bus import Bus
+from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.conversation import Conversations
+from aseme_dsl.runtime.loading import Loaded, importing
+from aseme_dsl.runtime.radio import Radio
+from aseme_dsl.runtime.scripted import Scripted
+from aseme_dsl.runtime.trace import Listener, Trace
+from aseme_dsl.runtime.virtual import VirtualDriver
+from aseme_dsl.runtime.wire import Schema
+
+
+class TeamError(Exception):
+    """A team cannot run as it is asked to; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class AgentResult:
+    """How an agent ended. `failure` is the reason why it stopped by itself, `at` its place in the source."""
+
+    name: str
+    role: str
+    finished: bool
+    failure: str | None
+    at: str
+    configuration: tuple[str, ...]
+    steps: int
+
+
+@dataclass(frozen=True, slots=True)
+class RunResult:
+    """How a run ended.
+
+    `reason` is "finished" (all agents have ended), "time" (the duration is over), "idle" (nothing would ever
+    happen any more), "interrupted", or what the stop condition said. `trace_error` says why a trace ended
+    before the run.
+    """
+
+    reason: str
+    time: int
+    agents: tuple[AgentResult, ...]
+    trace_error: str | None = None
+
+    @property
+    def failed(self) -> bool:
+        """Whether an agent has stopped by itself without having finished."""
+        return any(agent.failure is not None for agent in self.agents)
+
+
+class Team:
+    """A team that is about to run, and runs once."""
+
+    def __init__(
+        self,
+        agents: Iterable[tuple[str, type[Chart]]],
+        activities: ActivityFinder | Mapping[str, type[Any]],
+        *,
+        system: str = "",
+        messages: Mapping[str, Any] | None = None,
+        schema: Schema | None = None,
+        clock: str = "virtual",
+        seed: int = 1,
+        world: World[Any, Any] | None = None,
+        bodies: Mapping[str, Any] | None = None,
+        until: int | None = None,
+        stop: Callable[[Team], str | None] | None = None,
+        script: Iterable[Scripted] = (),
+        trace: Path | None = None,
+        listeners: Iterable[Listener] = (),
+        state_directory: Path | None = None,
+        path: Sequence[Path] = (),
+    ) -> None:
+        """Put the agents, given with their charts in the team's order, on a bus.
+
+        `until` is in ns; `stop` is asked at every instant at which nothing is left to do, and ends the run
+        with the reason that it gives. `bodies` are the agents' bodies where there is no world. `path` are
+        folders with modules that activities and functions import. `messages` are the message classes by name,
+        which scripts and kept states need; `schema` is how they become bytes, which radio needs.
+
+        Raises:
+            TeamError: two agents of one name, no agents, an activity whose code cannot be loaded, a world
+                that would never end, a script for an agent or channel that there is not.
+            OSError: the trace cannot be written.
+        """
+        members = list(agents)
+        names = [name for name, _ in members]
+        if not members:
+            raise TeamError("a team has at least one agent")
+        if len(set(names)) < len(names):
+            double = next(name for name in names if names.count(name) > 1)
+            raise TeamError(f"two agents are called {double}")
+        if clock not in ("virtual", "real"):
+            raise TeamError(f"the clock is virtual or real, not {clock!r}")
+        if world is not None and until is None and stop is None:
+            raise TeamError("a world never ends by itself: say how long the run is, or what stops it")
+        self.seed = seed
+        self.world = world
+        self.system = system or members[0][1].PLAN.system
+        self._path = tuple(path)
+        self._until = until
+        self._stop = stop
+        self._messages = dict(messages or {})
+        find: ActivityFinder = activities if callable(activities) else dict(activities).get
+        with importing(self._path):
+            self._check_activities({chart.PLAN.name: chart for _, chart in members}.values(), find)
+        self._script = self._checked(tuple(script), members)
+        self.trace = Trace(trace, listeners)
+        self.driver = self._driver(clock)
+        self.bus = Bus(self.driver, self.trace, state_directory)
+        self.conversations = Conversations(self.driver, self.trace)
+        self.agents: tuple[Agent, ...] = tuple(
+            Agent(
+                name,
+                chart(name),
+                find,
+                self.driver,
+                self.bus,
+                self.conversations,
+                self.trace,
+                seed,
+                (bodies or {}).get(name) if world is None else world.bodies.get(name),
+            )
+            for name, chart in members
+        )
+        self._radios: list[Radio] = []
+        for agent in self.agents:
+            radio = None
+            if agent.body is not None and any(info.radio is not None for info in agent.plan.channels):
+                if schema is None:
+                    raise TeamError(f"{agent.name} has a radio, but the messages have no schema for it")
+                radio = Radio(agent, self.bus, schema, names)
+                self._radios.append(radio)
+            self.bus.join(agent, radio)
+            self.conversations.join(agent)
+        self.driver.agents = self.agents
+
+    # ---- making ------------------------------------------------------------------------------
+
+    def _driver(self, clock: str) -> VirtualDriver:
+        driver = VirtualDriver()
+        driver.until = self._until
+        return driver
+
+    def _check_activities(self, charts: Iterable[type[Chart]], find: ActivityFinder) -> None:
+        errors: list[str] = []
+        for chart in charts:
+            for state in chart.PLAN.states:
+                if state.activity is not None:
+                    try:
+                        find(state.activity)
+                    except ActivityError as error:
+                        errors.append(str(error))
+        if errors:
+            raise TeamError("\n".join(dict.fromkeys(errors)))
+
+    def _checked(
+        self, script: tuple[Scripted, ...], members: Sequence[tuple[str, type[Chart]]]
+    ) -> tuple[Scripted, ...]:
+        names = [name for name, _ in members]
+        read = {channel for _, chart in members for region in chart.PLAN.regions for channel in region.reads}
+        for item in script:
+            if item.agent is not None and item.agent not in names:
+                raise TeamError(f"the script is for an agent {item.agent}; there are {', '.join(names)}")
+            if item.channel and item.channel not in read:
+                known = ", ".join(sorted(read)) or "none"
+                raise TeamError(f"nobody in the team reads {item.channel}; there are {known}")
+        return script
+
+    # ---- running -----------------------------------------------------------------------------
+
+    def agent(self, name: str) -> Agent:
+        """The agent of that name. Raises KeyError if there is none."""
+        return next((agent for agent in self.agents if agent.name == name), None) or _unknown(name)
+
+    def run(self) -> RunResult:
+        """Run to the end; activities that still run then are cancelled, and the trace is closed.
+
+        Ctrl-C and SIGTERM end the run cleanly where this is the main thread; a second one at once.
+        """
+        driver = self.driver
+        plans = {agent.name: agent.plan for agent in self.agents}
+        self.trace.header(self.system, plans, self.seed, driver.clock.virtual)
+        try:
+            with importing(self._path), _interruptible(driver.stop):
+                self._prepare()
+                driver.run()
+        finally:
+            self.bus.save()
+            results = tuple(self._result(agent) for agent in self.agents)
+            now = driver.clock.now()
+            self.trace.write(
+                "finish",
+                now,
+                reason=driver.reason or "error",
+                agents=[
+                    {
+                        "name": result.name,
+                        "finished": result.finished,
+                        "failure": result.failure,
+                        "configuration": list(result.configuration),
+                    }
+                    for result in results
+                ],
+            )
+            self.trace.close()
+        return RunResult(driver.reason, now, results, self.trace.error)
+
+    def _prepare(self) -> None:
+        driver = self.driver
+        driver.settled = self._settled
+        driver.advance = self._advance
+        driver.complain = self._complain
+        for agent in self.agents:
+            agent.begin()
+        self.bus.restore(self._messages)
+        for item in self._script:
+            driver.at(item.at, self._giving(item))
+        for radio in self._radios:
+            radio.begin(self.world.step_ns if self.world is not None else None)
+
+    def _giving(self, item: Scripted) -> Callable[[], None]:
+        def give() -> None:
+            for agent in self.agents:
+                if item.agent not in (None, agent.name) or agent.over:
+                    continue
+                if item.event:
+                    self.bus.give_event(agent, item.event)
+                elif any(item.channel in region.reads for region in agent.plan.regions):
+                    self.bus.give(agent, item.channel, item.message, item.sender)
+
+        return give
+
+    def _settled(self) -> str | None:
+        if all(agent.over for agent in self.agents):
+            return "finished"
+        return self._stop(self) if self._stop is not None else None
+
+    def _advance(self, moment: int) -> None:
+        if self.world is not None:
+            self.world.advance(moment)
+        self.bus.save()
+
+    def _complain(self, text: str) -> None:
+        self.trace.fault(self.driver.clock.now(), "", text)
+
+    def _result(self, agent: Agent) -> AgentResult:
+        chart = agent.chart
+        return AgentResult(
+            agent.name,
+            agent.role,
+            chart.finished,
+            chart.failure,
+            agent.failed_at,
+            chart.configuration() if chart.started else (),
+            agent.steps,
+        )
+
+
+def run(
+    loaded: Loaded,
+    activities: ActivityFinder | Mapping[str, type[Any]],
+    *,
+    plan: str | None = None,
+    agent: str | None = None,
+    **options: Any,
+) -> RunResult:
+    """Run a system's team or, with `plan`, one agent (of that name, or called `agent`) with that plan.
+
+    The options are those of `Team`.
+
+    Raises:
+        TeamError: the system has no team or no such plan, and what `Team` raises.
+    """
+    return make_team(loaded, activities, plan=plan, agent=agent, **options).run()
+
+
+def make_team(
+    loaded: Loaded,
+    activities: ActivityFinder | Mapping[str, type[Any]],
+    *,
+    plan: str | None = None,
+    agent: str | None = None,
+    **options: Any,
+) -> Team:
+    """The team of a generated system, ready to run; see `run`."""
+    charts = loaded.charts
+    known = ", ".join(charts) or "none"
+    if plan is not None:
+        if plan not in charts:
+            raise TeamError(f"{loaded.name} has no plan {plan}; it has {known}")
+        members = [(agent or plan, charts[plan])]
+    elif loaded.team:
+        members = [(name, charts[role]) for name, role in loaded.team]
+    elif len(charts) == 1:
+        name, chart = next(iter(charts.items()))
+        members = [(agent or name, chart)]
+    else:
+        raise TeamError(f"{loaded.name} declares no team: say which plan to run; it has {known}")
+    path = (*loaded.path, *options.pop("path", ()))
+    return Team(
+        members,
+        activities,
+        system=loaded.name,
+        messages=loaded.messages,
+        schema=loaded.schema,
+        path=path,
+        **options,
+    )
+
+
+@contextmanager
+def _interruptible(stop: Callable[[str], None]) -> Iterator[None]:
+    """Inside, Ctrl-C and SIGTERM end the run; a second signal acts as if there were no run."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before: dict[int, Any] = {}
+
+    def handle(number: int, frame: FrameType | None) -> None:
+        signal.signal(number, before[number])
+        stop("interrupted")
+
+    for number in (int(signal.SIGINT), int(signal.SIGTERM)):
+        before[number] = signal.signal(number, handle)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _unknown(name: str) -> Agent:
+    raise KeyError(name)

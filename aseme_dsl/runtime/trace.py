@@ -1,0 +1,233 @@
+"""Traces: what happened in a run, as JSON lines that later tools can rely on.
+
+The format is `schemas/trace.schema.json`. Every input has an identity (agent, sequence) in the line that
+tells how it came to be; the line of the step that took it cites it. Under the virtual clock the same seed
+gives the same bytes.
+
+A trace has its own name only when it is complete: until then it is `NAME.part`, so that an earlier trace of
+that name is not lost to a full disk or a broken run.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import threading
+import time
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any, TextIO
+
+from aseme_dsl.runtime.as_json import to_json
+from aseme_dsl.runtime.inputs import Arrived, Cancel, Fault, FunctionResult, Identity, Outcome, Start
+from aseme_dsl.runtime.plan import Plan
+
+FORMAT = 1
+"""The version of the format."""
+
+Record = dict[str, Any]
+Listener = Callable[[Record], None]
+
+_encode = json.JSONEncoder(ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode
+_FLUSH_SECONDS = 1.0
+"""A trace of the real clock is on disk after this time at the latest."""
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema of one line."""
+    path = Path(__file__).parent / "schemas" / "trace.schema.json"
+    found: dict[str, Any] = json.loads(path.read_text("utf-8"))
+    return found
+
+
+class Trace:
+    """Writes the lines of a run, and shows each to those who listen. May be used from any thread.
+
+    A trace that cannot be written any more ends with `error`; the run goes on.
+    """
+
+    def __init__(self, path: Path | None = None, listeners: Iterable[Listener] = ()) -> None:
+        """Raises OSError if there cannot be a file at `path`."""
+        self.path = path
+        self.error: str | None = None
+        self._listeners = tuple(listeners)
+        self._lock = threading.Lock()
+        self._file: TextIO | None = None
+        self._flushed = time.monotonic()
+        if path is not None:
+            self._part = path.with_name(path.name + ".part")
+            self._file = self._part.open("w", encoding="utf-8", newline="\n")
+        self.active = self._file is not None or bool(self._listeners)
+        """Whether anybody reads what is written: who has a costly line to write asks first."""
+
+    def write(self, kind: str, moment: int, **members: Any) -> None:
+        """Write a line. Members that are None or empty tuples are left out."""
+        if not self.active:
+            return
+        record: Record = {"kind": kind, "time": moment}
+        for name, value in members.items():
+            if value is not None and value != ():
+                record[name] = value
+        with self._lock:
+            for listener in self._listeners:
+                listener(record)
+            if self._file is not None:
+                self._put(self._file, record)
+
+    def _put(self, file: TextIO, record: Record) -> None:
+        try:
+            file.write(_encode(record) + "\n")
+            if time.monotonic() - self._flushed > _FLUSH_SECONDS:
+                file.flush()
+                self._flushed = time.monotonic()
+        except (OSError, ValueError) as error:
+            self._give_up(error)
+
+    def close(self) -> None:
+        """Put everything on disk, under the trace's own name."""
+        with self._lock:
+            file, self._file = self._file, None
+            self.active = bool(self._listeners)
+            if file is None or self.path is None:
+                return
+            try:
+                file.flush()
+                os.fsync(file.fileno())
+                file.close()
+                self._part.replace(self.path)
+            except OSError as error:
+                self._file = file
+                self._give_up(error)
+
+    def _give_up(self, error: Exception) -> None:
+        file, self._file = self._file, None
+        self.active = bool(self._listeners)
+        reason = getattr(error, "strerror", None) or str(error)
+        self.error = f"the trace {self.path} ends early: {reason}; what was written is in {self._part.name}"
+        if file is not None:
+            with contextlib.suppress(OSError):  # the disk is still full; that is already noted
+                file.close()
+
+    # ---- the lines ---------------------------------------------------------------------------
+
+    def header(
+        self,
+        system: str,
+        plans: Mapping[str, Plan],
+        seed: int,
+        virtual: bool,
+    ) -> None:
+        """The first line: which agents run which models, and under which clock."""
+        self.write(
+            "header",
+            0,
+            format=FORMAT,
+            system=system,
+            seed=seed,
+            clock="virtual" if virtual else "real",
+            start=None if virtual else time.strftime("%Y-%m-%dT%H:%M:%S%z"),
+            agents=[
+                {"name": name, "role": plan.name, "model": plan.model, "source": plan.source}
+                for name, plan in plans.items()
+            ],
+        )
+
+    def message(
+        self,
+        moment: int,
+        identity: Identity,
+        channel: str,
+        message: Any,
+        to: Iterable[str],
+        *,
+        host: str | None = None,
+        region: str | None = None,
+        activity: str | None = None,
+        sender: str | None = None,
+        via: str | None = None,
+    ) -> None:
+        """A message was published and goes to the agents `to` (by radio: to whoever hears it)."""
+        if self.active:
+            self.write(
+                "message",
+                moment,
+                agent=identity[0],
+                sequence=identity[1],
+                channel=channel,
+                message=to_json(message),
+                host=host,
+                region=region,
+                activity=activity,
+                sender=sender,
+                via=via,
+                to=list(to),
+            )
+
+    def step(
+        self,
+        moment: int,
+        agent: str,
+        plan: Plan,
+        number: int,
+        inputs: Iterable[Identity],
+        ahead: Iterable[Arrived],
+        outcome: Outcome,
+        configuration: tuple[str, ...],
+    ) -> None:
+        """A step: the inputs it took, the transitions it took, the functions it called, where it led."""
+        if not self.active:
+            return
+        transitions = plan.transitions
+        self.write(
+            "step",
+            moment,
+            agent=agent,
+            step=number,
+            inputs=[list(identity) for identity in inputs],
+            ahead=[list(item.identity) for item in ahead] or None,
+            taken=[
+                {
+                    "transitions": list(numbers),
+                    "source": transitions[numbers[0]].source,
+                    "target": transitions[numbers[-1]].target,
+                    "text": " ; ".join(text for n in numbers if (text := transitions[n].text)),
+                }
+                for numbers in outcome.taken
+            ],
+            functions=[
+                {"function": effect.function, "value": to_json(effect.value)}
+                for effect in outcome.effects
+                if isinstance(effect, FunctionResult)
+            ]
+            or None,
+            configuration=list(configuration),
+            again=outcome.again or None,
+            finished=outcome.finished or None,
+        )
+        for effect in outcome.effects:
+            if isinstance(effect, Fault):
+                at = transitions[effect.transition].at
+                self.fault(moment, agent, effect.reason, at, transition=effect.transition)
+
+    def activity(self, what: str, moment: int, agent: str, effect: Start | Cancel, **members: Any) -> None:
+        """Something in the life of an activity: start, hold, wait, end, crash, cancel, late, missed, …"""
+        if self.active:
+            self.write(
+                "activity",
+                moment,
+                agent=agent,
+                what=what,
+                label=effect.label,
+                activity=effect.activity,
+                token=effect.token,
+                **members,
+            )
+
+    def fault(self, moment: int, agent: str, reason: str, at: str = "", **members: Any) -> None:
+        """Something could not be done; the agent goes on."""
+        self.write("fault", moment, agent=agent, reason=reason, at=at or None, **members)
+
+    def failure(self, moment: int, agent: str, reason: str, at: str = "", **members: Any) -> None:
+        """The agent stops."""
+        self.write("error", moment, agent=agent, reason=reason, at=at or None, **members)
