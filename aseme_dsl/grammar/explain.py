@@ -35,8 +35,8 @@ _PHRASES = {
     "SignedInteger": "a whole number",
     "Most": "a whole number or '*'",
     "Count": "a number",
-    "Duration": "a duration, as 200ms",
-    "Label": "a label, as 0.2.1",
+    "Duration": "a duration (as 200ms)",
+    "Label": "a label (as 0.2.1)",
     "FormulaToken": "a formula",
     "ProcessToken": "a formula",
     "TermToken": "a term of the formula",
@@ -47,10 +47,10 @@ _PHRASES = {
 _ENTRIES = {
     "JunkDeclaration": "a declaration",
     "JunkConstant": "a constant or '}'",
-    "JunkField": "a field, as 'double x', or '}'",
-    "JunkFormula": "a formula, as 'NAME = A . B', or '}'",
+    "JunkField": "a field (as 'double x') or '}'",
+    "JunkFormula": "a formula (as 'NAME = A . B') or '}'",
     "JunkActivity": "an activity or '}'",
-    "JunkAgents": "an agent, as 'robot1 : player', or '}'",
+    "JunkAgents": "an agent (as 'robot1 : player') or '}'",
 }
 """What a block holds, where its words do not say it."""
 
@@ -88,9 +88,9 @@ class _Explanation:
         swallowed = self._name_on_the_next_line()
         if swallowed is not None:
             return swallowed
-        misspelt = self._misspelt()
-        if misspelt is not None:
-            return misspelt
+        typical = self._misspelt() or self._no_colon() or self._hyphen() or self._late_language()
+        if typical is not None:
+            return typical
         if found.isdigit() and tokens.word(self.index + 1) in UNITS and self._expects("Duration"):
             return self._blank_before_unit()
         previous = tokens.word(self.index - 1)
@@ -179,6 +179,55 @@ class _Explanation:
                 )
         return None
 
+    def _no_colon(self) -> Diagnostic | None:
+        """In `enter KickBall [can_kick(ball)]` the colon is missing where the term is complete."""
+        tokens = self.tokens
+        if (
+            self.mistake.kind != "JunkControl"
+            or not self._expects_literal(":")
+            or self.index - 1 <= self.first
+        ):
+            return None
+        if tokens.word(self.first) not in self.words:
+            return None
+        complete = False
+        place = self.index
+        for index in range(self.first + 1, self.index):
+            word = tokens.word(index)
+            begins_operand = word in ("[", "(") or word[:1].isalpha()
+            counts = word == "[" and tokens.word(index + 1).isdigit()
+            if complete and begins_operand and not counts:
+                place = index
+                break
+            complete = word not in (".", "|", "||", "[", "(")
+        before = tokens.word(place - 1)
+        message = f"expected ':' after {shown(before)}, found {shown(tokens.word(place))}"
+        if place == len(tokens):
+            message = f"expected ':' after {shown(before)}, but the file ends"
+        hint = f"write {tokens.word(self.first)} TERM : event [condition] / actions"
+        return Diagnostic("E100", message, self._span(place - 1), hint=hint)
+
+    def _hyphen(self) -> Diagnostic | None:
+        tokens = self.tokens
+        here = self.index
+        before, after = tokens.word(here - 1), tokens.word(here + 1)
+        joined = (
+            tokens.word(here) == "-"
+            and before[:1].isalpha()
+            and after[:1].isalpha()
+            and tokens.ends[here - 1] + 1 == tokens.ends[here] == tokens.starts[here + 1]
+        )
+        if not joined:
+            return None
+        span = Span(self.lexed.source, tokens.starts[here - 1], tokens.ends[here + 1])
+        name = f"{before}_{after}"
+        return Diagnostic("E100", f"{shown(span.text)} is not a name", span, hint=f"write {name}", fix=name)
+
+    def _late_language(self) -> Diagnostic | None:
+        if self.index != self.first or self.tokens.word(self.index) != "language":
+            return None
+        return Diagnostic("E100", "'language' can only stand first in a file", self._span(self.index))
+
     def _blank_before_unit(self) -> Diagnostic:
         tokens = self.tokens
         number, unit = tokens.word(self.index), tokens.word(self.index + 1)
@@ -190,6 +239,9 @@ class _Explanation:
 
     def _expects(self, rule: str) -> bool:
         return any(item.rule_name == rule for item in self.mistake.expected)
+
+    def _expects_literal(self, text: str) -> bool:
+        return any(not item.rule_name and item.to_match == text for item in self.mistake.expected)
 
     def _keywords(self) -> list[str]:
         words: list[str] = []
@@ -222,7 +274,10 @@ class _Explanation:
         return _alternatives(phrases)
 
     def _what_may_stand_here(self) -> str | None:
+        tokens = self.tokens
         if self.mistake.kind == "JunkDeclaration" and self.index == self.first:
+            if tokens.word(self.first - 2) == "import" and tokens.word(self.index) in (".", "/", "-"):
+                return "a path stands in double quotes"
             return "declarations begin with " + _alternatives(list(self.words))
         return None
 

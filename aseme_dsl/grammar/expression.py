@@ -120,7 +120,9 @@ class _Reader:
             return self.take()
         if opener is not None and self.index == len(self.tokens):
             raise self.unexpected(f"'{text}'", related=(self._still_open(opener),))
-        raise self.unexpected(f"'{text}'", related=(self._still_open(opener),) if opener else ())
+        raise self.unexpected(
+            f"an operator or '{text}'", related=(self._still_open(opener),) if opener else ()
+        )
 
     def need_name(self, what: str) -> tree.Name:
         if self.index == len(self.tokens) or not _is_name(self.next) or self.next in RESERVED:
@@ -168,7 +170,7 @@ class _Reader:
             condition = self.expression()
             self.need("]", opener)
         elif when:
-            raise self.unexpected("'[' and a condition after 'when'")
+            raise self.unexpected("'[' and a condition")
         if self.next == "/":
             self.take()
             while True:
@@ -213,7 +215,7 @@ class _Reader:
             performative = self.need_name("a performative")
             message = self.need_name("a message")
             if self.next != "from":
-                raise self._no_from(first, message)
+                raise self._no_from()
             self.take()
             participant = self.need_name("the participant that sends the message")
             return tree.Received(performative, message, participant, self.since(first.start))
@@ -258,8 +260,8 @@ class _Reader:
 
     def send(self) -> tree.Send:
         start = self.take().start
-        performative = self.need_name("a performative after 'send'")
-        message = self.need_name(f"a message after {shown(performative.text)}")
+        performative = self.need_name("a performative")
+        message = self.need_name("a message")
         if self.next != "to":
             raise self.unexpected("'to' and a participant")
         self.take()
@@ -349,7 +351,7 @@ class _Reader:
                 self.take()
                 arguments.append(self.expression())
         if self.next != ")":
-            raise self.unexpected("',' or ')'", related=(self._still_open(opener),))
+            raise self.unexpected("an operator, ',' or ')'", related=(self._still_open(opener),))
         self.take()
         return self.grown(tree.Call(path, tuple(arguments), self.since(first.start)), *arguments)
 
@@ -414,8 +416,10 @@ class _Reader:
         fix: str | None = None
         if found in _MEANT and previous is not None:
             fix, hint = _MEANT[found]
-        if found == "=" and previous in ("=", "<", ">", "!"):
-            hint, fix = "comparisons are written <= >= == !=", None
+        if found == "=" and previous is not None:
+            after_it = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else ""
+            if after_it in ("<", ">") or previous in ("<", ">", "==", "!="):
+                hint, fix = "comparisons are written < <= > >= == !=", None
         if found in RESERVED:
             hint = f"{shown(found)} cannot be a name here"
         following = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else None
@@ -468,9 +472,9 @@ class _Reader:
             related=(Related(left.operator_span, "the first comparison"),),
         )
 
-    def _no_from(self, first: Token, message: tree.Name) -> Malformed:
+    def _no_from(self) -> Malformed:
         if self.index == len(self.tokens):
-            return self.unexpected(f"'from' and a participant after {shown(message.text)}")
+            return self.unexpected("'from' and a participant")
         found = self.tokens[self.index]
         if _is_name(found) and closest(found, ("from",)):
             return self.error(
@@ -487,6 +491,8 @@ class _Reader:
         else:
             condition = self.tokens[start:]
         if condition and (_is_name(first) or first in ("!", "(", "-") or first[0].isdigit()):
+            if condition[-1] == "]":
+                return self.error("E102", f"'[' is missing before {shown(first)}", first, fix=f"[{first}")
             last = condition[-1]
             span = Span(self.source, first.start, last.end)
             bracketed = f"[{span.text}]"

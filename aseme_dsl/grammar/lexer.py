@@ -28,6 +28,8 @@ _COMMON = r"""
 _ASCII = re.compile(_COMMON, re.VERBOSE)
 _UNICODE = re.compile(r"(?P<word> [^\W\d]\w* ) | " + _COMMON, re.VERBOSE)
 
+_QUOTES = re.compile(r'[\\"]')
+_END_OF_LINE = re.compile(r"[\s{}]*$")
 _ESCAPE = re.compile(r"\\.")
 _GOOD_NUMBER = re.compile(r"[0-9]+(?:\.[0-9]+)*|[0-9]+(?:\.[0-9]+)?(?:ms|s|min)", re.ASCII)
 _NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d]+)")
@@ -213,19 +215,14 @@ class _Cleaner:
                     "E105", f"{shown(escape.group())} means nothing in a text", begin, begin + 2, hint
                 )
 
-    def _open_text(self, text: str, start: int) -> None:
-        text = text.rstrip("\r")
-        self._report(
-            "E104",
-            "the text that begins here is not closed on its line",
-            start,
-            start + len(text),
-            "write '\"' at its end",
-        )
-        if len(text) > 1:
-            self.replaced.append((start, '"' + re.sub(r'[\\"]', "_", text[1:-1]) + '"'))
-        else:
-            self.replaced.append((start, " "))
+    def _open_text(self, text: str, start: int) -> int:
+        text = _END_OF_LINE.sub("", text)  # braces at its end are rather those of a block
+        end = start + len(text)
+        message = "the text that begins here is not closed on its line"
+        self._report("E104", message, start, end, "write '\"' at its end")
+        meant = " " if len(text) == 1 else '"' + _QUOTES.sub("_", text[1:-1]) + '"'
+        self.replaced.append((start, meant))
+        return end
 
     def _quoted(self, text: str, start: int) -> None:
         self._report(
@@ -236,7 +233,7 @@ class _Cleaner:
             hint="write '\"' at both ends",
             fix='"' + text[1:-1].replace("\\", "\\\\").replace('"', '\\"') + '"',
         )
-        self.replaced.append((start, '"' + re.sub(r'[\\"]', "_", text[1:-1]) + '"'))
+        self.replaced.append((start, '"' + _QUOTES.sub("_", text[1:-1]) + '"'))
 
     def _number(self, text: str, start: int) -> None:
         if _GOOD_NUMBER.fullmatch(text):

@@ -66,7 +66,7 @@ class Progress:
     def note(self, kind: str, start: int, end: int, place: int, expected: tuple[Any, ...]) -> None:
         """Remember a mistake, unless nothing has been understood since the last one."""
         tokens = self.lexed.tokens
-        if tokens.at(start) != self.quiet_before:
+        if tokens.at(place) != self.quiet_before:
             opener = self.openers[-1] if self.openers else None
             self.mistakes.append(Mistake(kind, start, end, place, expected, opener))
         self.quiet_before = tokens.at(end)
