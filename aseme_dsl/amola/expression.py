@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from decimal import Decimal
 
-from aseme_dsl.amola.messages import BOOL, DURATION, Channel, Function, Type
+from aseme_dsl.amola.messages import BOOL, DURATION, Channel, Function, Kind, Type
 from aseme_dsl.source import Span
 
 # ---- values ------------------------------------------------------------------------------------
@@ -16,7 +17,7 @@ from aseme_dsl.source import Span
 
 @dataclass(frozen=True, slots=True)
 class Literal:
-    """A constant; a duration's value is in ns."""
+    """A constant; a duration's value is in ns. The initial value of an enum is its constant's name."""
 
     value: bool | int | float | str
     type: Type
@@ -374,6 +375,15 @@ def _decimal(amount: int, unit: int) -> str:
     return f"{whole}.{str(rest).rjust(len(str(unit)) - 1, '0').rstrip('0')}" if rest else str(whole)
 
 
+def _number(number: int | float) -> str:
+    """The shortest digits that mean this number, without an exponent: the language has none."""
+    text = repr(number)
+    if "e" not in text:
+        return text
+    text = format(Decimal(text), "f")
+    return text if "." in text else f"{text}.0"
+
+
 def _quoted(text: str) -> str:
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
     return f'"{escaped}"'
@@ -388,11 +398,11 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 if isinstance(constant, bool):
                     text = "true" if constant else "false"
                 elif isinstance(constant, str):
-                    text = _quoted(constant)
+                    text = f"{kind}.{constant}" if kind.kind is Kind.ENUM else _quoted(constant)
                 elif kind == DURATION:
                     text = duration_text(int(constant))
                 else:
-                    text = repr(constant)
+                    text = _number(constant)
             case EnumConstant(constant=constant, type=kind):
                 text = f"{kind.name}.{constant}"
             case VariableValue(name=name):

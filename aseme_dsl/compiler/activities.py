@@ -64,7 +64,7 @@ def _read(checker: Checker, written: tree.ActivityRead) -> Subscription | None:
                 if symbols.message(topic.text) is not None:
                     channels = symbols.channels_of(topic.text)
                     hint = f"it is a message: `{channels[0]}`" if channels else "it is a message"
-                checker.diagnostics.append(unknown("E502", "there is no topic", topic, pool, hint))
+                checker.diagnostics.append(unknown("E502", "there is no topic", topic, pool, certain=hint))
             return None
         if history is not None:
             hint = f"name the message: `{topic}.data.Message for {history.span.text}`"

@@ -30,8 +30,9 @@ def function_name(checker: Checker, written: tree.Call) -> str | None:
         return name.text
     if not symbols.is_excused(name.text):
         pool = (*symbols.function_names, *FORMS)
-        hint = providers(name.text) or "declare it, or import the file that does"
-        checker.diagnostics.append(unknown("E502", "there is no function", name, pool, hint))
+        hint = "declare it, or import the file that does"
+        found = unknown("E502", "there is no function", name, pool, hint, certain=providers(name.text))
+        checker.diagnostics.append(found)
     return None
 
 

@@ -8,6 +8,7 @@ from typing import TypeVar
 
 from aseme_dsl.amola.messages import BUILT_IN, Kind, Type
 from aseme_dsl.compiler.builtins import OTHER_SPELLINGS
+from aseme_dsl.compiler.library import providers
 from aseme_dsl.compiler.names import unknown
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
@@ -67,5 +68,7 @@ def type_named(
         )
         return None
     pool = (*BUILT_IN, *enums, *messages)
-    collector.diagnostics.append(unknown("E200", "there is no type", name, pool, "declare it or import it"))
+    hint = "declare it or import it"
+    found = unknown("E200", "there is no type", name, pool, hint, certain=providers(name.text))
+    collector.diagnostics.append(found)
     return None

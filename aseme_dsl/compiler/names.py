@@ -11,9 +11,20 @@ from aseme_dsl.source import Span
 
 
 def unknown(
-    code: str, what: str, name: tree.Name, candidates: Iterable[str], hint: str | None = None
+    code: str,
+    what: str,
+    name: tree.Name,
+    candidates: Iterable[str],
+    hint: str | None = None,
+    *,
+    certain: str | None = None,
 ) -> Diagnostic:
-    """`name` is not declared; a declared one that is close is offered, else `hint`, else all."""
+    """`name` is not declared; a declared one that is close is offered, else `hint`, else all.
+
+    `certain` is a hint that is better than any name that is close.
+    """
+    if certain is not None:
+        return Diagnostic(code, f"{what} `{name.text}`", name.span, hint=certain)
     pool = sorted(set(candidates))
     near = closest(name.text, pool)
     if near:

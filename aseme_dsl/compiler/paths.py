@@ -118,7 +118,7 @@ def _unknown_word(checker: Checker, name: tree.Name) -> None:
         return
     pool = (*scope.variables, *scope.lets, *(enum.name for enum in symbols.enums))
     checker.diagnostics.append(
-        unknown("E200", "there is no variable or let", name, pool, providers(name.text) or "declare it")
+        unknown("E200", "there is no variable or let", name, pool, "declare it", certain=providers(name.text))
     )
 
 
@@ -188,7 +188,7 @@ def _topic(checker: Checker, name: tree.Name) -> Topic | None:
     if topic is None and not symbols.is_excused(name.text):
         pool = [item.name for item in symbols.topics]
         checker.diagnostics.append(
-            unknown("E502", "there is no topic", name, pool, providers(name.text) or "declare it")
+            unknown("E502", "there is no topic", name, pool, "declare it", certain=providers(name.text))
         )
     return topic
 
@@ -226,8 +226,16 @@ def _no_class(checker: Checker, path: tree.Path) -> None:
     if on_host:
         checker.diagnostics.append(unknown("E513", "there is no agent", first, symbols.agents))
         return
-    hint = providers(first.text) or "a message is read as `topic.state.Message.member`"
-    checker.diagnostics.append(unknown("E502", "there is no topic, variable, let or enum", first, pool, hint))
+    checker.diagnostics.append(
+        unknown(
+            "E502",
+            "there is no topic, variable, let or enum",
+            first,
+            pool,
+            "a message is read as `topic.state.Message.member`",
+            certain=providers(first.text),
+        )
+    )
 
 
 def _wrong_class(checker: Checker, topic: tree.Name, comm: tree.Name) -> None:
@@ -275,7 +283,11 @@ def _no_channel(checker: Checker, topic: Topic, comm: tree.Name, message: tree.N
     pool = pool or [item.channel.message for item in topic.channels]
     checker.diagnostics.append(
         unknown(
-            "E502", f"the topic `{topic.name}` carries no message", message, pool, providers(message.text)
+            "E502",
+            f"the topic `{topic.name}` carries no message",
+            message,
+            pool,
+            certain=providers(message.text),
         )
     )
 

@@ -10,6 +10,7 @@ from aseme_dsl.amola.messages import Channel, ChannelRules, Comm, Message, Topic
 from aseme_dsl.codegen.radio import KIND_BYTES, MOST_KINDS, Unfit, parts
 from aseme_dsl.compiler.builtins import COMM_TYPES, reserved
 from aseme_dsl.compiler.collector import Collector
+from aseme_dsl.compiler.library import providers
 from aseme_dsl.compiler.names import declared_twice, unknown
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Related
@@ -115,8 +116,9 @@ def _channels(
             if symbols.message(name.text) is None:
                 if not symbols.is_excused(name.text):
                     pool = [item.name for item in symbols.messages]
-                    hint = "it is an enum" if symbols.enum(name.text) else None
-                    collector.diagnostics.append(unknown("E502", "there is no message", name, pool, hint))
+                    certain = "it is an enum" if symbols.enum(name.text) else providers(name.text)
+                    found_none = unknown("E502", "there is no message", name, pool, certain=certain)
+                    collector.diagnostics.append(found_none)
                     collector.wrong.add(name.text)
                 continue
             channel = Channel(topic.name.text, comm, name.text)

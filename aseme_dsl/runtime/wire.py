@@ -87,9 +87,9 @@ class Schema:
         pool = descriptor_pool.DescriptorPool()
         files = descriptor_pb2.FileDescriptorSet.FromString(base64.b64decode(self.descriptors))
         for file in files.file:
-            pool.Add(file)  # type: ignore[no-untyped-call]
+            pool.Add(file)
         return {
-            kind: message_factory.GetMessageClass(pool.FindMessageTypeByName(name))  # type: ignore[no-untyped-call]
+            kind: message_factory.GetMessageClass(pool.FindMessageTypeByName(name))
             for kind, name in self.classes.items()
         }
 
