@@ -15,7 +15,7 @@ from aseme_dsl.grammar.expression import (
     read_text,
     read_transition,
 )
-from aseme_dsl.grammar.formula import RESERVED, read_formula
+from aseme_dsl.grammar.formula import BUILT_IN_TYPES, RESERVED, read_formula
 from aseme_dsl.grammar.lexer import shown
 from aseme_dsl.grammar.recovery import BLOCKS
 from aseme_dsl.grammar.token import Token
@@ -24,7 +24,6 @@ from aseme_dsl.source import Source, Span
 _T = TypeVar("_T")
 
 VERBS = BLOCKS["JunkControl"].words
-BUILT_IN_TYPES = ("bool", "int", "double", "string", "bytes", "duration")
 COMM_TYPES = ("signal", "state", "data")
 _COUNTS = {"one": 1, "two": 2, "three": 3}
 _LONGEST_INTEGER = 18
@@ -80,9 +79,13 @@ class _Builder:
         return tree.Name(str(text), Span(self.source, text.start, text.start + len(text)))
 
     def new_name(self, text: Token, what: str, words: Sequence[str] = ()) -> tree.Name:
-        """A name that is declared: `words` are those of the language that cannot be one in its block."""
+        """A name that is declared, and is none of the words of its block nor of those that no name can be."""
+        return self.checked_name(text, what, (*RESERVED, *BUILT_IN_TYPES, *words))
+
+    def checked_name(self, text: Token, what: str, words: Sequence[str]) -> tree.Name:
+        """A name that is declared, and is none of `words`; the compiler refuses what no name can be."""
         made = self.name(text)
-        if text in RESERVED or text in BUILT_IN_TYPES or text in words:
+        if text in words:
             kind = "a type" if text in BUILT_IN_TYPES else "a word of the language here"
             message = f"{shown(text)} cannot be the name of {what}: it is {kind}"
             self.diagnostics.append(Diagnostic("E106", message, made.span, hint=f"{text}_ can"))
@@ -136,35 +139,35 @@ class _Builder:
         return tree.Import(target, self.span(node))
 
     def let(self, node: Any, words: Sequence[str] = ()) -> tree.Let | None:
-        name = self.new_name(node.name, "a let", words)
+        name = self.checked_name(node.name, "a let", words)
         expression = self.tried(lambda: read_expression(self.source, node.tokens))
         return tree.Let(name, expression, self.span(node)) if expression is not None else None
 
     def var(self, node: Any, words: Sequence[str] = ()) -> tree.Var:
-        name = self.new_name(node.name, "a variable", words)
+        name = self.checked_name(node.name, "a variable", words)
         initial = self.tried(lambda: read_expression(self.source, node.tokens)) if node.tokens else None
         return tree.Var(name, self.name(node.type), initial, self.span(node))
 
     # ---- messages ------------------------------------------------------------------------------
 
     def enum(self, node: Any) -> tree.Enum:
-        name = self.new_name(node.name, "an enum")
+        name = self.name(node.name)
 
         def constant(entry: Any) -> tree.EnumConstant:
             number = self.integer(entry.number) if entry.number else None
-            return tree.EnumConstant(self.new_name(entry.name, "a constant"), number, self.span(entry))
+            return tree.EnumConstant(self.name(entry.name), number, self.span(entry))
 
         return tree.Enum(name, self.all(constant, node.constants), self.span(node))
 
     def message(self, node: Any) -> tree.Message:
-        name = self.new_name(node.name, "a message", COMM_TYPES)
+        name = self.checked_name(node.name, "a message", COMM_TYPES)
 
         def field(entry: Any) -> tree.Field:
             number = self.integer(entry.number) if entry.number else None
             return tree.Field(
                 str(entry.label or ""),
                 self.name(entry.type),
-                self.new_name(entry.name, "a field"),
+                self.name(entry.name),
                 number,
                 self.span(entry),
             )
@@ -172,7 +175,7 @@ class _Builder:
         return tree.Message(name, self.all(field, node.fields), self.span(node))
 
     def topic(self, node: Any) -> tree.Topic:
-        name = self.new_name(node.name, "a topic", COMM_TYPES)
+        name = self.name(node.name)
         under = self.name(node.under[0]) if node.under else None
         radio = self.integer_number(node.radio[0]) if node.radio else None
         for what, given in (("'under'", node.under), ("'radio'", node.radio)):
@@ -213,7 +216,7 @@ class _Builder:
             )
 
         return tree.Function(
-            self.new_name(node.name, "a function"),
+            self.name(node.name),
             self.all(parameter, node.parameters),
             self.name(node.result),
             self.text(node.target),

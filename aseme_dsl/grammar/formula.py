@@ -25,6 +25,7 @@ _INFIX = {".": Operator.SEQUENCE, "|": Operator.CHOICE, "||": Operator.PARALLEL}
 _CLOSES = {"(": ")", "[": "]", "|": "|"}
 
 RESERVED = ("else", "when", "and", "or", "not", "true", "false")
+BUILT_IN_TYPES = ("bool", "int", "double", "string", "bytes", "duration")
 """Words that cannot be names anywhere."""
 
 _OPERATORS = "'.' is one after the other, '|' one of both, '||' both at once"
@@ -90,7 +91,7 @@ class _Reader:
                     group = _Group(token)
                     self.groups.append(group)
                 elif _is_name(token):
-                    if token in RESERVED:
+                    if token in RESERVED or token in BUILT_IN_TYPES:
                         raise self._error("E106", f"{shown(token)} cannot be an activity or formula", token)
                     name = Formula(Operator.NAME, (), self._span(token), name=str(token))
                     group.sequence.append((name, 1))

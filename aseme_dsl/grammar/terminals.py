@@ -15,13 +15,13 @@ An entry that has been begun by `{` never fails, so no block is parsed twice and
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from arpeggio import EndOfFile, Match, NoMatch, ParsingExpression, RegExMatch, Terminal
+from arpeggio import EndOfFile, Match, NoMatch, OneOrMore, Optional, RegExMatch, Repetition, Terminal
 
 from aseme_dsl.grammar.lexer import Lexed, clean
 from aseme_dsl.grammar.recovery import BLOCKS, end_of_header, end_of_junk, is_outside, is_stray_brace
@@ -53,6 +53,14 @@ class Progress:
     quiet_before: int = -1
     openers: list[int] = field(default_factory=list)
     mistakes: list[Mistake] = field(default_factory=list)
+
+    def fail(self, rule: Any, position: int) -> None:
+        """Remember that `rule` has not matched at `position`."""
+        if position > self.farthest:
+            self.farthest = position
+            self.expected = [rule]
+        elif position == self.farthest:
+            self.expected.append(rule)
 
     def is_stray(self, brace: int) -> bool:
         """Whether the `}` at `brace` is too much: see `is_stray_brace`."""
@@ -98,8 +106,13 @@ def metamodel() -> Any:
     parser.comments_model = None  # `clean` has blanked them
     parser.__class__ = type("AsemeParser", (_Parser, type(parser)), {})
     braces = {"Open": _open, "Close": _close}
-    for rule, owner in terminals(made):
-        if rule.rule_name in BLOCKS:
+    for rule, owner in list(_rules(parser.parser_model)):
+        if isinstance(rule, Repetition) and isinstance(rule.nodes[0], RegExMatch) and rule.sep is None:
+            if not isinstance(rule, Optional):
+                rule._parse = _tokens(rule.nodes[0], isinstance(rule, OneOrMore))
+        elif not isinstance(rule, Match) or isinstance(rule, EndOfFile):
+            continue
+        elif rule.rule_name in BLOCKS:
             rule.parse = _junk(rule)
         elif rule.rule_name == "JunkHeader":
             rule.parse = _missing_open(rule)
@@ -110,11 +123,10 @@ def metamodel() -> Any:
     return made
 
 
-def terminals(made: Any) -> list[tuple[Any, str]]:
-    """Every terminal of the grammar with the name of the rule in which it stands."""
-    found: dict[int, tuple[Any, str]] = {}
+def _rules(top: Any) -> Iterator[tuple[Any, str]]:
+    """Every parsing expression of a grammar, with the name of the rule in which it stands."""
     seen: set[int] = set()
-    todo: list[tuple[Any, str]] = [(made._parser_blueprint.parser_model, "")]
+    todo: list[tuple[Any, str]] = [(top, "")]
     while todo:
         rule, owner = todo.pop()
         if id(rule) in seen:
@@ -122,16 +134,9 @@ def terminals(made: Any) -> list[tuple[Any, str]]:
         seen.add(id(rule))
         if rule.rule_name and rule.root and not rule.rule_name.startswith("__asgn"):
             owner = rule.rule_name
-        if isinstance(rule, Match):
-            if not isinstance(rule, EndOfFile):
-                found[id(rule)] = (rule, owner)
-            continue
-        parts: list[ParsingExpression] = list(reversed(rule.nodes))
+        yield rule, owner
         separator = getattr(rule, "sep", None)
-        if separator is not None:
-            parts.append(separator)
-        todo += [(part, owner) for part in parts]
-    return list(found.values())
+        todo += [(part, owner) for part in (*rule.nodes, separator) if part is not None]
 
 
 _BLANKS = re.compile(r"[ \t\r\n]*")
@@ -154,20 +159,36 @@ def _terminal(rule: Any, brace: Callable[[Progress, int], bool] | None) -> Calla
         match = re.compile(re.escape(rule.to_match)).match
 
     def parse(parser: Any) -> Any:
-        progress = parser.progress
         position = _skip_blanks(parser)
         found = match(parser.input, position)
         if found is None:
-            if position > progress.farthest:
-                progress.farthest = position
-                progress.expected = [rule]
-            elif position == progress.farthest:
-                progress.expected.append(rule)
+            parser.progress.fail(rule, position)
             raise NoMatch([rule], position, parser)
-        if brace is not None and not brace(progress, position):
+        if brace is not None and not brace(parser.progress, position):
             raise NoMatch([rule], position, parser)
         parser.position = found.end()
         return Terminal(rule, position, token(found.group(), position))
+
+    return parse
+
+
+def _tokens(rule: Any, at_least_one: bool) -> Callable[[Any], Any]:
+    """`_parse` of a flat list of tokens, which most of a file consists of: the same in one loop."""
+    match = rule.regex.match
+    blanks = _BLANKS.match
+
+    def parse(parser: Any) -> Any:
+        text = parser.input
+        results: list[Any] = []
+        position = _skip_blanks(parser)
+        while (found := match(text, position)) is not None:
+            results.append(Terminal(rule, position, token(found.group(), position)))
+            parser.position = found.end()
+            position = blanks(text, parser.position).end()  # type: ignore[union-attr]
+        parser.progress.fail(rule, position)
+        if at_least_one and not results:
+            raise NoMatch([rule], position, parser)
+        return results
 
     return parse
 
