@@ -170,7 +170,9 @@ class _Generator:
     def _place(self, number: int) -> str:
         transition = self.chart.transitions[number]
         text = expression_text(transition.expression)
-        ends = f"{transition.source} -> {transition.target}"
+        target = self.chart.node(transition.target)
+        named = f" {target.name}" if target.name != target.label else ""
+        ends = f"{transition.source} -> {transition.target}{named}"
         return "  ".join(part for part in (ends, text, f"({place(transition.span)})") if part)
 
     # ---- the whole -------------------------------------------------------------------------
@@ -423,12 +425,14 @@ class _Generator:
             for inner in others:
                 method.add(depth, f"if self._region_{inner.number}(now):", "    moved = True")
             method.add(depth, "if moved:", "    return True")
-        self._ways(method, depth, region, leaf.label, leaf, complete)
+        if self._ways(method, depth, region, leaf.label, leaf, complete):
+            return
         inside = leaf
         for around in self.flat.around(leaf.label):
             is_complete = inside.type is NodeType.END and inside is leaf and leaf.parent == around.label
             if is_complete:
-                self._ways(method, depth, region, around.label, leaf, True)
+                if self._ways(method, depth, region, around.label, leaf, True):
+                    return
             elif any(self.flat.waits_for_event(way) for way in self.flat.ways(around.label)):
                 method.add(depth, f"if self._around_{self._key(around.label)}(now):", "    return True")
                 self._around(region, around)
@@ -448,9 +452,12 @@ class _Generator:
 
     def _ways(
         self, method: _Method, depth: int, region: int, source: str, leaf: Node | None, complete: str | bool
-    ) -> None:
-        for way in self.flat.ways(source):
+    ) -> bool:
+        """The ways out of a source; whether one of them is always taken, so that nothing follows."""
+        return any(
             self._way(method, depth, region, source, leaf, complete, way, ())
+            for way in self.flat.ways(source)
+        )
 
     def _way(
         self,
@@ -462,37 +469,42 @@ class _Generator:
         complete: str | bool,
         way: Way,
         before: tuple[int, ...],
-    ) -> None:
-        """The tests of a way, one inside the other, around what taking it does."""
+    ) -> bool:
+        """The tests of a way around what taking it does; whether it is always taken."""
         expression = self.flat.transition(way.number).expression
         tests: list[str] = []
         if expression.events and not expression.when:
-            tests.append(" or ".join(self._there(region, source, event) for event in expression.events))
+            there = " or ".join(self._there(region, source, event) for event in expression.events)
+            tests.append(f"({there})" if len(expression.events) > 1 else there)
         elif not expression.events and not expression.when and not before:
             if complete is False:
-                return
+                return False
             if isinstance(complete, str):
                 tests.append(complete)
         method.add(depth, f"# {self._place(way.number)}")
-        for test in tests:
-            method.add(depth, f"if {test}:")
-            depth += 1
+        outside = depth
         if expression.condition is not None:
-            for channel, host in signals(walk(expression.condition)):
-                method.add(depth, f"b.ask({channel!r}, {host!r})")
-            test = self._guard(method, region, way.number, expression.condition)
-            if test != "True":
-                method.add(depth, f"if {test}:")
+            asked = signals(walk(expression.condition))
+            if asked and tests:  # a signal is looked at only where its condition is evaluated
+                method.add(depth, f"if {tests.pop()}:")
                 depth += 1
+            for channel, host in asked:
+                method.add(depth, f"b.ask({channel!r}, {host!r})")
+            tests.append(self._guard(method, region, way.number, expression.condition))
+        tests = [test for test in tests if test != "True"]
+        if tests:
+            method.add(depth, f"if {' and '.join(tests)}:")
+            depth += 1
         taken = (*before, way.number)
         if way.branches:
-            for branch in way.branches:
+            always = any(
                 self._way(method, depth, region, source, leaf, complete, branch, taken)
-            if method.lines[-1].rstrip().endswith(":") or method.lines[-1].lstrip().startswith("#"):
-                method.add(depth, "pass")  # no branch may be taken before the source is complete
-            return
+                for branch in way.branches
+            )
+            return always and depth == outside
         self._take(method, depth, region, source, leaf, complete, taken)
         method.add(depth, "return True")
+        return depth == outside
 
     def _there(self, region: int, source: str, event: Event) -> str:
         match event:
