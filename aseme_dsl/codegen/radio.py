@@ -80,7 +80,7 @@ def parts(
         elif field.type.kind in SIZES:
             found.append(Part(path, extra + SIZES[field.type.kind]))
         else:
-            found.append(Unfit(path, f"a {field.type} may be of any length"))
+            found.append(Unfit(path, f"{field.type} may be of any length"))
     return tuple(found)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, Comm, Function, Type
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Comm, Function, Type
 from aseme_dsl.source import Source, Span
 
 NOWHERE = Span(Source("<built in>", ""), 0, 0)
@@ -41,7 +41,7 @@ PERFORMATIVES = tuple(
 """The 22 communicative acts of FIPA (SC00037J), with underscores."""
 
 COMM_TYPES = tuple(comm.value for comm in Comm)
-WORDS = frozenset("else when and or not true false read_messages write_messages".split())
+ACTIONS = ("read_messages", "write_messages")
 OTHER_SPELLINGS = {
     "float": "double",
     "float32": "double",
@@ -63,9 +63,5 @@ OTHER_SPELLINGS = {
 
 
 def reserved(name: str) -> str | None:
-    """Why nothing in a document can have this name, or None."""
-    if name in BUILT_IN:
-        return f"`{name}` is a built-in type"
-    if name in WORDS:
-        return f"`{name}` is a word of the expressions"
-    return None
+    """Why nothing that expressions name can have this name, or None; the parser refuses words and types."""
+    return f"`{name}` is an action" if name in ACTIONS else None

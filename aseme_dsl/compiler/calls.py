@@ -185,12 +185,14 @@ def constant_duration(
     """The ns of a constant duration that is not out of its range."""
     if value.type != DURATION:
         hint = "a duration has a unit: 200ms, 1.5s, 2min" if is_number(value.type) else None
-        checker.report("E504", f"{what} is a duration, not {a(value.type)}", value.span, hint)
+        checker.report("E504", f"{what} must be a duration, not {a(value.type)}", value.span, hint)
         return None
     try:
         nanoseconds = fold(value)
     except NotConstant as problem:
-        checker.report("E515", f"{what} is a constant", problem.value.span, "this is known only at run time")
+        checker.report(
+            "E515", f"{what} must be a constant", problem.value.span, "this is known only at run time"
+        )
         return None
     except ArithmeticError:
         checker.report("E516", f"{what} cannot be computed", value.span)
@@ -198,12 +200,12 @@ def constant_duration(
     assert isinstance(nanoseconds, int)
     if least is not None and nanoseconds < least:
         checker.report(
-            "E504", f"{what} is not {'negative' if least == 0 else 'zero or negative'}", value.span
+            "E504", f"{what} must be {'zero or more' if least == 0 else 'more than zero'}", value.span
         )
         return None
     if most is not None and nanoseconds > most:
         hint = f"write -{value.span.text}" if isinstance(value, Literal) else None
-        checker.report("E504", f"{what} lies in the past: it is negative", value.span, hint)
+        checker.report("E504", f"{what} must lie in the past: it is negative", value.span, hint)
         return None
     return nanoseconds
 

@@ -215,8 +215,25 @@ def _parsed(loader: _Loader, given: Source | _Place, item: tree.Import | None) -
         return None
     loader.diagnostics.extend(found)
     if has_errors(found):
-        loader.lost |= set(_DECLARED.findall(source.text))
+        loader.lost |= set(_DECLARED.findall(source.text)) - _declared(parsed)
     return parsed
+
+
+def _declared(parsed: tree.File) -> set[str]:
+    """The names that the tree declares at the top, in roles and in protocols."""
+    found = set()
+    for item in parsed.declarations:
+        if isinstance(item, (tree.Enum, tree.Message, tree.Topic, tree.Function, tree.Let)):
+            found.add(item.name.text)
+        elif isinstance(item, (tree.Srm, tree.Statechart, tree.Aip)):
+            found.add(item.name.text)
+            found |= {let.name.text for let in item.lets}
+            owners = item.participants if isinstance(item, tree.Aip) else (item,)
+            for owner in owners:
+                found.add(owner.name.text)
+                found |= {variable.name.text for variable in owner.variables}
+                found |= {let.name.text for let in owner.lets}
+    return found
 
 
 def _language(parsed: tree.File) -> Diagnostic | None:

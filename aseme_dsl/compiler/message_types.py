@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
-from aseme_dsl.amola.messages import EnumType, Field, Kind, Message, ProtoFile
+from aseme_dsl.amola.messages import BUILT_IN, EnumType, Field, Kind, Message, ProtoFile
 from aseme_dsl.amola.python_names import taken_as_constant, taken_as_member, taken_as_type
-from aseme_dsl.compiler.builtins import reserved
 from aseme_dsl.compiler.collector import Collector, type_named
 from aseme_dsl.compiler.names import declared_twice
 from aseme_dsl.diagnostics import Related
@@ -46,10 +45,8 @@ def imported_types(
 
 def _declare_type(collector: Collector, what: str, name: tree.Name) -> bool:
     """Enter the name of an enum or message; whether it is the first of that name."""
-    reason = reserved(name.text)
-    if reason is None and taken_as_type(name.text):
+    if name.text not in BUILT_IN and taken_as_type(name.text):
         reason = f"`{name.text}` means something else in the generated Python"
-    if reason is not None:
         collector.report("E202", f"{what} cannot be called `{name.text}`", name.span, reason)
         collector.wrong.add(name.text)
     if name.text in collector.types:
@@ -80,10 +77,8 @@ def _constants(collector: Collector, enum: tree.Enum) -> tuple[tuple[str, int], 
         name, number = item.name, item.number
         if number is None:
             number = found[-1][1] + 1 if found else 0
-        reason = reserved(name.text)
-        if reason is None and taken_as_constant(name.text):
+        if name.text not in BUILT_IN and taken_as_constant(name.text):
             reason = f"`{name.text}` means something else in the generated Python"
-        if reason is not None:
             collector.report("E202", f"a constant cannot be called `{name.text}`", name.span, reason)
         if name.text in names:
             collector.diagnostics.append(declared_twice("the constant", name, names[name.text]))
@@ -183,10 +178,10 @@ def _fields(
 def _check_member_name(
     collector: Collector, name: tree.Name, enum_names: Collection[str], messages: set[str]
 ) -> None:
-    reason = reserved(name.text)
-    if reason is None and taken_as_member(name.text):
+    reason = None
+    if name.text not in BUILT_IN and taken_as_member(name.text):
         reason = f"`{name.text}` means something else in the generated Python"
-    if reason is None and (name.text in messages or name.text in enum_names):
+    elif name.text in messages or name.text in enum_names:
         reason = f"`{name.text}` is a type"
     if reason is not None:
         hint = f"{reason}; `{name.text.lower()}_` is free" if name.text.lower() == name.text else reason

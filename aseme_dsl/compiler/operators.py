@@ -109,5 +109,5 @@ def is_condition(checker: Checker, value: Value | None, what: str) -> bool:
         hint = "write `has(…)` to ask whether the message is there"
     elif is_number(value.type):
         hint = "compare it with something: `… > 0`"
-    checker.report("E505", f"{what} is a bool, not {a(value.type)}", value.span, hint)
+    checker.report("E505", f"{what} must be a bool, not {a(value.type)}", value.span, hint)
     return False

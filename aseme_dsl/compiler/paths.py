@@ -105,6 +105,9 @@ def _unknown_word(checker: Checker, name: tree.Name) -> None:
     if owners:
         fix = f"{owners[0]}.{name}" if len(owners) == 1 else None
         hint = "a constant is written with its enum: " + listed((f"{item}.{name}" for item in owners), "or")
+    elif any(name.text in party.variables for party in scope.parties.values()):
+        theirs = [party.name for party in scope.parties.values() if name.text in party.variables]
+        hint = f"it is a variable of {listed(theirs)}: each participant sees its own"
     elif name.text in NOTHING:
         hint = "write `!has(topic.state.Message)` to ask whether a message is not there"
     elif symbols.topic(name.text) is not None:
@@ -159,8 +162,7 @@ def channel_of(checker: Checker, path: tree.Path) -> tuple[str | None, Channel, 
     comm = segments[used + 1]
     if len(segments) == used + 2:
         carried = [str(item.channel) for item in topic.channels if item.channel.comm == comm.text]
-        hint = "there is " + listed(carried) if carried else None
-        checker.report("E502", f"`{topic.name}.{comm}` names no message", path.span, hint)
+        _no_message(checker, path, topic, carried)
         return None
     message = segments[used + 2]
     channel = Channel(topic.name, Comm(comm.text), message.text)
@@ -197,13 +199,19 @@ def _no_class(checker: Checker, path: tree.Path) -> None:
     """A path without a communication class where one belongs: say which segment is to blame."""
     symbols, segments = checker.scope.symbols, path.segments
     first = segments[0]
+    if len(segments) == 1:
+        topic = _topic(checker, first)
+        if topic is not None:
+            _no_message(checker, path, topic, [str(item.channel) for item in topic.channels])
+        return
     if symbols.topic(first.text) is not None:
         _wrong_class(checker, first, segments[1])
         return
     on_host = len(segments) > 1 and symbols.topic(segments[1].text) is not None
     if on_host and (first.text in symbols.agents or not symbols.agents):
-        if len(segments) == 2:
-            checker.report("E502", f"`{path.text}` names no message", path.span)
+        topic = symbols.topic(segments[1].text)
+        if len(segments) == 2 and topic is not None:
+            _no_message(checker, path, topic, [f"{first}.{item.channel}" for item in topic.channels])
         else:
             _wrong_class(checker, segments[1], segments[2])
         return
@@ -236,6 +244,14 @@ def _no_class(checker: Checker, path: tree.Path) -> None:
             certain=providers(first.text),
         )
     )
+
+
+def _no_message(checker: Checker, path: tree.Path, topic: Topic, carried: list[str]) -> None:
+    """A path that ends before its message."""
+    hint = f"`{topic.name}` carries nothing of the kind"
+    if carried:
+        hint = ("there is " if len(carried) == 1 else "there are ") + listed(carried)
+    checker.report("E502", f"`{path.text}` names no message", path.span, hint)
 
 
 def _wrong_class(checker: Checker, topic: tree.Name, comm: tree.Name) -> None:

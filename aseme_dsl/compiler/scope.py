@@ -14,11 +14,12 @@ from aseme_dsl.source import Span
 
 @dataclass(frozen=True, slots=True)
 class Party:
-    """A participant as its messages show it."""
+    """A participant as the others see it: its messages, and the names of its variables, which are its own."""
 
     name: str
     sends: tuple[AgentMessage, ...]
     receives: tuple[AgentMessage, ...]
+    variables: frozenset[str]
     span: Span
 
 

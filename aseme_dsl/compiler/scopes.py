@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.aip import AgentMessage, DeclaredVariable
 from aseme_dsl.amola.expression import Literal
-from aseme_dsl.amola.messages import BOOL, BYTES, DOUBLE, STRING, Kind, Type
+from aseme_dsl.amola.messages import BOOL, BUILT_IN, BYTES, DOUBLE, STRING, Kind, Type
 from aseme_dsl.amola.python_names import taken_as_member
 from aseme_dsl.compiler.builtins import OTHER_SPELLINGS, PERFORMATIVES, reserved
 from aseme_dsl.compiler.names import declared_twice, unknown, unknown_performative
@@ -56,27 +56,28 @@ def protocol_scopes(
 
     A participant that is declared twice is reported and counts the first time.
     """
-    scope, found = with_lets(outer, protocol.lets)
-    diagnostics = list(found)
+    diagnostics: list[Diagnostic] = []
     first: dict[str, tree.Participant] = {}
     for item in protocol.participants:
         if first.setdefault(item.name.text, item) is not item:
             diagnostics.append(declared_twice("the participant", item.name, first[item.name.text].name.span))
     parties: dict[str, Party] = {}
     for name, item in first.items():
-        sends, wrong = _messages(item.sends, scope)
+        sends, wrong = _messages(item.sends, outer)
         diagnostics += wrong
-        receives, wrong = _messages(item.receives, scope)
+        receives, wrong = _messages(item.receives, outer)
         diagnostics += wrong
-        parties[name] = Party(name, sends, receives, item.name.span)
-    scope = replace(scope, parties=parties)
+        variables = frozenset(variable.name.text for variable in item.variables)
+        parties[name] = Party(name, sends, receives, variables, item.name.span)
+    scope, wrong_lets = with_lets(replace(outer, parties=parties), protocol.lets)
+    diagnostics += wrong_lets
     typed = {}
     for name, item in first.items():
-        variables, wrong_variables = type_variables(item.variables, scope)
-        own = replace(scope, participant=name, variables=_keys(variables))
+        own_variables, wrong_variables = type_variables(item.variables, scope)
+        own = replace(scope, participant=name, variables=_keys(own_variables))
         own, wrong_lets = with_lets(own, item.lets)
         diagnostics += (*wrong_variables, *wrong_lets)
-        typed[name] = TypedParticipant(own, variables, parties[name].sends, parties[name].receives)
+        typed[name] = TypedParticipant(own, own_variables, parties[name].sends, parties[name].receives)
     return typed, tuple(diagnostics)
 
 
@@ -96,10 +97,13 @@ def type_variables(
     """
     found: dict[str, DeclaredVariable] = {}
     diagnostics: list[Diagnostic] = []
+    kinds = {item.name.text: scope.symbols.type_named(item.type.text) for item in variables}
+    # All are visible, so that one whose initial value names another is told that this is no constant.
+    scope = replace(scope, variables={name: (name, kind) for name, kind in kinds.items() if kind is not None})
     for item in variables:
         name = item.name
         reason = reserved(name.text)
-        if reason is None and taken_as_member(name.text):
+        if reason is None and name.text not in BUILT_IN and taken_as_member(name.text):
             reason = f"`{name}` means something else in the generated Python"
         if reason is not None:
             diagnostics.append(

@@ -100,11 +100,11 @@ class Symbols:
 
     def type_named(self, name: str) -> Type | None:
         """The built-in type, enum or message of this name."""
+        if name in BUILT_IN:
+            return BUILT_IN[name]
         if name in self._enums:
             return Type(Kind.ENUM, name)
-        if name in self._messages:
-            return Type(Kind.MESSAGE, name)
-        return BUILT_IN.get(name)
+        return Type(Kind.MESSAGE, name) if name in self._messages else None
 
     def channel(self, channel: Channel) -> ChannelRules | None:
         return self._channels.get(channel)

@@ -28,8 +28,6 @@ def topics(collector: Collector, symbols: Symbols) -> tuple[Topic, ...]:
     for item in declared:
         name = item.name.text
         reason = reserved(name)
-        if name in COMM_TYPES:
-            reason = "a variable `host.topic.state.Message.member` could not be told apart"
         if reason is not None:
             collector.report("E202", f"a topic cannot be called `{name}`", item.name.span, reason)
         if name in found:
@@ -156,8 +154,9 @@ def check_radio(collector: Collector, symbols: Symbols) -> None:
 def _check_size(
     collector: Collector, symbols: Symbols, message: Message, rules: ChannelRules, limit: tree.Number
 ) -> None:
+    plural = "" if limit.value == 1 else "s"
     sent = parts(message, symbols.message, symbols.enum)
-    carries = Related(limit.span, f"the radio of `{rules.channel.topic}` carries {limit.value} bytes")
+    carries = Related(limit.span, f"the radio of `{rules.channel.topic}` carries {limit.value} byte{plural}")
     hint = "one byte says which message it is; a bool takes 1, an enum 1, an int 4, a double 4"
     size = KIND_BYTES
     for part in sent:

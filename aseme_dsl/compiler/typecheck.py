@@ -91,7 +91,7 @@ def constant(
         result = fold(value)
     except NotConstant as problem:
         hint = "this is known only at run time"
-        checker.report("E514", "an initial value is a constant", problem.value.span, hint)
+        checker.report("E514", "an initial value must be a constant", problem.value.span, hint)
         return None, tuple(checker.diagnostics)
     except ArithmeticError as problem:
         checker.report("E516", f"the value cannot be computed: {problem}", value.span)
