@@ -10,7 +10,13 @@ from aseme_dsl.compiler import formulas as formula_tables
 from aseme_dsl.compiler.blocks import participants_of
 from aseme_dsl.compiler.chart import Part, RelativeLine, World, chart_of
 from aseme_dsl.compiler.choices import check_formulas
-from aseme_dsl.compiler.control import LabelledLine, Lines, check_labels, read_lines
+from aseme_dsl.compiler.control import (
+    LabelledLine,
+    Lines,
+    check_labels,
+    including_labels,
+    read_lines,
+)
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.formula_to_statechart import Outline, expand_protocol, too_large
 from aseme_dsl.compiler.scopes import TypedParticipant
@@ -49,12 +55,11 @@ def read_protocol(
     controls, problems = _controls(written, is_damaged)
     found += problems
     parts: dict[str, Part] = {}
-    labelled: dict[str, tuple[LabelledLine, ...]] = {}
+    lines_of: dict[str, Lines] = {}
     participants = participants_of(written)
     for participant in participants:
         name = participant.name.text
-        owner = f"{written.name}.{name}"
-        formulas, problems = formula_tables.table(owner, participant.formulas, PROCESS)
+        formulas, problems = formula_tables.table(f"{written.name}.{name}", participant.formulas, PROCESS)
         found += problems
         if formulas is None:
             if not is_damaged(participant.span):
@@ -63,42 +68,62 @@ def read_protocol(
         expandable, problems = formula_tables.check(formulas)
         found += _kept(problems, is_damaged, participant.span)
         own = [(control, formula) for control, part, formula in controls if part == name]
-        lines, problems = read_lines(formulas, own, typed[name].scope)
+        lines_of[name], problems = read_lines(formulas, own, typed[name].scope)
         found += problems
-        damaged = frozenset(f for control, f in own if is_damaged(control.span))
-        if is_damaged(participant.span):
-            damaged = frozenset(formulas.named)
-        names = {formula: name if formula == PROCESS else formula for formula in formulas.named}
-        found += check_formulas(formulas, names, lines, damaged)
-        if expandable:
-            problem = too_large(formulas, {}, largest, participant.name.span)
-            if problem is not None:
-                found.append(problem)
-                continue
-            labelled[name] = lines.labelled
-            parts[name] = Part(
-                written.name.text,
-                name,
-                formulas,
-                typed[name].variables,
-                Lines(lines.by_way, (), lines.blocks),
-                (),
-                participant.name.span,
-            )
+        too_many = too_large(formulas, {}, largest, participant.name.span) if expandable else None
+        if too_many is not None:
+            found.append(too_many)
+        part = Part(
+            written.name.text,
+            name,
+            formulas,
+            typed[name].variables,
+            Lines(lines_of[name].by_way),
+            (),
+            participant.name.span,
+        )
+        if expandable and too_many is None:
+            parts[name] = part
     outline = None
+    labelled: dict[str, tuple[LabelledLine, ...]] = {}
     if len(parts) == len(participants) and parts:
         ends = [(name, part.branch(), part.span) for name, part in parts.items()]
         outline = expand_protocol(written.name.text, ends, written.name.span)
         for label, branch in outline.branches.items():
-            good, problems = check_labels(outline, labelled[branch.participant], label)
+            name = branch.participant
+            labelled[name], problems = check_labels(outline, lines_of[name].labelled, label)
             found += problems
             relative = tuple(
                 RelativeLine(item.source.text[len(label) :], item.target.text[len(label) :], item.line)
-                for item in good
+                for item in labelled[name]
             )
-            if relative:
-                parts[branch.participant] = replace(parts[branch.participant], labelled=relative)
+            parts[name] = replace(parts[name], labelled=relative)
+    for participant in participants:
+        lines = lines_of.get(participant.name.text)
+        if lines is not None:
+            if outline is not None:
+                lines = including_labels(lines, outline, labelled[participant.name.text])
+            found += _undecided(participant, written, lines, controls, is_damaged)
     return Protocol(written, parts, outline), tuple(found)
+
+
+def _undecided(
+    participant: tree.Participant,
+    written: tree.Aip,
+    lines: Lines,
+    controls: Iterable[tuple[tree.Control, str, str]],
+    is_damaged: Damaged,
+) -> tuple[Diagnostic, ...]:
+    """The choices and loops of a participant that its lines do not decide."""
+    name = participant.name.text
+    formulas, _ = formula_tables.table(f"{written.name}.{name}", participant.formulas, PROCESS)
+    if formulas is None:
+        return ()
+    unsure = {formula for control, part, formula in controls if part == name and is_damaged(control.span)}
+    if is_damaged(participant.span):
+        unsure |= set(formulas.named)
+    names = {formula: name if formula == PROCESS else formula for formula in formulas.named}
+    return check_formulas(formulas, names, lines, frozenset(unsure))
 
 
 def aip_to_eac(protocol: Protocol, world: World) -> Statechart | None:

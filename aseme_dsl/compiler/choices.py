@@ -51,7 +51,9 @@ def check_formulas(
             continue
         terms = terms_of(formulas, name, controls.get(name, name))
         choices, loops, others = _alternatives(terms, lines)
-        if name in lines.blocks:
+        if name in lines.unsure:
+            pass
+        elif name in lines.blocks:
             for choice in choices:
                 found += check_choice(choice)
             for loop in loops:
@@ -105,22 +107,29 @@ def check_choice(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
             + _listed(f"`{item.name}`" for item in alternatives)
             + " has a condition",
             alternatives[0].place,
-            tuple(Related(item.place, f"`{item.name}`") for item in alternatives[1:]),
+            _places(alternatives),
             hint=f"for example `{alternatives[0].name} : [ … ]` and `{alternatives[-1].name} : else`",
         )
         return
-    for item in alternatives:
-        if not item.is_decided:
-            has_else = any(line.written.otherwise for other in alternatives for line in other.lines)
-            yield Diagnostic(
-                "E404",
-                f"`{item.name}` has no condition, while `{decided[0].name}` has one",
-                next((line.span for line in item.lines if _unconditional(line.written)), item.span),
-                (Related(decided[0].place, f"`{decided[0].name}`"),),
-                hint=f"write `{item.name} : [ … ]`" if has_else else f"write `{item.name} : else`",
-            )
+    undecided = [item for item in alternatives if not item.is_decided]
+    has_else = any(line.written.otherwise for item in alternatives for line in item.lines)
+    for item in undecided:
+        last = item is undecided[-1]
+        yield Diagnostic(
+            "E404",
+            f"`{item.name}` has no condition, while `{decided[0].name}` has one",
+            next((line.span for line in item.lines if _unconditional(line.written)), item.span),
+            (Related(decided[0].place, f"`{decided[0].name}`"),),
+            hint=f"write `{item.name} : else`" if last and not has_else else f"write `{item.name} : [ … ]`",
+        )
     limits = [line for item in alternatives for line in item.lines if _waits(line.written)]
-    yield from _else_beside(alternatives, limits, "the time limit beside it can never be reached")
+    yield from _else_beside(alternatives, limits, "the time limit beside it is never waited for")
+
+
+def _places(alternatives: Sequence[Alternative]) -> tuple[Related, ...]:
+    """All but the first; not those that have no line of their own and stand where the first does."""
+    first = alternatives[0].place
+    return tuple(Related(item.place, f"`{item.name}`") for item in alternatives[1:] if item.place != first)
 
 
 def _waits(written: tree.TransitionExpression) -> bool:
@@ -136,7 +145,7 @@ def check_loop(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
         "E407",
         f"`{repeat.name}` and `{leave.name}` are both without a condition: the loop is never left",
         repeat.place,
-        (Related(leave.place, f"`{leave.name}`"),),
+        _places(alternatives),
         hint=f"write `{repeat.name} : [ … ]`, and `{leave.name} : else` or another condition",
     )
 
@@ -154,11 +163,11 @@ def check_group(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
             hint="say when this one is taken, and leave `else` to one of them",
         )
     timers = [line for line in lines if _expires(line.expression)]
-    yield from _else_beside(alternatives, timers, "the timer beside it has hardly ever run out then")
+    yield from _else_beside(alternatives, timers, "the timer beside it is not waited for")
     for item in alternatives:
         always = [line for line in item.lines if _unconditional(line.written)]
         for line in always[1:]:
-            yield _never_taken(line, always[0].span)
+            yield never_taken(line, always[0].span)
 
 
 def check_source(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
@@ -169,11 +178,12 @@ def check_source(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
         if place is not None:
             for line in (line for other in alternatives for line in other.lines):
                 if line.written.otherwise:
-                    yield _never_taken(line, place)
+                    yield never_taken(line, place)
             return
 
 
-def _never_taken(line: Line, because: Span) -> Diagnostic:
+def never_taken(line: Line, because: Span) -> Diagnostic:
+    """W301 for a line beside one, at `because`, that needs no condition."""
     return Diagnostic(
         "W301",
         "this line is never taken: something beside it needs no condition",
@@ -190,7 +200,7 @@ def _else_beside(
             if line.written.otherwise and timed:
                 yield Diagnostic(
                     "W401",
-                    f"`else` is taken at once when nothing else is enabled: {why}",
+                    f"`else` is taken as soon as nothing else is enabled: {why}",
                     line.span,
                     (Related(timed[0].span, "the time that is waited for"),),
                     hint="write the opposite condition instead of `else`",
@@ -211,8 +221,8 @@ def _nothing_said(
     choices: Sequence[Sequence[Alternative]],
     loops: Sequence[Sequence[Alternative]],
 ) -> Diagnostic:
-    count = len(choices) + len(loops)
-    what = "a choice" if count == 1 and choices else "a loop" if count == 1 else f"{count} choices and loops"
+    parts = [_counted(len(choices), "choice"), _counted(len(loops), "loop")]
+    what = " and ".join(part for part in parts if part)
     return Diagnostic(
         "N704",
         f"`{terms.formula}` has {what} without a condition: what comes first is taken",
@@ -221,11 +231,16 @@ def _nothing_said(
     )
 
 
+def _counted(number: int, what: str) -> str:
+    return "" if number == 0 else f"a {what}" if number == 1 else f"{number} {what}s"
+
+
 def control_skeleton(control: str, groups: Iterable[Sequence[Alternative]]) -> str:
     """A control block that decides every choice and loop, with conditions still to be written."""
     lines = []
+    groups = list(groups)
+    width = max(len(item.name) for alternatives in groups for item in alternatives)
     for alternatives in groups:
-        width = max(len(item.name) for item in alternatives)
         for item in alternatives[:-1]:
             lines.append(f"  {item.name.ljust(width)} : [true]  // when?")
         lines.append(f"  {alternatives[-1].name.ljust(width)} : else")
@@ -247,4 +262,5 @@ __all__ = [
     "check_loop",
     "check_source",
     "control_skeleton",
+    "never_taken",
 ]

@@ -45,12 +45,14 @@ class LabelledLine:
 class Lines:
     """All control lines of a role or participant: by way, in the order in which they are written.
 
-    `blocks` gives each formula that has a `control` block its block.
+    `blocks` gives each formula that has a `control` block its block; of those in `unsure` a line could not be
+    placed, so that a missing one means nothing.
     """
 
     by_way: Mapping[Way, tuple[Line, ...]] = field(default_factory=dict)
     labelled: tuple[LabelledLine, ...] = ()
     blocks: Mapping[str, tree.Control] = field(default_factory=dict)
+    unsure: frozenset[str] = frozenset()
 
     def of(self, verb_and_term: Way) -> tuple[Line, ...]:
         return self.by_way.get(verb_and_term, ())
@@ -67,6 +69,7 @@ def read_lines(
     labelled: list[LabelledLine] = []
     blocks: dict[str, tree.Control] = {}
     found: list[Diagnostic] = []
+    unsure: set[str] = set()
     position = 0
     for control, name in controls:
         first = blocks.setdefault(name, control)
@@ -92,9 +95,11 @@ def read_lines(
             key, problem = way(terms, entry.verb, entry.term)
             if problem is not None:
                 found.append(problem)
+                unsure.add(name)
             elif key is not None:
                 by_way.setdefault(key, []).append(line)
-    return Lines({key: tuple(items) for key, items in by_way.items()}, tuple(labelled), blocks), tuple(found)
+    placed = {key: tuple(items) for key, items in by_way.items()}
+    return Lines(placed, tuple(labelled), blocks, frozenset(unsure)), tuple(found)
 
 
 # ---- onto the chart -----------------------------------------------------------------------------
@@ -273,6 +278,21 @@ def check_labels(
     return tuple(good), tuple(found)
 
 
+def including_labels(lines: Lines, outline: Outline, labelled: Iterable[LabelledLine]) -> Lines:
+    """The lines with those by label under the ways that they mean, for checks of choices and loops."""
+    ends = {(item.source.text, item.target.text): item.line for item in labelled}
+    if not ends:
+        return lines
+    by_way = dict(lines.by_way)
+    for arrow in outline.arrows:
+        line = ends.get((arrow.source, arrow.target))
+        if line is not None:
+            by_way[arrow.way] = tuple(
+                sorted((*by_way.get(arrow.way, ()), line), key=lambda item: item.position)
+            )
+    return replace(lines, by_way=by_way)
+
+
 def structure_problem(
     nodes: Mapping[str, Node], source: Node, target: Node, place: Span
 ) -> Diagnostic | None:
@@ -361,6 +381,7 @@ __all__ = [
     "Lines",
     "Placed",
     "check_labels",
+    "including_labels",
     "prioritised",
     "read_lines",
     "region_around",

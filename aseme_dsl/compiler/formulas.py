@@ -72,15 +72,20 @@ def shown(formula: Formula, longest: int = 70) -> str:
 
 
 def check(
-    formulas: Formulas, empty_participants: frozenset[str] = frozenset()
+    formulas: Formulas,
+    empty_participants: frozenset[str] = frozenset(),
+    participants: frozenset[str] = frozenset(),
 ) -> tuple[bool, tuple[Diagnostic, ...]]:
     """Whether the formulas can be expanded, and everything that is wrong with them.
 
-    `empty_participants` are the names of played participants whose process may do nothing at all.
+    `participants` are the names of played participants; the process of those in `empty_participants` may do
+    nothing at all. A circle through a formula that is named like one is a consequence of the name (E306).
     """
     cycles = list(_cycles(formulas))
     in_cycle = {name for cycle in cycles for name, _ in cycle}
-    found = [_recursion(formulas, cycle) for cycle in cycles]
+    found = [
+        _recursion(formulas, cycle) for cycle in cycles if participants.isdisjoint(name for name, _ in cycle)
+    ]
     found += _unused(formulas)
     may_be_empty = set(empty_participants)
     for name in dependencies_first(formulas):

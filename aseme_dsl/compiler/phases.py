@@ -90,14 +90,15 @@ def analyse_files(root: Source | Path | str, sources: Mapping[str, str] | None, 
     if len(charts) == len(eacs) + len(iacs):
         found += check_described(_described_in(blocks), used, is_damaged)
     found += close_names(used, described, formulas)
-    cases = use_cases(suc, [*protocols, *(item.name.text for item in formulas), *used])
+    capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
+    cases = use_cases(suc, [*protocols, *(item.name.text for item in formulas), *used, *capabilities])
     found += suc_to_aip(cases, blocks.aips)
     srms = [keep(read_srm(role, iacs[role.name], cases)) for role in roles.values()]
     found += suc_to_srm(cases, roles, [item.name for item in given], blocks.aips)
     if symbols.system is None:
         found += _no_system(loaded)
 
-    diagnostics = in_order(found)
+    diagnostics = in_order(_without_consequences(found))
     if has_errors(diagnostics) or symbols.system is None:
         return Analysis(None, diagnostics)
     system = System(
@@ -152,6 +153,24 @@ def _is_drawn_by_hand(chart: Statechart) -> bool:
     return any(
         item.origin.kind == "statechart" or item.origin.name == "control" for item in chart.transitions
     )
+
+
+def _without_consequences(found: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """A loop that may be empty (E303) is also a cycle that never rests (W403): that is said once."""
+    found = list(found)
+    loops = [item.span for item in found if item.code == "E303" and item.span is not None]
+
+    def follows(item: Diagnostic) -> bool:
+        span = item.span
+        return item.code == "W403" and any(
+            span is not None
+            and span.source is loop.source
+            and loop.start <= span.start
+            and span.end <= loop.end
+            for loop in loops
+        )
+
+    return [item for item in found if not follows(item)] if loops else found
 
 
 def _no_system(loaded: Loaded) -> Iterable[Diagnostic]:

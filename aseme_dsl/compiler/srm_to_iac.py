@@ -12,7 +12,7 @@ from aseme_dsl.compiler import formulas as formula_tables
 from aseme_dsl.compiler.aip_to_eac import Protocol
 from aseme_dsl.compiler.chart import Part, World, chart_of
 from aseme_dsl.compiler.choices import check_formulas
-from aseme_dsl.compiler.control import LabelledLine, Lines, check_labels, read_lines
+from aseme_dsl.compiler.control import LabelledLine, Lines, check_labels, including_labels, read_lines
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.formula_to_statechart import Outline, expand_role, sizes, too_large
 from aseme_dsl.compiler.formulas import Formulas
@@ -70,15 +70,13 @@ def read_role(
     empty = frozenset(
         alias for alias, branch in branches.items() if formula_tables.may_be_empty(branch.formulas)
     )
-    expandable, problems = formula_tables.check(formulas, empty)
+    expandable, problems = formula_tables.check(formulas, empty, frozenset(played))
     found += [item for item in problems if not (damaged and item.code == "E302")]
     own = [
         (control, control.name.text) for control in written.controls if control.name.text in formulas.named
     ]
     lines, problems = read_lines(formulas, own, typed.scope)
     found += problems
-    unsure = frozenset(name for control, name in own if is_damaged(control.span))
-    found += check_formulas(formulas, {}, lines, frozenset(formulas.named) if damaged else unsure)
     if not damaged:
         found += _not_played(written, formulas, plays)
     outline, labelled = None, tuple[LabelledLine, ...]()
@@ -92,6 +90,9 @@ def read_role(
             outline = expand_role(formulas, branches, written.name.span)
             labelled, problems = check_labels(outline, lines.labelled)
             found += problems
+    unsure = frozenset(formulas.named if damaged else (f for c, f in own if is_damaged(c.span)))
+    checked = including_labels(lines, outline, labelled) if outline is not None else lines
+    found += check_formulas(formulas, {}, checked, unsure)
     return Role(written, typed, formulas, plays, parts, lines, labelled, outline), tuple(found)
 
 
@@ -178,7 +179,8 @@ def _restated(formula: tree.NamedFormula, plays: tree.Plays, participant: tree.P
         f"the process of `{formula.name}` is the protocol's: a role cannot state it again",
         formula.name.span,
         tuple(related),
-        hint="remove this formula: the protocol's process is used where the name stands",
+        hint="remove this formula, or give the participant another name here: "
+        f"`plays {plays.protocol}.{plays.participant} as {plays.protocol}_{plays.participant}`",
     )
 
 

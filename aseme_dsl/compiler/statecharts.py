@@ -16,7 +16,7 @@ from aseme_dsl.amola.statechart import (
     label_key,
 )
 from aseme_dsl.compiler.chart import World
-from aseme_dsl.compiler.choices import Alternative, check_choice, check_group, check_source
+from aseme_dsl.compiler.choices import Alternative, check_choice, check_group, check_source, never_taken
 from aseme_dsl.compiler.control import LabelledLine, Line, prioritised, structure_problem
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.regions import regions_of
@@ -248,6 +248,9 @@ def _decisions(nodes: Mapping[str, Node], lines: Iterable[LabelledLine]) -> Iter
             yield from check_choice(alternatives)
         else:
             yield from check_source(alternatives)
+            always = [alternative for alternative in alternatives if not alternative.is_decided]
+            for other in always[1:]:
+                yield never_taken(other.lines[0], always[0].span)
 
 
 __all__ = ["GivenChart", "build_statechart", "read_statechart"]

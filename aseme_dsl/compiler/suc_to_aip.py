@@ -10,7 +10,7 @@ from aseme_dsl.compiler.blocks import participants_of
 from aseme_dsl.compiler.clauses import read_clauses
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.scopes import TypedParticipant
-from aseme_dsl.compiler.usecases import ORDER, UseCases, activity_name, folded, joined
+from aseme_dsl.compiler.usecases import UseCases, activity_name, folded, formula_line, helper_formulas
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
 
@@ -82,16 +82,22 @@ def aip_skeleton(cases: UseCases, case: UseCase) -> str:
     for name in case.participants:
         own = [cases.case(item) for item in case.includes]
         own = [item for item in own if not item.participants or name in item.participants]
-        terms = [cases.spelling(item) for item in own] or [activity_name(case.name)]
-        note = f"  {ORDER}" if len(terms) > 1 else ""
+        terms = [_term(cases, item) for item in own] or [activity_name(case.name)]
+        formulas = [formula_line("process", terms)]
+        formulas += helper_formulas(cases, own, lambda item: _term(cases, item))
         lines += [
             f"  participant {name} {{",
             '    engage  "When does it take part?"',
-            f"    process = {joined(terms)}{note}",
+            *(f"    {line}" for line in formulas),
             "  }",
         ]
     lines += ['  outcome "What is reached?"', "}"]
     return "\n".join(lines)
+
+
+def _term(cases: UseCases, case: UseCase) -> str:
+    """A participant plays no other protocol: there it is an activity."""
+    return activity_name(case.name) if cases.is_protocol(case) else cases.spelling(case)
 
 
 def _listed(names: Iterable[str]) -> str:

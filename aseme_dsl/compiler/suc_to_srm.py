@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from aseme_dsl.amola.aip import NamedFormula
 from aseme_dsl.amola.srm import Capability, Functionality, Srm
@@ -10,7 +11,7 @@ from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.suc import RoleType, UseCase
 from aseme_dsl.compiler.names import declared_twice, unknown
 from aseme_dsl.compiler.srm_to_iac import Role
-from aseme_dsl.compiler.usecases import ORDER, UseCases, folded, joined
+from aseme_dsl.compiler.usecases import UseCases, activity_name, folded, formula_line, helper_formulas
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar import tree
 
@@ -106,153 +107,141 @@ def suc_to_srm(
     `charts` are the roles that are written as a statechart: what they do is not looked into.
     """
     found: list[Diagnostic] = []
-    charts = set(charts)
-    covered: set[str] = set()
+    written = _Written(cases, protocols)
+    elsewhere = set(charts)
+    noted: set[str] = set()  # use cases that a note's skeleton contains, folded
     for item in cases.suc.roles:
-        if item.type is not RoleType.SYSTEM or item.name in charts:
-            continue
-        if item.name not in roles:
-            covered.add(item.name)
-            found.append(
-                Diagnostic(
-                    "N703",
-                    f"the role `{item.name}` is not written yet",
-                    item.span,
-                    hint="start from\n" + srm_skeleton(item.name, cases, protocols),
-                )
-            )
+        if item.type not in (RoleType.SYSTEM, RoleType.ABSTRACT):
+            elsewhere.add(item.name)
+        elif item.type is RoleType.SYSTEM and item.name not in roles and item.name not in elsewhere:
+            hint = "start from\n" + srm_skeleton(item.name, cases, protocols)
+            message = f"the role `{item.name}` is not written yet"
+            found.append(Diagnostic("N703", message, item.span, hint=hint))
+            elsewhere.add(item.name)
+            noted |= _included(_cases_of(item.name, None, cases), cases)
     for name, role in roles.items():
         for case in _cases_of(name, None, cases):
-            if case.includes and not _is_realised(case, role, cases, protocols):
-                found.append(_no_formula(case, role, cases, protocols))
-    human = {item.name for item in cases.suc.roles if item.type not in (RoleType.SYSTEM, RoleType.ABSTRACT)}
+            if case.includes and not _is_realised(case, role, written):
+                found.append(_no_formula(case, role, written))
+                noted |= _included([case], cases)
     for case in cases.suc.usecases:
-        participants = set(case.participants)
-        left_to_others = bool(participants) and participants <= covered | charts | human
-        reported = case.includes and (participants & set(roles) or cases.is_protocol(case))
-        if left_to_others or reported or not cases.spellings.keys().isdisjoint(cases.names_of(case)):
+        if cases.is_protocol(case) and written.protocol_of(case) is None:
+            noted |= _included([case], cases)  # N701
+    for case in cases.suc.usecases:
+        left_to_others = case.participants and elsewhere.issuperset(case.participants)
+        specified = not cases.spellings.keys().isdisjoint(cases.names_of(case))
+        if left_to_others or specified or folded(case.name) in noted:
             continue
-        if not case.participants and _is_included_by(case, cases, covered):
-            continue
-        found.append(
-            Diagnostic(
-                "N700",
-                f"nothing specifies the use case `{case.name}`",
-                case.span,
-                hint=f"let a formula use `{cases.spelling(case)}`, or say what it `realises`",
-            )
-        )
+        hint = f"let a formula use `{cases.spelling(case)}`, or say what it `realises`"
+        message = f"nothing specifies the use case `{case.name}`"
+        found.append(Diagnostic("N700", message, case.span, hint=hint))
     return tuple(found)
 
 
-def _is_included_by(case: UseCase, cases: UseCases, covered: set[str]) -> bool:
-    """Whether the skeleton of a role that is not written yet contains the use case."""
-    return any(
-        covered.issuperset(other.participants) and other.participants
-        for other in cases.suc.usecases
-        if any(folded(name) == folded(case.name) for name in other.includes)
-    )
+@dataclass(frozen=True, slots=True)
+class _Written:
+    """The use cases with the protocols that are written."""
+
+    cases: UseCases
+    protocols: Sequence[tree.Aip]
+
+    def protocol_of(self, case: UseCase) -> tree.Aip | None:
+        names = self.cases.names_of(case)
+        return next(
+            (item for item in self.protocols if folded(item.name.text) in names and item.participants), None
+        )
+
+    def parts(self, case: UseCase) -> list[tuple[str, str]] | None:
+        """The protocol and the participants of a use case that is one, written or not."""
+        protocol = self.protocol_of(case)
+        if protocol is not None:
+            return [(protocol.name.text, item.name.text) for item in protocol.participants]
+        if self.cases.is_protocol(case):
+            return [(case.name, name) for name in case.participants]
+        return None
+
+    def plays(self, case: UseCase, role: str) -> dict[str, str] | None:
+        """What a role plays of a use case that is a protocol: its own part, or any; by the names it uses.
+
+        A part that is called like the role has another name there, because the role's formula has this one.
+        """
+        parts = self.parts(case)
+        if parts is None:
+            return None
+        own = [part for part in parts if part[1] == role] or parts
+        return {
+            f"{protocol}_{name}" if name == role else name: f"{protocol}.{name}"
+            + (f" as {protocol}_{name}" if name == role else "")
+            for protocol, name in own
+        }
+
+    def term(self, case: UseCase, role: str) -> str:
+        """How a formula of a role uses the use case: by its name, or by the participants of its protocol."""
+        plays = self.plays(case, role)
+        if plays is None:
+            return self.cases.spelling(case)
+        return next(iter(plays)) if len(plays) == 1 else f"({' | '.join(plays)})"
 
 
-def _is_realised(case: UseCase, role: Role, cases: UseCases, protocols: Sequence[tree.Aip]) -> bool:
+def _included(cases: Iterable[UseCase], all_cases: UseCases) -> set[str]:
+    """The folded names of some use cases and of all that they include."""
+    found: set[str] = set()
+    waiting = list(cases)
+    while waiting:
+        case = waiting.pop()
+        if folded(case.name) not in found:
+            found.add(folded(case.name))
+            waiting += [all_cases.case(name) for name in case.includes]
+    return found
+
+
+def _is_realised(case: UseCase, role: Role, written: _Written) -> bool:
     """Whether the role has a formula, an activity or a capability for the use case, or plays its protocol."""
     own = {folded(item.name.text) for item in role.written.formulas}
     own.update(folded(item.name.text) for item in role.written.capabilities)
     own.update(folded(item.protocol.text) for item in role.written.plays)
     if role.outline is not None:
         own.update(folded(node.activity) for node in role.outline.nodes if node.activity is not None)
-    if not own.isdisjoint(cases.names_of(case)):
+    if not own.isdisjoint(written.cases.names_of(case)):
         return True
     # A protocol that is not written yet is a note of its own.
-    written = {folded(item.name.text) for item in protocols}
-    return cases.is_protocol(case) and written.isdisjoint(cases.names_of(case))
+    return written.cases.is_protocol(case) and written.protocol_of(case) is None
 
 
-def _no_formula(case: UseCase, role: Role, cases: UseCases, protocols: Sequence[tree.Aip]) -> Diagnostic:
-    protocol = _protocol_of(case, cases, protocols)
-    if protocol is not None:
-        participants = [item.name.text for item in protocol.participants]
-        part = role.name if role.name in participants else participants[0]
-        hint = f"say which part it takes: `plays {protocol.name}.{part}`"
+def _no_formula(case: UseCase, role: Role, written: _Written) -> Diagnostic:
+    protocol = written.protocol_of(case)
+    plays = written.plays(case, role.name)
+    if protocol is not None and plays is not None:
+        lines = " or ".join(f"`plays {item}`" for item in plays.values())
         message = f"{role.name} takes part in the use case `{case.name}`, but plays none of {protocol.name}"
-        return Diagnostic("N702", message, role.written.name.span, hint=hint)
-    lines = list(_formula_lines(case, cases, protocols))
+        return Diagnostic("N702", message, role.written.name.span, hint=f"say which part it takes: {lines}")
+    lines = "\n".join(helper_formulas(written.cases, [case], lambda item: written.term(item, role.name)))
     return Diagnostic(
         "N702",
         f"{role.name} has no formula for the use case `{case.name}`",
         role.written.name.span,
-        hint="start from\n" + "\n".join(lines) + f"\nand let a formula use `{case.name}`",
+        hint=f"start from\n{lines}\nand let a formula use `{written.cases.spelling(case)}`",
     )
-
-
-def _protocol_of(case: UseCase, cases: UseCases, protocols: Sequence[tree.Aip]) -> tree.Aip | None:
-    names = cases.names_of(case)
-    return next((item for item in protocols if folded(item.name.text) in names and item.participants), None)
-
-
-def _term(case: UseCase, cases: UseCases, protocols: Sequence[tree.Aip]) -> str:
-    """How a formula uses the use case: by its name, or by the participants of its protocol."""
-    protocol = _protocol_of(case, cases, protocols)
-    if protocol is not None:
-        names = [item.name.text for item in protocol.participants]
-    elif cases.is_protocol(case):
-        names = list(case.participants)
-    else:
-        return cases.spelling(case)
-    return names[0] if len(names) == 1 else f"({' | '.join(names)})"
-
-
-def _formula_lines(
-    case: UseCase, cases: UseCases, protocols: Sequence[tree.Aip], done: set[str] | None = None
-) -> Iterator[str]:
-    """A formula for a use case with inclusions, and those for what it includes."""
-    done = set() if done is None else done
-    waiting = [case]
-    while waiting:
-        item = waiting.pop(0)
-        if folded(item.name) in done:
-            continue
-        done.add(folded(item.name))
-        parts = [cases.case(name) for name in item.includes]
-        note = f"  {ORDER}" if len(parts) > 1 else ""
-        yield f"{cases.spelling(item)} = {joined(_term(p, cases, protocols) for p in parts)}{note}"
-        waiting += [
-            p
-            for p in parts
-            if p.includes and not cases.is_protocol(p) and _protocol_of(p, cases, protocols) is None
-        ]
 
 
 def srm_skeleton(name: str, cases: UseCases, protocols: Sequence[tree.Aip]) -> str:
     """An `srm` to start from: every use case of the role, with all that they include; nothing is left out."""
+    written = _Written(cases, protocols)
     own = list(_cases_of(name, None, cases))
     inner = {folded(item) for case in own for item in case.includes}
     outer = [case for case in own if folded(case.name) not in inner] or own
     plays: dict[str, None] = {}
-    needed = list(outer)
-    seen: set[str] = set()
-    while needed:
-        case = needed.pop(0)
-        if folded(case.name) in seen:
-            continue
-        seen.add(folded(case.name))
-        protocol = _protocol_of(case, cases, protocols)
-        if protocol is not None:
-            plays.update((f"{protocol.name}.{item.name}", None) for item in protocol.participants)
-        elif cases.is_protocol(case):
-            plays.update((f"{case.name}.{item}", None) for item in case.participants)
-        else:
-            needed += [cases.case(item) for item in case.includes]
-    terms = [_term(case, cases, protocols) for case in outer]
-    if outer and all(term == name for term in terms):
-        terms = [f"Be{name[0].upper()}{name[1:]}"]
-    formulas = [f"{name} = {joined(terms)}" + (f"  {ORDER}" if len(terms) > 1 else "")] if terms else []
-    done: set[str] = set()
-    for case in outer:
-        if case.includes and not cases.is_protocol(case) and _protocol_of(case, cases, protocols) is None:
-            formulas += _formula_lines(case, cases, protocols, done)
-    if not formulas:
-        formulas = [f"{name} = Do{name[0].upper()}{name[1:]}"]
+    for key in sorted(_included(outer, cases)):
+        case = cases.by_name[key]
+        needed = written.plays(case, name)
+        if needed is not None and not _only_inside_a_protocol(case, outer, written):
+            plays.update(dict.fromkeys(needed.values()))
+    terms = [written.term(case, name) for case in outer] or [f"Do{name[0].upper()}{name[1:]}"]
+    if name in terms:  # a use case that is called like the role itself
+        terms = [activity_name(term) if term == name else term for term in terms]
+    formulas = [formula_line(name, terms)]
+    single = [case for case in outer if written.parts(case) is None and cases.spelling(case) != name]
+    formulas += helper_formulas(cases, single, lambda item: written.term(item, name))
     return "\n".join(
         [
             f"srm {name} {{",
@@ -263,6 +252,20 @@ def srm_skeleton(name: str, cases: UseCases, protocols: Sequence[tree.Aip]) -> s
             "}",
         ]
     )
+
+
+def _only_inside_a_protocol(case: UseCase, outer: Iterable[UseCase], written: _Written) -> bool:
+    """Whether every way from the role's use cases to this one leads through another protocol."""
+    seen: set[str] = set()
+    waiting = list(outer)
+    while waiting:
+        item = waiting.pop()
+        if folded(item.name) == folded(case.name):
+            return False
+        if folded(item.name) not in seen and written.parts(item) is None:
+            seen.add(folded(item.name))
+            waiting += [written.cases.case(name) for name in item.includes]
+    return True
 
 
 __all__ = ["activities_of", "read_srm", "srm_skeleton", "suc_to_srm"]

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from aseme_dsl.amola.liveness import Formula, Operator, canonical, term_key, ungrouped
+from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, term_key, ungrouped
 from aseme_dsl.compiler.formula_to_statechart import Way
-from aseme_dsl.compiler.formulas import Formulas, shown
+from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
 
@@ -101,9 +101,13 @@ def ways(terms: Terms, term: Formula) -> dict[str, Way]:
 
 def spelling(terms: Terms, term: Formula) -> str:
     """How a control line names the term: `KickBall#2` where it stands several times."""
-    key = canonical(term)
-    places = terms.places[key]
-    return _short(key) if len(places) == 1 else f"{_short(key)}#{places.index(term) + 1}"
+    places = terms.places[canonical(term)]
+    return _named(term) if len(places) == 1 else f"{_named(term)}#{places.index(term) + 1}"
+
+
+def _named(term: Formula) -> str:
+    """A term in a message: in parentheses where operators stand between its parts, cut where it is long."""
+    return _short(f"({canonical(term)})" if term.operator in INFIX else canonical(term))
 
 
 _WITH_BODY = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER, Operator.OPTION)
@@ -121,34 +125,35 @@ def _find(terms: Terms, key: str, written: tree.Term) -> tuple[Formula | None, D
     places = terms.places.get(key, ())
     if not places:
         return None, _unknown(terms, key, written)
+    name = _named(places[0])
     if written.occurrence is None:
         if len(places) == 1:
             return places[0], None
         related = tuple(
-            Related(place.span, f"write `{_short(key)}#{number}` for this one")
+            Related(place.span, f"write `{name}#{number}` for this one")
             for number, place in enumerate(places, 1)
         )
         return None, Diagnostic(
             "E401",
-            f"`{_short(key)}` stands {len(places)} times in `{terms.formula}`",
+            f"`{name}` stands {len(places)} times in `{terms.formula}`",
             written.span,
             related,
-            hint="say which one: " + _listed(f"{_short(key)}#{n}" for n in range(1, len(places) + 1)),
+            hint="say which one: " + _listed(f"{name}#{n}" for n in range(1, len(places) + 1)),
         )
     if 1 <= written.occurrence <= len(places):
         return places[written.occurrence - 1], None
     count = "once" if len(places) == 1 else f"{len(places)} times"
     return None, Diagnostic(
         "E400",
-        f"there is no `{_short(key)}#{written.occurrence}`: the term stands {count} in `{terms.formula}`",
+        f"there is no `{name}#{written.occurrence}`: the term stands {count} in `{terms.formula}`",
         written.span,
-        tuple(Related(place.span, f"`{_short(key)}#{n}`") for n, place in enumerate(places, 1)),
-        hint=_listed(f"{_short(key)}#{number}" for number in range(1, len(places) + 1)),
+        tuple(Related(place.span, f"`{name}#{n}`") for n, place in enumerate(places, 1)),
+        hint="there " + ("is " if len(places) == 1 else "are ") + _listed(_numbered(terms, places)),
     )
 
 
 def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
-    message = f"`{terms.formula}` has no term `{_short(key)}`"
+    message = f"`{terms.formula}` has no term `{_named(ungrouped(written.formula))}`"
     named = terms.formulas.named
     related = (Related(named[terms.formula].formula.span, f"the text of `{terms.formula}`"),)
     elsewhere = [
@@ -165,9 +170,9 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
         name = elsewhere[0]
         hint = f"it stands in `{name}`: write this line in `control {name} {{ … }}`"
     elif near is not None:
-        hint = f"did you mean `{_short(near)}`?"
+        hint = f"did you mean `{_named(terms.places[near][0])}`?"
     else:
-        hint = f"its terms are {_listed(_short(place) for place in terms.places)}"
+        hint = f"its terms are {_listed(_named(places[0]) for places in terms.places.values())}"
     fix = near if not elsewhere and near is not None and "\n" not in written.span.text else None
     if fix is not None and written.occurrence is not None:
         fix = None
@@ -189,7 +194,7 @@ def _spelt(term: Formula, key: str) -> bool:
 
 
 def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Term) -> Diagnostic:
-    text = shown(term)
+    text = _named(term)
     has = list(ways(terms, term))
     parent = terms.parents[term]
     if (
@@ -199,14 +204,17 @@ def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Ter
     ):
         hint = f"what happens inside `{term.name}` is said in `control {term.name} {{ … }}`"
     elif verb.text in ("skip", "repeat", "leave") and _inner_has(terms, term, verb.text):
-        inside = shown(ungrouped(term.operands[0]))
-        hint = f"`{verb} {inside}` is what goes past, repeats or leaves the body of `{text}`"
+        inside = _named(ungrouped(term.operands[0]))
+        does = {"skip": "goes past it", "repeat": "repeats it", "leave": "leaves it"}[verb.text]
+        hint = f"its body is `{inside}`: `{verb} {inside}` {does}"
     elif verb.text == "start" and term.operator is Operator.SEQUENCE:
-        hint = f"its START leads to its first term: `enter {shown(ungrouped(term.operands[0]))}`"
+        hint = f"its START leads to its first term: `enter {_named(ungrouped(term.operands[0]))}`"
     elif verb.text == "leave" and parent is not None and parent.operator is Operator.SEQUENCE:
         index = next(i for i, operand in enumerate(parent.operands) if ungrouped(operand) is term)
-        following = shown(ungrouped(parent.operands[index + 1]))
+        following = _named(ungrouped(parent.operands[index + 1]))
         hint = f"what follows `{text}` is `{following}`: `enter {following}`"
+    elif len(has) == 1:
+        hint = f"the only way of `{text}` is `{has[0]} {text}`"
     elif has:
         hint = f"the ways of `{text}` are {_listed(f'{name} {text}' for name in has)}"
     else:
@@ -218,6 +226,10 @@ def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Ter
 
 def _inner_has(terms: Terms, term: Formula, verb: str) -> bool:
     return len(term.operands) == 1 and verb in ways(terms, ungrouped(term.operands[0]))
+
+
+def _numbered(terms: Terms, places: Iterable[Formula]) -> Iterator[str]:
+    return (spelling(terms, place) for place in places)
 
 
 def _short(key: str) -> str:

@@ -6,7 +6,7 @@ if the use case says that it `realises` them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from aseme_dsl.amola.suc import Suc, UseCase
@@ -81,8 +81,40 @@ def joined(terms: Iterable[str]) -> str:
     return " . ".join(terms)
 
 
+def helper_formulas(cases: UseCases, terms: Iterable[UseCase], term: Callable[[UseCase], str]) -> list[str]:
+    """Formulas for those of `terms` that include others, and for what these include, each once.
+
+    `term` says how a formula uses a use case; protocols have no formula.
+    """
+    found: list[str] = []
+    done: set[str] = set()
+    waiting = list(terms)
+    while waiting:
+        item = waiting.pop(0)
+        if folded(item.name) in done or not item.includes or cases.is_protocol(item):
+            continue
+        done.add(folded(item.name))
+        parts = [cases.case(name) for name in item.includes]
+        found.append(formula_line(cases.spelling(item), [term(part) for part in parts]))
+        waiting += parts
+    return found
+
+
+def formula_line(name: str, terms: Sequence[str]) -> str:
+    """`name = A . B`, with a question where there is something to choose."""
+    return f"{name} = {joined(terms)}" + (f"  {ORDER}" if len(terms) > 1 else "")
+
+
 ORDER = "// in which order? .  |  ||  [ ]  *  +  ~"
 """The comment at a formula whose operators the analyst has not chosen."""
 
 
-__all__ = ["ORDER", "UseCases", "activity_name", "folded", "joined", "use_cases"]
+__all__ = [
+    "UseCases",
+    "activity_name",
+    "folded",
+    "formula_line",
+    "helper_formulas",
+    "joined",
+    "use_cases",
+]
