@@ -54,8 +54,8 @@ class Names:
     """The board's slot for (channel, host)."""
     variables: Mapping[str, str]
     """The attribute of self for each variable."""
-    optional: Mapping[tuple[str, str], bool] = field(default_factory=dict)
-    """(message, field) that may be absent inside a message that is there."""
+    fields: Mapping[tuple[str, str], tuple[bool, str]] = field(default_factory=dict)
+    """For (message, field) whether it may be absent in a message that is there, and its type's name."""
     enums: set[tuple[str, str]] = field(default_factory=set)
     prefix: str = ""
     locals: int = 0
@@ -232,7 +232,8 @@ def _path(
     code = local
     for step in path:
         code = f"{code}.{step}"
-        if names.optional.get((message, step), False):
+        is_optional, message = names.fields.get((message, step), (False, ""))
+        if is_optional:
             inner = names.local()
             needs = (*needs, f"({inner} := {code}) is not None")
             code = inner

@@ -131,8 +131,8 @@ class _Generator:
         self.tables: list[str] = []
         self.guards: set[int] = set()
         self.slots = {region.number: self._region_slots(region.number) for region in self.flat.regions}
-        self.optional = {
-            (message.name, item.name): item.label == "optional"
+        self.fields = {
+            (message.name, item.name): (item.label == "optional", item.type.name)
             for message in system.messages
             for item in message.fields
         }
@@ -165,7 +165,7 @@ class _Generator:
 
     def _names(self, region: int, prefix: str = "") -> Names:
         variables = {name: self._variable(name, region) for name in self.variables}
-        return Names(self.slots[region], variables, self.optional, self.enums, prefix)
+        return Names(self.slots[region], variables, self.fields, self.enums, prefix)
 
     def _place(self, number: int) -> str:
         transition = self.chart.transitions[number]

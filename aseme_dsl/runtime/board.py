@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from dataclasses import replace
-from operator import attrgetter
 from typing import Any, ClassVar
 
 from aseme_dsl.runtime.inputs import Arrived
@@ -128,9 +127,13 @@ class Board:
         return found
 
     def mean(self, channel: str, host: str | None, since: int, member: str) -> float | None:
-        """The mean of a member (`pose.x`) over what was measured since then, or None."""
-        read = attrgetter(member)
-        values = [read(item.message) for item in self.history(channel, host) if item.time >= since]
+        """The mean of a member (`pose.x`) over what was measured since then, or None.
+
+        A message in which the member is absent does not count.
+        """
+        path = member.split(".")
+        found = (_member(item.message, path) for item in self.history(channel, host) if item.time >= since)
+        values = [value for value in found if value is not None]
         return sum(values) / len(values) if values else None
 
     def expired(self, timer: str, now: int) -> bool:
@@ -191,6 +194,14 @@ class Board:
         if not hosts:
             return [(None, kind())]
         return [(host, built(kind(), self.drafts.pop((channel, host)))) for host in hosts]
+
+
+def _member(message: Any, path: list[str]) -> Any:
+    for step in path:
+        if message is None:
+            return None
+        message = getattr(message, step)
+    return message
 
 
 def built(message: Any, members: Mapping[tuple[str, ...], Any]) -> Any:
