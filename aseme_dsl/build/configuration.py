@@ -25,14 +25,13 @@ class RunConfiguration:
     `world`, `progress` and `summary` are functions, as `module:name`, found from the project's folder.
     """
 
-    team: str | None = None
-    """The team that plays; None: the only one, or the first."""
     world: str | None = None
-    """Called with `seed=…`; gives the `aseme_dsl.runtime.body.World` whose bodies the agents have."""
+    """Called with `seed=…`; gives the `aseme_dsl.runtime.body.World` whose bodies the agents have. A world
+    with a true attribute `over` ends the run."""
     progress: str | None = None
-    """Called with the world; gives all that is worth telling so far, of which the new lines are shown."""
+    """Called with the world, often; gives a sequence of all there is to tell so far. What is new is shown."""
     summary: str | None = None
-    """Called with the world at the end; gives the closing lines."""
+    """Called with the world at the end; gives the closing words."""
     duration: int | None = None
     """How long is played, in ns of the run's own time."""
     seed: int | None = None
@@ -127,7 +126,6 @@ def _keys(folder: Path) -> dict[str, _Convert | dict[str, _Convert]]:
         "labels": _one_of("plain", "original"),
         "expressions": _one_of("numbered", "inline", "none"),
         "run": {
-            "team": _name,
             "world": _function,
             "progress": _function,
             "summary": _function,
@@ -144,12 +142,6 @@ def _names(value: Any) -> tuple[str, ...]:
     return tuple(value)
 
 
-def _name(value: Any) -> str:
-    if not isinstance(value, str) or not value:
-        raise _Wrong("a name in quotes")
-    return value
-
-
 def _count(value: Any) -> int:
     if not isinstance(value, int) or isinstance(value, bool) or value < 1:
         raise _Wrong("a whole number from 1 on")
@@ -163,7 +155,7 @@ def _seed(value: Any) -> int:
 
 
 def _function(value: Any) -> str:
-    if not isinstance(value, str) or not re.fullmatch(r"[\w.]+:[\w.]+", value):
+    if not isinstance(value, str) or not re.fullmatch(r"[\w.]+:\w+", value):
         raise _Wrong('a Python function, such as "module:name"')
     return value
 

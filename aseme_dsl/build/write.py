@@ -133,6 +133,24 @@ def write(
     )
 
 
+def write_new(files: Mapping[Path, bytes], disk: Disk = DISK) -> Written:
+    """Write files where there are none: all of them, or (E009) none if anything is in the way of one."""
+    folder = Path(os.path.commonpath([path.parent for path in files])) if files else Path()
+    plan = _Plan(folder, force=False)
+    for path, content in files.items():
+        if os.path.lexists(path):
+            plan.refuse(path, "exists already")
+        else:
+            plan.writes.append((path, content))
+    if plan.errors:
+        return Written(diagnostics=tuple(plan.errors))
+    try:
+        _carry_out(plan, disk)
+    except OSError as problem:
+        return Written(diagnostics=(_failed(problem, folder),))
+    return Written(created=tuple(files))
+
+
 @dataclass(slots=True)
 class _Plan:
     """What is to be done, decided before anything is done."""
@@ -174,22 +192,22 @@ class _Plan:
         """The manifest of earlier builds, or None with an error."""
         there = next((path for path in (self.folder, *self.folder.parents) if os.path.lexists(path)), None)
         if there is not None and not there.is_dir():
-            self._refuse(there, "is not a folder")
+            self.refuse(there, "is not a folder")
             return None
         try:
             before = read_manifest(self.folder)
         except OSError as problem:
-            self._refuse(self.folder / NAME, f"cannot be read: {problem.strerror or problem}")
+            self.refuse(self.folder / NAME, f"cannot be read: {problem.strerror or problem}")
             return None
         except DamagedManifest as problem:
             if self.force:
                 return Manifest()
             hint = "build into another folder, or use --force: what is in the way is then overwritten"
-            self._refuse(self.folder / NAME, f"should say which files are generated, but {problem}", hint)
+            self.refuse(self.folder / NAME, f"should say which files are generated, but {problem}", hint)
             return None
         if before.system not in (None, system) and before.source != source and not self.force:
             hint = f"choose another folder with --output, or use --force to replace {before.system}"
-            self._refuse(self.folder, f"holds the build of {before.system} (from {before.source})", hint)
+            self.refuse(self.folder, f"holds the build of {before.system} (from {before.source})", hint)
             return None
         return before
 
@@ -199,9 +217,9 @@ class _Plan:
         for file in files:
             place = file.path if file.home is None else str(file.home)
             if file.home is None and (not is_inside(file.path) or file.path == NAME):
-                self._refuse(self.folder / file.path, "is no place for a generated file")
+                self.refuse(self.folder / file.path, "is no place for a generated file")
             elif place in seen and seen[place].content != file.content:
-                self._refuse(Path(place), "would be written twice, with different contents")
+                self.refuse(Path(place), "would be written twice, with different contents")
             seen[place] = file
 
     def _look_at_kept(self, file: Planned, home: Path, started: dict[str, str]) -> None:
@@ -232,9 +250,9 @@ class _Plan:
                     "was edited since it was generated",
                     "keep your changes elsewhere, or use --force to overwrite them",
                 )
-            self._refuse(target, why, hint)
+            self.refuse(target, why, hint)
         elif not os.access(target, os.W_OK):
-            self._refuse(target, "is read-only")
+            self.refuse(target, "is read-only")
         else:
             self._write(target, file.content)
 
@@ -257,13 +275,13 @@ class _Plan:
         except FileNotFoundError:
             if not target.is_symlink():
                 return None
-            self._refuse(target, "is a link that leads nowhere")
+            self.refuse(target, "is a link that leads nowhere")
         except IsADirectoryError:
-            self._refuse(target, "is a folder, and a file must go there")
+            self.refuse(target, "is a folder, and a file must go there")
         except NotADirectoryError:
-            self._refuse(target, "cannot be written: there is a file where its folder should be")
+            self.refuse(target, "cannot be written: there is a file where its folder should be")
         except OSError as problem:
-            self._refuse(target, f"cannot be read: {problem.strerror or problem}")
+            self.refuse(target, f"cannot be read: {problem.strerror or problem}")
         return None
 
     def _write(self, target: Path, content: bytes, *, listed: bool = True) -> None:
@@ -277,7 +295,8 @@ class _Plan:
         if listed:
             (self.created if present is None else self.changed).append(target)
 
-    def _refuse(self, path: Path, why: str, hint: str | None = None) -> None:
+    def refuse(self, path: Path, why: str, hint: str | None = None) -> None:
+        """Note why nothing can be written."""
         self.errors.append(Diagnostic("E009", f"{path} {why}", None, hint=hint, path=str(path)))
 
 

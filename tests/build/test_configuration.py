@@ -37,7 +37,6 @@ def test_everything_that_can_be_said(tmp_path: Path) -> None:
         expressions = "inline"
 
         [tool.asemec.run]
-        team = "Home"
         world = "field.world:match"
         progress = "field.world:notes"
         summary = "field.world:result"
@@ -54,7 +53,7 @@ def test_everything_that_can_be_said(tmp_path: Path) -> None:
     assert configuration.max_states == 5000
     run = configuration.run
     assert run is not None
-    assert (run.team, run.world, run.duration, run.seed) == ("Home", "field.world:match", 90_000_000_000, 7)
+    assert (run.world, run.duration, run.seed) == ("field.world:match", 90_000_000_000, 7)
 
 
 def test_the_nearest_project_upwards_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,0 +1,188 @@
+"""Build: everything that follows from a system, into a folder."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path, PurePath
+from typing import TYPE_CHECKING
+
+from aseme_dsl.build.configuration import Configuration
+from aseme_dsl.build.counting import Amount, Count, amount
+from aseme_dsl.build.manifest import hash_of
+from aseme_dsl.build.write import DISK, Disk, Planned, Written, write
+from aseme_dsl.diagnostics import Diagnostic, in_order
+
+if TYPE_CHECKING:
+    from aseme_dsl.amola.system import System
+
+MODELS, DIAGRAMS, PROTO = "models", "diagrams", "proto"
+PARTS = (MODELS, DIAGRAMS, PROTO)
+"""The parts of a build that are not a backend's; the name of each is that of its folder."""
+
+OUTPUT = "out"
+"""Where a build goes unless something else is said."""
+ACTIVITIES = "activities"
+"""Where a backend puts first versions of activities, in its own folder."""
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """What a build is asked to do.
+
+    `only` are the parts and backends to renew, all if it is empty; `activities` is the folder of the
+    project's activities, else each backend has its own, in its output folder.
+    """
+
+    only: frozenset[str] = frozenset()
+    backends: tuple[str, ...] = ("monas",)
+    activities: Path | None = None
+    templates: Path | None = None
+    expressions: str = "numbered"
+    force: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What a build did. With an error among the diagnostics, it changed nothing."""
+
+    system: str
+    folder: Path
+    written: Written = field(default_factory=Written)
+    count: Count | None = None
+    """None where no backend was asked for."""
+    notes: tuple[str, ...] = ()
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def build(system: System, folder: Path, choice: Choice, disk: Disk = DISK) -> Report:
+    """Write the models, diagrams, messages and code of a system into `folder`.
+
+    Raises:
+        UnknownBackend: a backend is asked for that is not installed.
+    """
+    backends = [name for name in choice.backends if not choice.only or name in choice.only]
+    backends += sorted(name for name in choice.only if name not in (*PARTS, *backends))
+    parts = [part for part in PARTS if not choice.only or part in choice.only]
+    files: list[Planned] = []
+    notes: list[str] = []
+    diagnostics: list[Diagnostic] = []
+    if MODELS in parts:
+        files += _models(system)
+    if DIAGRAMS in parts:
+        files += _diagrams(system, choice, notes, diagnostics)
+    if PROTO in parts:
+        files += _proto(system)
+    for name in backends:
+        files += _code(system, name, folder, choice)
+    written = write(
+        folder,
+        files,
+        parts=frozenset((*parts, *backends)),
+        system=system.name,
+        source=PurePath(system.span.source.path).name if system.span else system.name,
+        force=choice.force,
+        disk=disk,
+    )
+    found = in_order((*diagnostics, *written.diagnostics))
+    code = [file for file in files if file.part in backends]
+    count = _count(system, code, written) if code else None
+    return Report(system.name, folder, written, count, tuple(notes), found)
+
+
+def choose(
+    configuration: Configuration,
+    *,
+    only: Iterable[str] = (),
+    backends: Iterable[str] = (),
+    activities: Path | None = None,
+    templates: Path | None = None,
+    force: bool = False,
+) -> Choice:
+    """What is asked for on the command line, else by the project's configuration, else the usual."""
+    return Choice(
+        frozenset(only),
+        tuple(dict.fromkeys(backends)) or configuration.backends or ("monas",),
+        activities or configuration.activities,
+        templates or configuration.templates,
+        configuration.expressions or "numbered",
+        force,
+    )
+
+
+def activities_folder(folder: Path, choice: Choice, backend: str = "monas") -> Path:
+    """Where a build into `folder` keeps the activities of a backend."""
+    return choice.activities or folder / backend / ACTIVITIES
+
+
+def _models(system: System) -> Iterator[Planned]:
+    from aseme_dsl.amola.as_json import json_text, models_json
+
+    for name, model in models_json(system).items():
+        yield Planned(f"{MODELS}/{name}", json_text(model).encode(), MODELS)
+
+
+def _diagrams(
+    system: System, choice: Choice, notes: list[str], diagnostics: list[Diagnostic]
+) -> Iterator[Planned]:
+    """One drawing a model; where Graphviz cannot draw, its text, with a warning."""
+    from aseme_dsl.diagrams import DrawingFailed, Expressions, GraphvizMissing, Options, draw, drawings
+
+    missing = False
+    for drawing in drawings(system, Options(Expressions(choice.expressions))):
+        try:
+            drawn = draw(drawing, "dot" if missing else "svg")
+        except DrawingFailed as failure:
+            missing = isinstance(failure, GraphvizMissing)
+            hint = f"{drawing.name}.dot has its text"
+            if missing:
+                hint = "the .dot files have their texts; `asemec doctor` says what is there"
+            diagnostics.append(Diagnostic("W003", str(failure), None, hint=hint, path=f"{drawing.name}.svg"))
+            drawn = draw(drawing, "dot")
+        notes += drawn.notes
+        for name, content in drawn.files:
+            yield Planned(f"{DIAGRAMS}/{name}", content, DIAGRAMS)
+
+
+def _proto(system: System) -> Iterator[Planned]:
+    """The messages for robots in other languages, with the files that they import: protoc needs no others."""
+    from aseme_dsl.codegen.proto import file_name, proto_text
+
+    yield Planned(f"{PROTO}/{file_name(system)}", proto_text(system).encode(), PROTO)
+    for file in system.protos:
+        if not file.name.startswith("google/protobuf/"):  # protoc has these
+            yield Planned(f"{PROTO}/{file.name}", file.text.encode(), PROTO)
+
+
+def _code(system: System, name: str, folder: Path, choice: Choice) -> Iterator[Planned]:
+    """What a backend generates, in a folder of its name; what is the user's goes among the activities."""
+    from aseme_dsl.backends.backend import BackendOptions, find_backend
+
+    activities = activities_folder(folder, choice, name)
+    for artefact in find_backend(name).generate(system, BackendOptions(choice.templates)):
+        home = None
+        if artefact.kept:
+            first, _, rest = artefact.path.partition("/")
+            home = activities / rest if first == ACTIVITIES else folder / name / artefact.path
+        yield Planned(f"{name}/{artefact.path}", artefact.text.encode(), name, home)
+
+
+def _count(system: System, code: Sequence[Planned], written: Written) -> Count:
+    """Activities that were filled in count as written by hand, the library's sources not at all."""
+    generated = [file.content for file in code if file.home is None]
+    by_hand: list[bytes] = []
+    for file in code:
+        if file.home is not None:
+            content = _content(file.home)
+            untouched = hash_of(content) in (hash_of(file.content), written.manifest.started.get(file.path))
+            (generated if untouched else by_hand).append(content)
+    own = [source for source in system.sources if not source.path.startswith("stdlib/")]
+    source = sum((amount([source.text.encode()]) for source in own), Amount())
+    return Count(amount(generated), amount(by_hand), source)
+
+
+def _content(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError:
+        return b""

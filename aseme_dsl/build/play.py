@@ -1,0 +1,290 @@
+"""Play: generated packages are imported and run, alone or as a team, in a world or without one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.build.configuration import Configuration
+from aseme_dsl.diagnostics import closest
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from aseme_dsl.runtime.loading import Loaded
+    from aseme_dsl.runtime.scripted import Scripted
+    from aseme_dsl.runtime.team import RunResult, Team
+    from aseme_dsl.runtime.trace import Listener
+
+BACKEND = "monas"
+"""The backend whose output is played here."""
+
+PLAY_NS = 60_000_000_000
+"""How long is played in virtual time if nothing else is said."""
+
+
+class PlayError(Exception):
+    """Nothing can be played as it was asked for; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """How to play; what is None is as the project says, or as usual.
+
+    `plan` runs one plan (`player`, or `Kouretes.player`) instead of the team, as an agent called `agent` (or
+    as the first of the team that has this role). `world` and the values of `bodies` are Python functions,
+    `module:name`; a body's is called with `name=…` and is for the agent that is its key, or for all ("").
+    Times are in ns.
+    """
+
+    plan: str | None = None
+    agent: str | None = None
+    duration: int | None = None
+    seed: int | None = None
+    real: bool = False
+    script: Path | None = None
+    trace: Path | None = None
+    world: str | None = None
+    bodies: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Played:
+    """A run and what was said at its end."""
+
+    result: RunResult
+    summary: str
+    seed: int
+    trace: Path | None
+
+
+Tell = Callable[[str], None]
+
+
+def carried(folder: Path, configuration: Configuration) -> tuple[Loaded, ...]:
+    """Every system whose generated package is in a build's output folder: what a robot carries.
+
+    Raises:
+        PlayError: there is none, or one cannot be imported.
+    """
+    packages = _packages(folder)
+    if not packages:
+        raise PlayError(f"there is nothing generated in {folder}: build something into it first")
+    return tuple(load(folder, path.name, configuration) for path in packages)
+
+
+def is_output(folder: Path) -> bool:
+    """Whether a folder is the output of a build rather than a folder with sources."""
+    return bool(_packages(folder)) and not any(folder.glob("*.aseme"))
+
+
+def _packages(folder: Path) -> list[Path]:
+    inside = folder / BACKEND
+    found = [path.parent for path in sorted(inside.glob("*/messages.py"))] if inside.is_dir() else []
+    return [path for path in found if (path / "__init__.py").is_file()]
+
+
+def load(folder: Path, system: str, configuration: Configuration) -> Loaded:
+    """Import what a build into `folder` has generated; functions are looked for in the project, too.
+
+    Raises:
+        PlayError: it is not there, or cannot be imported.
+    """
+    from aseme_dsl.runtime.loading import LoadError, load_system
+
+    try:
+        return load_system(folder / BACKEND / system, path=[configuration.folder.resolve()])
+    except LoadError as problem:
+        raise PlayError(str(problem)) from problem
+
+
+def select(systems: Sequence[Loaded], plan: str | None) -> tuple[Loaded, str | None]:
+    """The system that has a plan (`player`, or `Kouretes.player`), and the plan's own name.
+
+    Raises:
+        PlayError: none has it, or several have; or without `plan` there are several systems.
+    """
+    known = {f"{item.name}.{name}": item for item in systems for name in item.charts}
+    if plan is None:
+        if len(systems) > 1:
+            raise PlayError(f"there are several systems: choose a plan of {', '.join(known)}")
+        return systems[0], None
+    found = [name for name in known if plan in (name, name.partition(".")[2])]
+    if len(found) != 1:
+        near = closest(plan, [*known, *(name.partition(".")[2] for name in known)])
+        hint = f"did you mean {near}? " if near and not found else ""
+        what = "several plans are" if found else "no plan is"
+        raise PlayError(f"{what} called {plan}; {hint}there are {', '.join(found or known)}")
+    return known[found[0]], found[0].partition(".")[2]
+
+
+def play(
+    loaded: Loaded,
+    activities: Path,
+    configuration: Configuration,
+    request: Request,
+    *,
+    tell: Tell,
+    listeners: Iterable[Listener] = (),
+    tick: Callable[[int], None] | None = None,
+) -> Played:
+    """Run a system's team, or one plan, to the end.
+
+    `tell` is given each line that the project's `progress` has to tell; `tick` the time, at every instant at
+    which nothing is left to do; `listeners` every line of the trace.
+
+    Raises:
+        PlayError: it cannot be run like that; or the project's own functions fail.
+    """
+    from aseme_dsl.runtime.activities import ActivityError
+    from aseme_dsl.runtime.loading import activities_in, importing
+    from aseme_dsl.runtime.scripted import ScriptError, read_script
+    from aseme_dsl.runtime.team import TeamError, make_team
+
+    project = configuration.run
+    seed = request.seed if request.seed is not None else (project.seed if project else None)
+    seed = 1 if seed is None else seed
+    folders = [configuration.folder.resolve(), *loaded.path]
+    agent = request.agent
+    if request.plan is not None and agent is None:
+        agent = next((name for name, role in loaded.team if role == request.plan), None)
+    with importing(folders):
+        made_by = request.world or (project.world if project and not request.bodies else None)
+        world = _call(made_by, seed=seed) if made_by else None
+        bodies = _bodies(request.bodies, loaded, request.plan, agent)
+        watch = _Watch(world, project.progress if project and world is not None else None, tell, tick)
+        script: tuple[Scripted, ...] = ()
+        if request.script is not None:
+            try:
+                text = request.script.read_text("utf-8")
+                script = read_script(text.splitlines(), loaded.messages)
+            except OSError as problem:
+                reason = problem.strerror or problem
+                raise PlayError(f"{request.script} cannot be read: {reason}") from problem
+            except UnicodeDecodeError as problem:
+                raise PlayError(f"{request.script} is not UTF-8") from problem
+            except ScriptError as problem:
+                lines = "\n".join(f"{request.script}: {line}" for line in str(problem).splitlines())
+                raise PlayError(lines) from problem
+        trace = request.trace or (project.trace if project and project.trace else None)
+        try:
+            if trace is not None:
+                trace.parent.mkdir(parents=True, exist_ok=True)
+            team = make_team(
+                loaded,
+                activities_in(activities),
+                plan=request.plan,
+                agent=agent,
+                clock="real" if request.real else "virtual",
+                seed=seed,
+                world=world,
+                bodies=bodies,
+                until=_duration(request, configuration, world),
+                stop=watch,
+                script=script,
+                trace=trace,
+                listeners=listeners,
+                path=folders,
+            )
+        except (TeamError, ActivityError) as problem:
+            raise PlayError(str(problem)) from problem
+        except OSError as problem:
+            place = problem.filename or trace
+            raise PlayError(f"{place} cannot be written: {problem.strerror or problem}") from problem
+        result = team.run()
+        watch.look()
+        summary = ""
+        if project and project.summary and world is not None:
+            summary = str(_call(project.summary, world))
+    return Played(result, summary, seed, trace)
+
+
+def _duration(request: Request, configuration: Configuration, world: object) -> int | None:
+    if request.duration is not None:
+        return request.duration
+    if configuration.run is not None and configuration.run.duration is not None:
+        return configuration.run.duration
+    # On a robot the end is Ctrl-C; virtual time would go on for ever.
+    return None if request.real and world is None else PLAY_NS
+
+
+class _Watch:
+    """What is asked at every instant: it tells what is new, and ends the run when the world is over."""
+
+    def __init__(
+        self, world: object, progress: str | None, tell: Tell, tick: Callable[[int], None] | None
+    ) -> None:
+        self._world = world
+        self._progress = _function(progress) if progress else None
+        self._tell = tell
+        self._tick = tick
+        self._told = 0
+
+    def __call__(self, team: Team) -> str | None:
+        if self._tick is not None:
+            self._tick(team.driver.clock.now())
+        self.look()
+        return "the world is over" if getattr(self._world, "over", False) is True else None
+
+    def look(self) -> None:
+        """Tell what is new."""
+        if self._progress is not None:
+            with _users_own(self._progress):
+                lines = list(self._progress(self._world))
+            for line in lines[self._told :]:
+                self._tell(str(line))
+            self._told = max(self._told, len(lines))
+
+
+def _bodies(given: Mapping[str, str], loaded: Loaded, plan: str | None, agent: str | None) -> dict[str, Any]:
+    """A body for each agent, by name."""
+    if not given:
+        return {}
+    names = [name for name, _ in loaded.team] if plan is None else []
+    names = names or [agent or plan or next(iter(loaded.charts))]
+    strangers = [name for name in given if name and name not in names]
+    if strangers:
+        raise PlayError(f"there is no agent {strangers[0]} for a body; there are {', '.join(names)}")
+    return {
+        name: _call(function, name=name)
+        for name in names
+        if (function := given.get(name) or given.get("")) is not None
+    }
+
+
+def _function(name: str) -> Callable[..., Any]:
+    from aseme_dsl.runtime.chart import FunctionError, find_function
+
+    try:
+        return find_function(name)
+    except FunctionError as problem:
+        raise PlayError(str(problem)) from problem
+    except Exception as error:  # its module raises when it is imported
+        module = name.partition(":")[0]
+        raise PlayError(f"{module} cannot be imported: {type(error).__name__}: {error}") from error
+
+
+def _call(target: str, *arguments: Any, **named: Any) -> Any:
+    function = _function(target)
+    with _users_own(function):
+        return function(*arguments, **named)
+
+
+@contextmanager
+def _users_own(function: Callable[..., Any]) -> Iterator[None]:
+    """A function of the project that raises: said with the place in the project's code."""
+    import traceback
+
+    try:
+        yield
+    except PlayError:
+        raise
+    except Exception as error:
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        name = getattr(function, "__name__", str(function))
+        raise PlayError(
+            f"{name} failed: {type(error).__name__}: {error} ({place.filename}:{place.lineno})"
+        ) from error

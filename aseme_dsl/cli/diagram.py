@@ -1,0 +1,102 @@
+"""`asemec diagram`: drawings of a system's models."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from aseme_dsl.cli.shared import (
+    colour_option,
+    diagnostics_json,
+    json_option,
+    one_system,
+    print_diagnostics,
+    print_json,
+    print_written,
+)
+
+
+@click.command(
+    short_help="Draw the models of a system.",
+    help="Draw the models of a system: all of them, or those that are named, such as sag, iac.player,"
+    " eac or 'srm.*'. A statechart is drawn twice, as states inside states and as a tree (iac.player.tree).",
+    epilog="Example: asemec diagram team.aseme iac.player --at 0.2.5 --depth 2 -o player.svg",
+)
+@click.argument("file", type=click.Path())
+@click.argument("models", nargs=-1, metavar="[MODEL]...")
+@click.option(
+    "-o",
+    "--output",
+    default="diagrams",
+    show_default=True,
+    type=click.Path(),
+    help="The folder for the drawings; or a file, or - for standard output, if it is one drawing.",
+)
+@click.option(
+    "--format",
+    "format_",
+    type=click.Choice(["svg", "png", "pdf", "dot"]),
+    help="What to write.  [default: what the output file is called, else svg]",
+)
+@click.option(
+    "--expressions",
+    type=click.Choice(["numbered", "inline", "none"]),
+    help="How transition expressions are shown.  [default: the project's, else numbered]",
+)
+@click.option("--at", metavar="LABEL", help="Draw only this state of the statecharts, with all in it.")
+@click.option("--depth", type=click.IntRange(min=1), help="How many levels of states are open.")
+@click.option("--layout", type=click.Choice(["nested", "tree"]), help="Only one of the two views.")
+@click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
+@json_option
+@colour_option
+def command(
+    file: str,
+    models: tuple[str, ...],
+    output: str,
+    format_: str | None,
+    expressions: str | None,
+    at: str | None,
+    depth: int | None,
+    layout: str | None,
+    force: bool,
+    as_json: bool,
+    colour: str,
+) -> int:
+    """Draw and write; 1 if the file has errors or a drawing cannot be made or written."""
+    from aseme_dsl.build.draw import NoSuchDrawing, choose, draw_all, into_file, into_folder
+    from aseme_dsl.diagrams import FORMATS, DrawingFailed, Expressions, Layout, NoSuchState, Options
+
+    compiled = one_system(file)
+    if compiled.system is None:
+        if as_json:
+            print_json({"files": [], **diagnostics_json(compiled.diagnostics)})
+        else:
+            print_diagnostics(compiled.diagnostics, colour)
+        return 1
+    expressions = expressions or compiled.configuration.expressions or "numbered"
+    options = Options(Expressions(expressions), at, depth, Layout(layout) if layout else None)
+    suffix = Path(output).suffix[1:]
+    format_ = format_ or (suffix if suffix in FORMATS else "svg")
+    to_file = output == "-" or suffix == format_
+    try:
+        chosen = choose(compiled.system, models, options)
+        if to_file and len(chosen) != 1:
+            names = ", ".join(item.name for item in chosen) or "none"
+            raise click.UsageError(f"{output} takes one drawing, and these are {len(chosen)}: {names}.")
+        drawn = draw_all(chosen, format_)
+    except (NoSuchDrawing, NoSuchState) as problem:
+        raise click.UsageError(f"{problem}.") from problem
+    except DrawingFailed as problem:
+        raise click.ClickException(str(problem)) from problem
+    if to_file and len(drawn.files) != 1:
+        raise click.ClickException(f"{'; '.join(drawn.notes)}: give a folder instead of {output}")
+    if output == "-":
+        sys.stdout.buffer.write(drawn.files[0][1])
+        return 0
+    if to_file:
+        written = into_file(Path(output), drawn.files[0][1])
+    else:
+        written = into_folder(compiled.system, Path(output), drawn, force=force)
+    return print_written(written, drawn.notes, as_json, colour)

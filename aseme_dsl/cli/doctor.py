@@ -1,0 +1,43 @@
+"""`asemec doctor`: which tools are there, and how to get the others."""
+
+from __future__ import annotations
+
+import dataclasses
+import sys
+
+import click
+
+from aseme_dsl.cli.shared import colour_option, json_option, print_json, wants_colour
+
+
+@click.command(
+    short_help="Say which extras and tools are there.",
+    help="Say which libraries and tools are there, what each is for, and how to install what is missing."
+    " The exit code is 1 if something is missing that asemec cannot do without.",
+    epilog="Example: asemec doctor",
+)
+@json_option
+@colour_option
+def command(as_json: bool, colour: str) -> int:
+    """Print a line a tool; 1 if a needed one is missing."""
+    from aseme_dsl import __version__
+    from aseme_dsl.build.tools import tools
+
+    found = tools()
+    broken = any(tool.needed and tool.found is None for tool in found)
+    if as_json:
+        print_json({"version": __version__, "tools": [dataclasses.asdict(tool) for tool in found]})
+        return int(broken)
+    painted = wants_colour(colour, sys.stdout)
+    click.echo(f"asemec {__version__}")
+    width = max(len(tool.name) for tool in found)
+    for tool in found:
+        if tool.found is not None:
+            mark, said = click.style("ok     ", fg="green"), tool.found
+        elif tool.needed:
+            mark, said = click.style("missing", fg="red"), f"needed! {tool.advice}"
+        else:
+            mark, said = click.style("absent ", fg="yellow"), tool.advice
+        line = f"  {mark}  {tool.name:<{width}}  {tool.purpose}\n           {'':<{width}}  {said}"
+        click.echo(line, color=painted)
+    return int(broken)

@@ -1,0 +1,40 @@
+"""`asemec new`: a project to start from."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from aseme_dsl.cli.shared import colour_option, diagnostics_json, json_option, print_diagnostics, print_json
+from aseme_dsl.diagnostics import has_errors
+
+
+@click.command(
+    short_help="Start a project.",
+    help="Write a small project that runs into FOLDER: an .aseme file named after it, activities, a test and"
+    " a pyproject.toml. No file that is there is overwritten.",
+    epilog="Example: asemec new patrol   ·   cd patrol   ·   asemec run .",
+)
+@click.argument("folder", type=click.Path(path_type=Path))
+@click.option("--name", help="What the system is called.  [default: as the folder]")
+@json_option
+@colour_option
+def command(folder: Path, name: str | None, as_json: bool, colour: str) -> int:
+    """Write it; 1 if something is in the way."""
+    from aseme_dsl.build.new import BadName, new_project
+
+    try:
+        written = new_project(folder, name)
+    except BadName as problem:
+        raise click.UsageError(f"{problem}.") from problem
+    if as_json:
+        created = [str(path) for path in written.created]
+        print_json({"created": created, **diagnostics_json(written.diagnostics)})
+    else:
+        print_diagnostics(written.diagnostics, colour)
+        for path in written.created:
+            click.echo(path)
+        if written.created:
+            click.echo(f"Try: asemec run {click.format_filename(folder)}")
+    return int(has_errors(written.diagnostics))

@@ -1,0 +1,174 @@
+"""The program around the commands: which there are, and what happens when one cannot go on."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from importlib import import_module
+from types import FrameType
+from typing import Any, NoReturn
+
+import click
+
+from aseme_dsl import __version__
+
+FINE, ERRORS, WRONG_USE, OUR_MISTAKE, INTERRUPTED, TERMINATED, BROKEN_PIPE = 0, 1, 2, 70, 130, 143, 141
+
+COMMANDS = ("new", "check", "build", "diagram", "run", "doctor", "completion")
+"""The commands, in the order of the help; each is the object `command` of the module of its name."""
+
+
+class _Commands(click.Group):
+    """Loads a command only when it is asked for."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in COMMANDS:
+            return None
+        command = import_module(f"aseme_dsl.cli.{cmd_name}").command
+        assert isinstance(command, click.Command)
+        return command
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError as error:
+            raise _NobodyReads from error  # click would take it for an error of the command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        if args and args[0] not in COMMANDS and not args[0].startswith("-"):
+            from aseme_dsl.diagnostics import closest
+
+            near = closest(args[0], COMMANDS)
+            hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(COMMANDS)}."
+            raise click.UsageError(f"There is no command {args[0]!r}. {hint}", ctx)
+        return super().resolve_command(ctx, args)
+
+
+@click.group(
+    cls=_Commands,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    epilog="Example: asemec check team.aseme   ·   Every command has --help, with an example.",
+)
+@click.version_option(__version__, "-V", "--version", prog_name="asemec", message="%(prog)s %(version)s")
+@click.option("--debug", is_flag=True, help="Show the traceback if asemec itself fails.")
+@click.pass_context
+def program(context: click.Context, debug: bool) -> None:
+    """From a text file with the goals, roles and protocols of a team to statecharts that run.
+
+    Exit codes: 0 fine, 1 the files have errors, 2 wrong use.
+    """
+    context.obj = debug
+
+
+def run_program(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line; return the exit code. No exception of ours reaches the user as a traceback."""
+    arguments = list(sys.argv[1:] if arguments is None else arguments)
+    _prepare_streams()
+    try:
+        with _stopping_on_termination():
+            result = program.main(arguments, prog_name="asemec", standalone_mode=False)
+            sys.stdout.flush()
+        return result if isinstance(result, int) else FINE
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except (click.Abort, KeyboardInterrupt):
+        _say("asemec: stopped")
+        return INTERRUPTED
+    except _Terminated:
+        _say("asemec: terminated")
+        return TERMINATED
+    except (BrokenPipeError, _NobodyReads):
+        _ignore_output()
+        return BROKEN_PIPE
+    except MemoryError:
+        _say("asemec: there is not enough memory for this")
+        return ERRORS
+    except OSError as error:
+        # Only what cannot be said better where it happens comes here: the standard output of a full disk.
+        _ignore_output()
+        _say(f"asemec: {error.strerror or error}{f': {error.filename}' if error.filename else ''}")
+        _trace(arguments)
+        return ERRORS
+    except Exception as error:
+        _our_mistake(error, arguments)
+        return OUR_MISTAKE
+
+
+class _NobodyReads(BaseException):
+    """Who read our output has gone."""
+
+
+class _Terminated(BaseException):
+    """The process was asked to end."""
+
+
+@contextmanager
+def _stopping_on_termination() -> Iterator[None]:
+    """Let SIGTERM unwind like Ctrl-C, so that nothing half-written stays behind."""
+
+    def terminate(number: int, frame: FrameType | None) -> NoReturn:
+        raise _Terminated
+
+    if threading.current_thread() is not threading.main_thread():
+        yield  # whoever started us sees to signals
+        return
+    before = signal.signal(signal.SIGTERM, terminate)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before if before is not None else signal.SIG_DFL)
+
+
+def _prepare_streams() -> None:
+    """A terminal that cannot show a character gets an escape for it, not a crash of ours."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+
+
+def _ignore_output() -> None:
+    """Nobody reads any more: what is still in the buffers goes nowhere."""
+    try:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+    except (OSError, ValueError):
+        pass  # standard output is closed, or is no file
+
+
+def _say(text: str) -> None:
+    with suppress(OSError):  # nobody listens
+        print(text, file=sys.stderr, flush=True)
+
+
+def _our_mistake(error: Exception, arguments: Sequence[str]) -> None:
+    import shlex
+
+    if _trace(arguments):
+        return
+    line = str(error).partition("\n")[0]
+    again = shlex.join(["asemec", "--debug", *arguments])
+    _say(
+        f"asemec: this is a mistake of asemec, not yours ({type(error).__name__}: {line}).\n"
+        "Please report it to the project, with the file and with what this command says:\n"
+        f"  {again}"
+    )
+
+
+def _trace(arguments: Sequence[str]) -> bool:
+    """Show the traceback if it was asked for; whether it was."""
+    if "--debug" not in arguments:
+        return False
+    import traceback
+
+    _say(traceback.format_exc().rstrip())
+    return True

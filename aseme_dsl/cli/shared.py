@@ -1,0 +1,207 @@
+"""What several commands have in common: their options, and how they print diagnostics."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import IO, TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from aseme_dsl.diagnostics import (
+    Diagnostic,
+    Severity,
+    closest,
+    has_errors,
+    in_order,
+    render_json,
+    render_text,
+)
+
+if TYPE_CHECKING:
+    from aseme_dsl.build.counting import Count
+    from aseme_dsl.build.project import Compiled
+    from aseme_dsl.build.write import Written
+
+CommandT = TypeVar("CommandT", bound=Callable[..., Any])
+
+FORMAT = 1
+"""The version of what `--json` prints."""
+
+
+def json_option(command: CommandT) -> CommandT:
+    """`--json`: the result on standard output for programs."""
+    return click.option("--json", "as_json", is_flag=True, help="Print the result as JSON.")(command)
+
+
+def colour_option(command: CommandT) -> CommandT:
+    """`--color auto|always|never`; `NO_COLOR` in the environment turns `auto` into `never`."""
+    return click.option(
+        "--color",
+        "colour",
+        type=click.Choice(["auto", "always", "never"]),
+        default="auto",
+        show_default=True,
+        help="Colour the messages; auto: on a terminal, unless NO_COLOR is set.",
+    )(command)
+
+
+def wants_colour(choice: str, stream: IO[str]) -> bool:
+    """Whether to colour what goes to `stream`."""
+    if choice != "auto":
+        return choice == "always"
+    if os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
+        return False
+    return stream.isatty()
+
+
+def print_diagnostics(diagnostics: Iterable[Diagnostic], choice: str, *, error: bool = True) -> None:
+    """All diagnostics for people, on standard error unless they are what the command is for."""
+    stream = sys.stderr if error else sys.stdout
+    found = tuple(diagnostics)
+    if found:
+        text = render_text(found, colour=wants_colour(choice, stream))
+        click.echo(text, file=stream, nl=False, color=True)
+
+
+def print_json(result: dict[str, Any]) -> None:
+    """A result for programs: one JSON document, which begins with the version of its format."""
+    click.echo(json.dumps({"format": FORMAT, **result}, indent=2, ensure_ascii=False))
+
+
+def diagnostics_json(diagnostics: Iterable[Diagnostic]) -> dict[str, Any]:
+    """The diagnostics with their numbers, as the part that every `--json` has."""
+    found = in_order(diagnostics)
+    return {
+        "errors": count(found, Severity.ERROR),
+        "warnings": count(found, Severity.WARNING),
+        "notes": count(found, Severity.NOTE),
+        "diagnostics": render_json(found),
+    }
+
+
+def count(diagnostics: Iterable[Diagnostic], severity: Severity) -> int:
+    """How many there are of a severity."""
+    return sum(item.severity is severity for item in diagnostics)
+
+
+def plural(number: int, noun: str) -> str:
+    """`1 file`, `2 files`, `2 activities`."""
+    many = f"{noun[:-1]}ies" if noun.endswith("y") else f"{noun}s"
+    return f"{number} {noun if number == 1 else many}"
+
+
+def summary(diagnostics: Iterable[Diagnostic], files: int) -> str:
+    """`2 errors, 1 warning in 1 file`; `1 file is fine` where there is nothing to say."""
+    found = tuple(diagnostics)
+    counts = [(count(found, severity), severity.value) for severity in Severity]
+    said = ", ".join(plural(number, noun) for number, noun in counts if number)
+    if not said:
+        return "1 file is fine" if files == 1 else f"{files} files are fine"
+    return f"{said} in {plural(files, 'file')}"
+
+
+def standard_input() -> bytes:
+    """The bytes of standard input."""
+    return sys.stdin.buffer.read()
+
+
+FILES_HELP = (
+    "FILE is a file, a folder (all .aseme files in it), a pattern in quotes, or - for standard input."
+)
+
+
+def one_system(file: str) -> Compiled:
+    """The one system that FILE means, compiled; what is more or less than one is wrong use."""
+    from aseme_dsl.build.configuration import Configuration
+    from aseme_dsl.build.project import Compiled, compile_root, inputs_of
+
+    inputs = inputs_of([file], standard_input, as_project=True)
+    if inputs.diagnostics:
+        return Compiled(Path(file), Configuration(Path()), None, inputs.diagnostics)
+    if len(inputs.roots) != 1:
+        names = ", ".join(str(getattr(root, "path", root)) for root in inputs.roots)
+        raise click.UsageError(f"{file} means {len(inputs.roots)} systems ({names}): name one of them.")
+    return compile_root(inputs.roots[0])
+
+
+def print_written(written: Written, notes: Iterable[str], as_json: bool, colour: str) -> int:
+    """What became of the files; 1 if they could not be written."""
+    if as_json:
+        print_json({**written_json(written), "remarks": list(notes), **diagnostics_json(written.diagnostics)})
+    else:
+        print_diagnostics(written.diagnostics, colour)
+        for note in notes:
+            click.echo(f"note: {note}", err=True)
+        if not has_errors(written.diagnostics):
+            click.echo(written_summary(written))
+    return int(has_errors(written.diagnostics))
+
+
+def written_json(written: Written) -> dict[str, Any]:
+    """Which files were created, changed, left as they were, removed, or are the user's."""
+    return {
+        "created": [str(path) for path in written.created],
+        "changed": [str(path) for path in written.changed],
+        "unchanged": [str(path) for path in written.unchanged],
+        "removed": [str(path) for path in written.removed],
+        "kept": [str(path) for path in written.kept],
+    }
+
+
+def written_summary(written: Written) -> str:
+    """`3 files created, 1 changed`, with the files where they are few."""
+    parts = [
+        (len(written.created), "created"),
+        (len(written.changed), "changed"),
+        (len(written.removed), "removed"),
+        (len(written.unchanged), "unchanged"),
+        (len(written.kept), "of yours kept"),
+    ]
+    said = [f"{number} {what}" for number, what in parts if number]
+    return f"files: {', '.join(said)}" if said else "no files"
+
+
+def folder_option(*names: str, text: str) -> Callable[[CommandT], CommandT]:
+    """An option that names a folder, which need not exist."""
+    return click.option(*names, type=click.Path(path_type=Path), metavar="DIR", help=text)
+
+
+def check_backends(names: Iterable[str], others: Iterable[str] = ()) -> None:
+    """Refuse, as wrong use, what is neither a backend nor one of `others`."""
+    from aseme_dsl.backends.backend import backend_names
+
+    known = (*others, *backend_names())
+    for name in names:
+        if name not in known:
+            near = closest(name, known)
+            hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(known)}."
+            raise click.UsageError(f"There is no {'part or ' if others else ''}backend {name!r}. {hint}")
+
+
+def count_lines(count: Count | None) -> list[str]:
+    """How much is generated and how much was written by hand, in the words of the papers."""
+    if count is None:
+        return []
+    generated, by_hand, source = count.generated, count.by_hand, count.source
+    lines = f"{generated.lines} of {count.lines} lines ({_percent(generated.lines, count.lines)})"
+    size = f"{_kilobytes(generated.bytes)} of {_kilobytes(count.bytes)} KB"
+    hand = "no activity yet"
+    if by_hand.files:
+        hand = f"{plural(by_hand.lines, 'line')} in {plural(by_hand.files, 'activity')}"
+    text = f"{plural(source.lines, 'line')} of .aseme ({_kilobytes(source.bytes)} KB)"
+    return [
+        f"generated: {lines} of code, {size} ({_percent(generated.bytes, count.bytes)})",
+        f"by hand: {hand}, {text}",
+    ]
+
+
+def _percent(part: int, whole: int) -> str:
+    return f"{100 * part / whole:.0f} %" if whole else "-"
+
+
+def _kilobytes(number: int) -> str:
+    return f"{number / 1000:.1f}"

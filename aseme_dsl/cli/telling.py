@@ -1,0 +1,154 @@
+"""Telling: what is shown on a terminal while a team plays."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Mapping
+from typing import IO, TYPE_CHECKING, Any
+
+import click
+
+from aseme_dsl.cli.shared import plural
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.loading import Loaded
+    from aseme_dsl.runtime.plan import Plan
+
+_STATUS_SECONDS = 0.1
+"""How often the time is renewed on a terminal."""
+_QUIET_AFTER = 20
+"""So many different faults are shown; of the others there is only the number."""
+
+
+class Telling:
+    """Prints lines while a run goes on, from its trace and from what the project tells.
+
+    `alone` is the plan that plays instead of the team, if one does. `activities`: when an agent starts
+    another activity than before in a region, and what activities log; `transitions`: every transition and
+    every start; `progress`: the project's own lines, and on a terminal the time. Faults and failures are
+    always shown, on standard error; what several agents have in common is shown for the first.
+    """
+
+    def __init__(
+        self,
+        loaded: Loaded,
+        *,
+        alone: str | None = None,
+        activities: bool,
+        transitions: bool,
+        progress: bool,
+        colour: bool,
+        stream: IO[str],
+    ) -> None:
+        self._alone = alone
+        self._activities = activities
+        self._transitions = transitions
+        self._progress = progress
+        self._colour = colour
+        self._stream = stream
+        self._roles = dict(loaded.team)
+        self._plans = {plan.name: plan for plan in loaded.plans}
+        self._width = max(map(len, self._roles or self._plans), default=1)
+        self._doing: dict[tuple[str, str], str] = {}
+        self._faults: Counter[tuple[str, str]] = Counter()
+        self._shown_at = 0.0
+        self._status = False
+
+    def line(self, text: str) -> None:
+        """A line that the project tells."""
+        if self._progress:
+            self._print(text)
+
+    def tick(self, moment: int) -> None:
+        """It is `moment`: shown at the bottom of a terminal, if enough has passed since the last time."""
+        if not self._progress or not self._stream.isatty():
+            return
+        now = time.monotonic()
+        if now - self._shown_at >= _STATUS_SECONDS:
+            self._shown_at = now
+            self._status = True
+            self._stream.write(f"\r\x1b[K{_time(moment)}")
+            self._stream.flush()
+
+    def record(self, record: Mapping[str, Any]) -> None:
+        """A line of the trace."""
+        kind = record["kind"]
+        if kind == "activity":
+            if self._activities and record["what"] == "start":
+                self._started(record)
+        elif kind == "log":
+            if self._activities:
+                self._say(record, f"{record['activity']}: {record['text']}")
+        elif kind == "step":
+            if self._transitions:
+                for taken in record["taken"]:
+                    self._took(record, taken)
+        elif kind in ("fault", "error"):
+            self._wrong(record, "fault" if kind == "fault" else "failure")
+
+    def end(self) -> None:
+        """Take the time away, and say how many faults there were besides those that were shown."""
+        self._clear()
+        again = self.faults - min(len(self._faults), _QUIET_AFTER)
+        if again > 0:
+            click.echo(f"... and {plural(again, 'fault')} more; the trace has them all", err=True)
+
+    @property
+    def faults(self) -> int:
+        """How many faults there were."""
+        return sum(self._faults.values())
+
+    def _started(self, record: Mapping[str, Any]) -> None:
+        region = self._region(record["agent"], record["label"])
+        activity = record["activity"]
+        if self._transitions or self._doing.get((record["agent"], region)) != activity:
+            self._doing[record["agent"], region] = activity
+            self._say(record, activity)
+
+    def _took(self, record: Mapping[str, Any], taken: Mapping[str, str]) -> None:
+        ends = " -> ".join(self._state(record["agent"], taken[end]) for end in ("source", "target"))
+        self._say(record, f"{ends}  {taken['text']}".rstrip())
+
+    def _plan(self, agent: str) -> Plan:
+        """The plan of an agent; one that plays alone may be called anything."""
+        role = self._alone or self._roles.get(agent, agent)
+        return self._plans.get(role) or next(iter(self._plans.values()))
+
+    def _state(self, agent: str, label: str) -> str:
+        """A state as people know it: its label, and its name if it has another."""
+        state = self._plan(agent).by_label.get(label)
+        return label if state is None or state.name == label else f"{label} {state.name}"
+
+    def _region(self, agent: str, label: str) -> str:
+        """The innermost region around a state, of the agent's plan."""
+        regions = {region.label for region in self._plan(agent).regions}
+        while label and label not in regions:
+            label = label.rpartition(".")[0]
+        return label
+
+    def _wrong(self, record: Mapping[str, Any], what: str) -> None:
+        key = (record["reason"], record.get("at", ""))
+        self._faults[key] += 1
+        if self._faults[key] == 1 and len(self._faults) <= _QUIET_AFTER:
+            self._clear()
+            place = f" ({record['at']})" if record.get("at") else ""
+            painted = click.style(what, fg="red" if what == "failure" else "yellow") if self._colour else what
+            text = f"{_time(record['time'])}  {record['agent']}  {painted}: {record['reason']}{place}"
+            click.echo(text, err=True, color=True)
+
+    def _say(self, record: Mapping[str, Any], text: str) -> None:
+        self._print(f"{_time(record['time'])}  {record['agent']:<{self._width}}  {text}")
+
+    def _print(self, text: str) -> None:
+        self._clear()
+        click.echo(text, file=self._stream)
+
+    def _clear(self) -> None:
+        if self._status:
+            self._status = False
+            self._stream.write("\r\x1b[K")
+
+
+def _time(moment: int) -> str:
+    return f"{moment / 1e9:8.2f} s"

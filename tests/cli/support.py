@@ -1,0 +1,82 @@
+"""The command line, as tests call it."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from aseme_dsl.cli import main
+
+GOOD = """\
+system Walker
+message Seen { bool ball }
+topic eyes { state Seen }
+srm robot {
+  liveness { robot = (Walk | Stand)+ }
+  activities { Walk takes 1s  Stand takes 1s }
+  control robot {
+    enter Walk  : [eyes.state.Seen.ball]
+    enter Stand : else
+    repeat (Walk | Stand) : [!(has(eyes.state.Seen) && eyes.state.Seen.ball)]
+    leave  (Walk | Stand) : else
+  }
+}
+team Walkers { one, two : robot }
+"""
+"""A small system: it stands until it sees the ball, then walks once and has finished."""
+
+BAD = GOOD.replace("eyes.state.Seen.ball]\n    enter Stand", "eyes.state.Sen.ball]\n    enter Stand").replace(
+    "Stand : else", "Sit : else"
+)
+"""The same with two mistakes."""
+
+
+@dataclass(frozen=True)
+class Done:
+    """How a command ended."""
+
+    code: int
+    out: str
+    err: str
+
+    @property
+    def json(self) -> Any:
+        return json.loads(self.out)
+
+
+def asemec(
+    *arguments: object, cwd: Path | None = None, input: bytes | None = None, **environment: str
+) -> Done:
+    """Start asemec as a process of its own."""
+    done = subprocess.run(
+        command(*arguments),
+        cwd=cwd,
+        input=input if input is not None else b"",
+        capture_output=True,
+        env={**os.environ, **environment},
+        timeout=120,
+    )
+    return Done(done.returncode, done.stdout.decode(), done.stderr.decode())
+
+
+def command(*arguments: object) -> list[str]:
+    """The command line of a process of its own."""
+    return [sys.executable, "-m", "aseme_dsl", *(str(argument) for argument in arguments)]
+
+
+class Here:
+    """Calls asemec in this process: faster, with the same streams and exit codes."""
+
+    def __init__(self, capture: Any) -> None:
+        self._capture = capture
+
+    def __call__(self, *arguments: object) -> Done:
+        self._capture.readouterr()
+        code = main([str(argument) for argument in arguments])
+        out, err = self._capture.readouterr()
+        return Done(code, out, err)
