@@ -354,7 +354,9 @@ def _binding(value: Value) -> int:
     match value:
         case Logic(operator=operator) | Compare(operator=operator) | Arithmetic(operator=operator):
             return _BINDING[operator]
-        case Not() | Negate():
+        case Not():
+            return _BINDING["=="]  # `!a == b` is not in the language: it could be read in two ways
+        case Negate():
             return _UNARY
     return _ATOM
 
