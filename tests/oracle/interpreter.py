@@ -130,8 +130,8 @@ def newest(messages: list[Arrived]) -> Arrived | None:
 class Reference:
     """A running chart, like the generated step classes but interpreted from the plan's words.
 
-    `messages` gives the class of each message by its name. `pending` gives what has arrived since the step
-    began, for `read_messages`.
+    `messages` gives the class of each message and enum by its name. `pending` gives what has arrived since
+    the step began, for `read_messages`.
     """
 
     def __init__(self, plan: Plan, agent: str, messages: Mapping[str, Any]) -> None:
@@ -291,7 +291,7 @@ class Reference:
         self.faulty = set()
 
         # "With the root's END active the agent has finished."
-        self.finished = self.failure is None and self.type_of(self.leaf(self.root())) == "END"
+        self.finished = self.failure is None and self.is_complete(self.root())
         self.outcome.finished = self.finished
         self.outcome.failure = self.failure
         return self.outcome
@@ -682,8 +682,8 @@ class Reference:
         match term:
             case ("const", _):
                 return term
-            case ("enum", _, _, number):
-                return ("const", number)
+            case ("enum", enum, constant, _):
+                return ("const", self.messages[enum][constant])
             case ("variable", name):
                 return ("const", region.variables[name])
             case ("expired", timer):
@@ -710,7 +710,7 @@ class Reference:
                 # "`mean(x.m, w)` = mean over values with time ≥ now - w, absent if none."
                 found = self.value(window, region)
                 if found is not ABSENT:
-                    history = of_sender(region.data.get(channel, []), host)
+                    history = sorted(of_sender(region.data.get(channel, []), host), key=lambda m: m.time)
                     values = [member(m.message, path) for m in history if m.time >= self.now - found]
                     there = [value for value in values if value is not ABSENT]
                     found = sum(there) / len(there) if there else ABSENT
@@ -783,8 +783,10 @@ class Reference:
 
     def crossings(self, operator: str, age: Term, amount: Term, region: Region) -> Iterator[int]:
         """When `age(x) operator amount` changes: "time + c; + 1 ns for `>` and `<=`" (`==` changes twice)."""
+        if age[0] != "age":
+            return
         length = constant(amount)
-        if age[0] != "age" or length is None:
+        if length is None:
             return
         message = region.sees(age[1][2], age[1][1])
         if message is not None and operator in ("<", ">=", "==", "!="):

@@ -562,8 +562,8 @@ def test_history(offset: int, expected: int | None) -> None:
 
 
 def test_age_and_mean() -> None:
-    """ "`age(x)` = now - time of measurement."; "`mean(x.m, w)` = mean over values with time ≥ now - w, absent
-    if none." """
+    """ "`age(x)` = now - time of measurement."; "`mean(x.m, w)` = mean over values with time ≥ now - w,
+    absent if none." """
     run = Run(
         plan(
             A_THEN_B,

@@ -1,0 +1,624 @@
+"""Random `.aseme` texts that compile by construction.
+
+Everything of the language that a chart is made of occurs: formulas of every operator, every kind of
+transition expression, messages of every class, variables, timers, functions that raise, protocols.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
+
+from hypothesis import strategies as st
+
+T = TypeVar("T")
+Draw = Callable[[st.SearchStrategy[Any]], Any]
+
+MS = 1_000_000
+PRELUDE = """\
+system Random
+
+enum Colour { RED GREEN BLUE }
+message Inner { int y  optional int z }
+message M { int x  bool on  double d  string s  Colour colour  Inner inner }
+message Note { string text  int n }
+
+topic t { state M, Note  signal M, Note  data M }
+topic q { signal M queued  data Note }
+
+function even(int n) : bool = "tests.oracle.functions:even"
+function shy(int n) : bool = "tests.oracle.functions:shy"
+function inverse(double d) : double = "tests.oracle.functions:inverse"
+function weight(M m) : int = "tests.oracle.functions:weight"
+
+team Team { me, ann, bob : R }
+"""
+
+STATES = ("t.state.M", "t.state.Note")
+SIGNALS = ("t.signal.M", "q.signal.M", "t.signal.Note")
+DATA = ("t.data.M", "q.data.Note")
+CHANNELS = (*STATES, *SIGNALS, *DATA)
+HELPERS = ("helper", "aid")
+"""How the names of formulas begin; other names are activities and the participant `a`."""
+
+MEMBERS: dict[str, dict[str, tuple[str, ...]]] = {
+    "M": {
+        "bool": ("on",),
+        "int": ("x", "inner.y", "inner.z"),
+        "double": ("d",),
+        "string": ("s",),
+        "Colour": ("colour",),
+    },
+    "Note": {"int": ("n",), "string": ("text",)},
+}
+FILLED: dict[str, dict[str, tuple[str, ...]]] = {
+    "M": {**MEMBERS["M"], "int": ("x", "inner.y")},
+    "Note": MEMBERS["Note"],
+}
+HOSTS = ("ann", "bob", "me")
+EVENTS = ("go", "hop", "stop")
+TIMERS = ("pace", "limit")
+COLOURS = ("RED", "GREEN", "BLUE")
+SENT = (("cfp", "Note"), ("inform", "Note"), ("refuse", "M"))
+RECEIVED = (("propose", "Note"), ("inform", "Note"), ("inform", "M"))
+
+
+class Choices:
+    """Draws by weight; whatever is listed first is what a failing example shrinks to."""
+
+    def __init__(self, draw: Draw) -> None:
+        self._draw = draw
+
+    def number(self, least: int, most: int) -> int:
+        return int(self._draw(st.integers(least, most)))
+
+    def one_of(self, options: Sequence[T]) -> T:
+        return options[self.number(0, len(options) - 1)]
+
+    def one_in(self, count: int) -> bool:
+        return self.number(0, count - 1) == count - 1
+
+    def weighted(self, **weights: int) -> str:
+        place = self.number(0, sum(weights.values()) - 1)
+        for name, weight in weights.items():
+            if place < weight:
+                return name
+            place -= weight
+        raise AssertionError
+
+
+# ---- formulas ----------------------------------------------------------------------------------
+
+
+@dataclass(eq=False)
+class Formula:
+    """A formula: `operator` is name, seq, alt, par, inst, opt, star, plus or forever."""
+
+    operator: str
+    operands: list[Formula] = field(default_factory=list)
+    name: str = ""
+    count: int = 0
+    nullable: bool = False
+
+    def text(self) -> str:
+        inner = [operand.text() for operand in self.operands]
+        grouped = [
+            f"({text})" if operand.operator in ("seq", "alt", "par") else text
+            for text, operand in zip(inner, self.operands, strict=True)
+        ]
+        body = grouped[0] if grouped else ""
+        if self.operands and self.operands[0].operator in ("star", "plus", "forever", "inst"):
+            body = f"({body})"
+        match self.operator:
+            case "name":
+                return self.name
+            case "seq":
+                return " . ".join(grouped)
+            case "alt":
+                return " | ".join(grouped)
+            case "par":
+                return " || ".join(grouped)
+            case "inst":
+                return f"{body}[{self.count}]"
+            case "opt":
+                return f"[{inner[0]}]"
+        return body + {"star": "*", "plus": "+", "forever": "~"}[self.operator]
+
+
+@dataclass
+class Names:
+    """What the formulas of one role or participant may use."""
+
+    helpers: dict[str, bool]
+    """Formulas and participants by name, with whether they may be empty."""
+    unused: list[str]
+    """Those that must still be used."""
+    prefix: str
+    activities: int = 0
+    here: set[str] = field(default_factory=set)
+    """The activities of the formula that is being made."""
+
+    def activity(self, choices: Choices) -> str:
+        """An activity that this formula does not have yet, now and then one of another formula."""
+        older = [
+            name for n in range(1, self.activities + 1) if (name := f"{self.prefix}{n}") not in self.here
+        ]
+        if older and choices.one_in(4):
+            name = choices.one_of(older)
+        else:
+            self.activities += 1
+            name = f"{self.prefix}{self.activities}"
+        self.here.add(name)
+        return name
+
+
+def formula(choices: Choices, names: Names, depth: int) -> Formula:
+    """A formula whose names all differ, so that each of its terms has its own spelling."""
+    free = list(names.helpers)
+    names.here = set()
+    return _formula(choices, names, depth, free)
+
+
+def _formula(choices: Choices, names: Names, depth: int, free: list[str]) -> Formula:
+    if depth == 0:
+        return _name(choices, names, free)
+    operator = choices.weighted(name=2, seq=5, alt=3, par=3, plus=2, forever=2, opt=2, star=2, inst=1)
+    if operator == "name":
+        return _name(choices, names, free)
+    if operator in ("seq", "alt", "par"):
+        operands = [_formula(choices, names, depth - 1, free) for _ in range(choices.number(2, 3))]
+        empty = [operand.nullable for operand in operands]
+        return Formula(operator, operands, nullable=any(empty) if operator == "alt" else all(empty))
+    inner = _formula(choices, names, depth - 1, free)
+    if operator in ("plus", "forever", "star") and inner.nullable:
+        inner = Formula("seq", [inner, Formula("name", name=names.activity(choices))])
+    if operator == "inst":
+        return Formula(operator, [inner], count=choices.number(2, 3), nullable=inner.nullable)
+    return Formula(operator, [inner], nullable=operator in ("opt", "star"))
+
+
+def _name(choices: Choices, names: Names, free: list[str]) -> Formula:
+    wanted = [name for name in free if name in names.unused]
+    if free and (wanted or choices.one_in(3)):
+        name = choices.one_of(wanted or free)
+        free.remove(name)
+        if name in names.unused:
+            names.unused.remove(name)
+        return Formula("name", name=name, nullable=names.helpers[name])
+    return Formula("name", name=names.activity(choices))
+
+
+def with_everything(choices: Choices, names: Names, depth: int) -> Formula:
+    """A formula that uses all names which nothing has used so far."""
+    found = formula(choices, names, depth)
+    while names.unused:
+        name = names.unused.pop()
+        found = Formula("seq", [found, Formula("name", name=name, nullable=names.helpers[name])])
+    return found
+
+
+@dataclass(frozen=True)
+class Line:
+    """A way of a formula: what may be said of it, and with what it must be decided."""
+
+    written: str
+    choice: int = 0
+    """Branches of one choice have one number: each must have a condition."""
+    loop: int = 0
+    """`repeat` and `leave` of one loop have one number: one of them must have a condition."""
+    source: int = 0
+    """Lines with one number start at one state: at most one is `else`."""
+
+
+def lines(of: Formula, name: str) -> Iterator[Line]:
+    """The ways of a formula called `name`, as `control` names them."""
+    numbers = iter(range(1, 1_000_000))
+    if of.operator == "name" and not of.name.startswith(HELPERS):
+        yield Line(f"enter {of.text()}", source=next(numbers))
+        yield Line(f"leave {of.text()}", source=next(numbers))
+    stack: list[Formula] = [of]
+    while stack:
+        node = stack.pop()
+        stack += reversed(node.operands)
+        texts = [f"({o.text()})" if o.operator in ("seq", "alt", "par") else o.text() for o in node.operands]
+        own = name if node is of else f"({node.text()})" if node.operator in ("alt", "par") else node.text()
+        here = next(numbers)
+        match node.operator:
+            case "seq":
+                for text in texts:
+                    yield Line(f"enter {text}", source=next(numbers))
+                yield Line(f"leave {texts[-1]}", source=next(numbers))
+            case "alt":
+                yield Line(f"start {own}", source=next(numbers))
+                for text in texts:
+                    yield Line(f"enter {text}", choice=here, source=here)
+                for text in texts:
+                    yield Line(f"leave {text}", source=next(numbers))
+            case "par" | "inst":
+                yield Line(f"start {own}", source=next(numbers))
+                yield Line(f"finish {own}", source=next(numbers))
+                for text in texts:
+                    yield Line(f"enter {text}", source=next(numbers))
+                    yield Line(f"leave {text}", source=next(numbers))
+            case "opt" | "star":
+                after = next(numbers)
+                yield Line(f"start {own}", source=next(numbers))
+                yield Line(f"enter {texts[0]}", choice=here, source=here)
+                yield Line(f"skip {texts[0]}", choice=here, source=here)
+                if node.operator == "star":
+                    yield Line(f"repeat {texts[0]}", loop=after, source=after)
+                    yield Line(f"leave {texts[0]}", loop=after, source=after)
+                else:
+                    yield Line(f"leave {texts[0]}", source=after)
+            case "plus":
+                yield Line(f"start {own}", source=next(numbers))
+                yield Line(f"repeat {texts[0]}", loop=here, source=here)
+                yield Line(f"leave {texts[0]}", loop=here, source=here)
+            case "forever":
+                yield Line(f"start {own}", source=next(numbers))
+                yield Line(f"repeat {texts[0]}", source=next(numbers))
+
+
+# ---- expressions -------------------------------------------------------------------------------
+
+VARIABLES = {
+    "i": ("int", "0"),
+    "k": ("int", "3"),
+    "b": ("bool", "false"),
+    "f": ("double", "0.5"),
+    "s": ("string", '"a"'),
+    "c": ("Colour", "Colour.GREEN"),
+    "w": ("duration", "10ms"),
+}
+OWN_VARIABLES = {"i": ("int", "1"), "b": ("bool", "true"), "f": ("double", "2")}
+
+
+@dataclass(frozen=True)
+class Words:
+    """What expressions may name: variables and lets by type; what a participant exchanges."""
+
+    choices: Choices
+    variables: dict[str, str]
+    lets: dict[str, str]
+    is_participant: bool = False
+
+    # ---- values -------------------------------------------------------------------------
+
+    def value(self, kind: str, depth: int) -> str:
+        """A value of a type, with parentheses where it is computed."""
+        pick = self.choices
+        if depth <= 0 or pick.one_in(3):
+            return self._plain(kind, depth)
+        match kind:
+            case "bool":
+                return self._bool(depth)
+            case "int":
+                match pick.weighted(member=3, arithmetic=4, least=2, function=1, sign=1, at=1):
+                    case "member":
+                        return self._member("int", depth)
+                    case "arithmetic":
+                        operator = pick.one_of(("+", "-", "*", "%"))
+                        right = str(pick.number(0, 3)) if operator == "*" else self.value("int", depth - 1)
+                        return f"({self.value('int', depth - 1)} {operator} {right})"
+                    case "least":
+                        name = pick.one_of(("min", "max"))
+                        return f"{name}({self.value('int', depth - 1)}, {self.value('int', depth - 1)})"
+                    case "function":
+                        return f"weight({self._message('M')})"
+                    case "sign":
+                        return f"abs({self.value('int', depth - 1)})"
+                return self._at("int")
+            case "double":
+                match pick.weighted(member=3, arithmetic=4, mean=3, function=1, division=2, at=1):
+                    case "member":
+                        return self._member("double", depth)
+                    case "arithmetic":
+                        operator = pick.one_of(("+", "-", "%"))
+                        right = pick.one_of(("double", "int"))
+                        return (
+                            f"({self.value('double', depth - 1)} {operator} {self.value(right, depth - 1)})"
+                        )
+                    case "mean":
+                        member = pick.one_of(("t.data.M.x", "t.data.M.d", "ann.t.data.M.x", "q.data.Note.n"))
+                        return f"mean({member}, {self._duration()})"
+                    case "function":
+                        return f"inverse({self.value(pick.one_of(('double', 'int')), depth - 1)})"
+                    case "division":
+                        return f"({self.value('int', depth - 1)} / {self.value('int', depth - 1)})"
+                return self._at("double")
+            case "duration":
+                match pick.weighted(age=4, sum=2, scaled=2, part=1):
+                    case "age":
+                        return f"age({self._host()}{pick.one_of((*STATES, *DATA))})"
+                    case "sum":
+                        operator = pick.one_of(("+", "-"))
+                        left, right = (self.value("duration", depth - 1) for _ in range(2))
+                        return f"({left} {operator} {right})"
+                    case "scaled":
+                        return f"({self.value('int', depth - 1)} * {self.value('duration', depth - 1)})"
+                return f"({self.value('duration', depth - 1)} / {self.value('int', depth - 1)})"
+        return self._plain(kind, depth)
+
+    def _bool(self, depth: int) -> str:
+        pick = self.choices
+        match pick.weighted(
+            member=4, compare=6, both=3, either=3, no=2, has=3, expired=2, function=2, same=1
+        ):
+            case "member":
+                return self._member("bool", depth)
+            case "compare":
+                return f"({self._comparison(depth)})"
+            case "both":
+                return f"({self._joined('&&', depth)})"
+            case "either":
+                return f"({self._joined('||', depth)})"
+            case "no":
+                return f"(!{self.value('bool', depth - 1)})"
+            case "has":
+                return f"has({self._host()}{pick.one_of(CHANNELS)})"
+            case "expired":
+                return f"expired({pick.one_of(TIMERS)})"
+            case "function":
+                return f"{pick.one_of(('even', 'shy'))}({self.value('int', depth - 1)})"
+        return f"({self.value('bool', depth - 1)} == {self.value('bool', depth - 1)})"
+
+    def _joined(self, operator: str, depth: int) -> str:
+        return f" {operator} ".join(self.value("bool", depth - 1) for _ in range(self.choices.number(2, 3)))
+
+    def _comparison(self, depth: int) -> str:
+        pick = self.choices
+        kind = pick.weighted(int=5, double=2, string=1, Colour=2, duration=4)
+        operator = pick.one_of(("==", "!=", "<", "<=", ">", ">="))
+        if kind == "Colour":
+            operator = pick.one_of(("==", "!="))
+        if kind == "duration" and pick.one_in(2):
+            sides = [f"age({self._host()}{pick.one_of((*STATES, *DATA))})", self._duration()]
+            if pick.one_in(3):
+                sides.reverse()
+            return f"{sides[0]} {operator} {sides[1]}"
+        if kind == "int" and pick.one_in(2):
+            return f"{self._member('int', depth)} {operator} {pick.number(0, 3)}"
+        other = pick.one_of(("int", "double")) if kind == "double" else kind
+        return f"{self.value(kind, depth - 1)} {operator} {self.value(other, depth - 1)}"
+
+    def _plain(self, kind: str, depth: int) -> str:
+        pick = self.choices
+        names = [name for name, of in (*self.variables.items(), *self.lets.items()) if of == kind]
+        if names and pick.one_in(2):
+            return pick.one_of(names)
+        if kind != "duration" and pick.one_in(3):
+            return self._member(kind, depth)
+        match kind:
+            case "bool":
+                return pick.one_of(("true", "false"))
+            case "int":
+                return str(pick.number(0, 3))
+            case "double":
+                return pick.one_of(("0.5", "0.0", "1.5", "2.0"))
+            case "string":
+                return pick.one_of(('"a"', '"b"', '""', '"\\"\\\\ == "'))
+            case "duration":
+                return self._duration()
+        return f"{kind}.{pick.one_of(COLOURS)}"
+
+    def _member(self, kind: str, depth: int) -> str:
+        pick = self.choices
+        channels = [c for c in CHANNELS if kind in MEMBERS[c.split(".")[2]]]
+        channel = pick.one_of(channels)
+        if channel in DATA and depth > 0 and pick.one_in(3):
+            return self._at(kind)
+        return f"{self._host()}{channel}.{pick.one_of(MEMBERS[channel.split('.')[2]][kind])}"
+
+    def _at(self, kind: str) -> str:
+        channels = [c for c in DATA if kind in MEMBERS[c.split(".")[2]]]
+        channel = self.choices.one_of(channels)
+        member = self.choices.one_of(MEMBERS[channel.split(".")[2]][kind])
+        return f"at({self._host()}{channel}.{member}, -{self._duration()})"
+
+    def _message(self, name: str) -> str:
+        return self._host() + self.choices.one_of([c for c in CHANNELS if c.endswith("." + name)])
+
+    def _host(self) -> str:
+        return self.choices.one_of(HOSTS) + "." if self.choices.one_in(5) else ""
+
+    def _duration(self) -> str:
+        return self.choices.one_of(("10ms", "5ms", "20ms", "0.01s", "1ms"))
+
+    # ---- transitions --------------------------------------------------------------------
+
+    def transition(self, *, decided: bool, otherwise: bool) -> tuple[str, bool]:
+        """An expression and whether it is `else`; `decided` ones have an event or a condition."""
+        pick = self.choices
+        kind = pick.weighted(
+            nothing=0 if decided else 4,
+            condition=5,
+            event=4,
+            when=4,
+            otherwise=4 if otherwise else 0,
+        )
+        text = ""
+        match kind:
+            case "condition":
+                text = f"[{self.value('bool', 2)}]"
+            case "when":
+                text = f"when [{self.value('bool', 2)}]"
+            case "event":
+                text = " or ".join(self._event() for _ in range(pick.number(1, 2)))
+                if pick.one_in(3):
+                    text += f" [{self.value('bool', 2)}]"
+            case "otherwise":
+                text = "else"
+        if pick.one_in(3):
+            text += " / " + "; ".join(self._action() for _ in range(pick.number(1, 3)))
+        return text, kind == "otherwise"
+
+    def _event(self) -> str:
+        pick = self.choices
+        match pick.weighted(raised=4, after=3, error=1, received=6 if self.is_participant else 0):
+            case "raised":
+                return pick.one_of(EVENTS)
+            case "after":
+                return f"after({pick.one_of(('10ms', '5ms', '1ms', '0ms'))})"
+            case "error":
+                return "error"
+        performative, message = pick.one_of(RECEIVED)
+        return f"{performative} {message} from other"
+
+    def _action(self) -> str:
+        pick = self.choices
+        send = 4 if self.is_participant else 0
+        match pick.weighted(assign=6, fill=4, publish=4, timer=3, read=2, call=1, send=send):
+            case "assign":
+                name = pick.one_of(list(self.variables))
+                return f"{name} = {self._assigned(self.variables[name])}"
+            case "fill":
+                channel = pick.one_of(CHANNELS)
+                members = FILLED[channel.split(".")[2]]
+                kind = pick.one_of(list(members))
+                target = f"{self._host()}{channel}.{pick.one_of(members[kind])}"
+                return f"{target} = {self._assigned(kind)}"
+            case "publish":
+                return f"write_messages.{pick.one_of(CHANNELS)}"
+            case "timer":
+                return f"start_timer({pick.one_of(TIMERS)}, {self._length()})"
+            case "read":
+                return "read_messages"
+            case "call":
+                return f"{pick.one_of(('even', 'shy'))}({self.value('int', 1)})"
+        performative, message = pick.one_of(SENT)
+        return f"send {performative} {message} to other"
+
+    def _length(self) -> str:
+        """The length of a timer: what the compiler can compute may not be negative."""
+        if self.choices.one_in(2):
+            return self._duration()
+        return f"age({self._host()}{self.choices.one_of(DATA)}) + {self.value('duration', 1)}"
+
+    def _assigned(self, kind: str) -> str:
+        """A value that cannot grow without bound when it is assigned again and again."""
+        match kind:
+            case "int":
+                return f"{self.value('int', 2)} % 5"
+            case "double":
+                return f"{self.value(self.choices.one_of(('double', 'int')), 2)} % 4.0"
+            case "duration":
+                return f"max(0ms, min({self.value('duration', 1)}, 20ms))"
+        return self.value(kind, 2)
+
+
+def control(words: Words, of: Formula, name: str, extra: Sequence[str] = ()) -> str:
+    """A control block of a formula: nothing, or lines that decide what must be decided."""
+    pick = words.choices
+    ways = list(lines(of, name))
+    if not extra and pick.one_in(8):
+        return ""
+    loops = sorted({way.loop for way in ways} - {0})
+    deciding = {pick.one_of([way.written for way in ways if way.loop == loop]) for loop in loops}
+    otherwise: set[int] = set()
+    written: list[str] = []
+    for way in ways:
+        must = way.choice > 0 or (way.loop > 0 and way.written in deciding)
+        if not must and not pick.one_in(3):
+            continue
+        for _ in range(2 if pick.one_in(5) else 1):
+            text, is_else = words.transition(decided=must, otherwise=way.source not in otherwise)
+            if is_else:
+                otherwise.add(way.source)
+            written.append(f"    {way.written} : {text}")
+    if pick.one_in(3):
+        written.reverse()
+    written += extra
+    return "\n".join([f"  control {name} {{", *written, "  }"]) if written else ""
+
+
+# ---- texts -------------------------------------------------------------------------------------
+
+
+def _lets(words: Words, prefix: str) -> tuple[list[str], dict[str, str]]:
+    """A few lets with their types."""
+    texts, kinds = [], {}
+    for number in range(words.choices.number(0, 2)):
+        kind = words.choices.one_of(("bool", "int", "double", "duration"))
+        name = f"{prefix}{number}"
+        texts.append(f"let {name} = {words.value(kind, 2)}")
+        kinds[name] = kind
+    return texts, kinds
+
+
+def _formulas(
+    choices: Choices, names: Names, root: str, helpers: Sequence[str], depth: int
+) -> list[tuple[str, Formula]]:
+    """The root formula and its helpers, each of which is used by one before it."""
+    found: list[tuple[str, Formula]] = []
+    for helper in reversed(helpers):
+        made = formula(choices, names, depth - 1)
+        found.insert(0, (helper, made))
+        names.helpers[helper] = made.nullable
+        names.unused.append(helper)
+    found.insert(0, (root, with_everything(choices, names, depth)))
+    return found
+
+
+def _variables(variables: dict[str, tuple[str, str]]) -> list[str]:
+    return [f"  var {name} : {kind} = {initial}" for name, (kind, initial) in variables.items()]
+
+
+def _protocol(choices: Choices, lets: dict[str, str]) -> tuple[str, bool]:
+    """A protocol with the participant `a` that the role plays, and whether its process may be empty."""
+    names = Names({}, [], "P")
+    helpers = ["aid"] if choices.one_in(2) else []
+    formulas = _formulas(choices, names, "process", helpers, 2)
+    own, kinds = _lets(Words(choices, {name: of for name, (of, _) in OWN_VARIABLES.items()}, lets), "own")
+    variables = {name: kind for name, (kind, _) in OWN_VARIABLES.items()}
+    words = Words(choices, variables, lets | kinds, is_participant=True)
+    sends, receives = (", ".join(f"{p} {m}" for p, m in listed) for listed in (SENT, RECEIVED))
+    text = [
+        "aip p {",
+        "  participant a {",
+        '  engage "Always."',
+        *_variables(OWN_VARIABLES),
+        *(f"  {let}" for let in own),
+        f"  sends {sends}",
+        f"  receives {receives}",
+        *(f"  {name} = {made.text()}" for name, made in formulas),
+        "  }",
+        f'  participant other {{ engage "Always."  sends {receives}  receives {sends}  process = X }}',
+        '  outcome "Done."',
+        *(control(words, made, "a" if name == "process" else name) for name, made in formulas),
+        "}",
+    ]
+    return "\n".join(line for line in text if line), formulas[0][1].nullable
+
+
+@st.composite
+def texts(draw: Draw) -> str:
+    """A text with a role `R`."""
+    choices = Choices(draw)
+    top, lets = _lets(Words(choices, {}, {}), "top")
+    names = Names({}, [], "A")
+    parts = [PRELUDE, *top]
+    plays = ""
+    if choices.one_in(3):
+        protocol, nullable = _protocol(choices, lets)
+        parts.append(protocol)
+        names.helpers["a"] = nullable
+        names.unused.append("a")
+        plays = "  plays p.a"
+    helpers = [f"helper{number}" for number in range(choices.number(0, 3))]
+    formulas = _formulas(choices, names, "R", helpers, choices.number(1, 3))
+    variables = {name: kind for name, (kind, _) in VARIABLES.items()}
+    own, kinds = _lets(Words(choices, variables, lets), "own")
+    words = Words(choices, variables, lets | kinds)
+    parts += [
+        "srm R {",
+        plays,
+        *_variables(VARIABLES),
+        *(f"  {let}" for let in own),
+        "  liveness {",
+        *(f"    {name} = {made.text()}" for name, made in formulas),
+        "  }",
+        *(control(words, made, name) for name, made in formulas),
+        "}",
+    ]
+    return "\n".join(part for part in parts if part) + "\n"

@@ -1,0 +1,240 @@
+"""Random inputs, and two engines that are given the same ones and must do the same."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from hypothesis import strategies as st
+
+from aseme_dsl.runtime.inputs import (
+    Arrived,
+    Cancel,
+    Completed,
+    Crashed,
+    Effect,
+    Fault,
+    Happened,
+    Identity,
+    Input,
+    Mail,
+    Outcome,
+    Publication,
+    Start,
+    Written,
+)
+from tests.oracle.charts import CHANNELS, EVENTS, HOSTS, MS, RECEIVED, VARIABLES, Choices, Draw
+from tests.oracle.interpreter import Reference
+from tests.support.generated import Generated
+
+Operation = tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A step: after a wait in ns (or when the chart is due), with what, and what comes while it is made."""
+
+    wait: int | None
+    operations: tuple[Operation, ...]
+    late: tuple[Operation, ...] = ()
+
+
+@st.composite
+def moments(draw: Draw) -> list[Moment]:
+    """A sequence of steps. What an operation means depends on the chart: `("done", 1)` is one that runs."""
+    choices = Choices(draw)
+    found = [Moment(0, ())]
+    for _ in range(choices.number(1, 20)):
+        wait = choices.one_of((0, None, MS, 5 * MS, 10 * MS, 20 * MS, 1))
+        operations = tuple(_operation(choices) for _ in range(choices.number(0, 4)))
+        late = tuple(_arrival(choices) for _ in range(choices.number(1, 2))) if choices.one_in(6) else ()
+        found.append(Moment(wait, operations, late))
+    return found
+
+
+def _operation(choices: Choices) -> Operation:
+    match choices.weighted(done=12, arrival=12, event=5, back=4, mail=4, write=2, stale=2, crash=1):
+        case "done":
+            return ("done", choices.number(0, 3))
+        case "arrival":
+            return _arrival(choices)
+        case "event":
+            return ("event", choices.one_of(EVENTS))
+        case "back":
+            return ("back",)
+        case "mail":
+            return ("mail", *choices.one_of(RECEIVED), choices.number(0, 2))
+        case "write":
+            name = choices.one_of(list(VARIABLES))
+            return ("write", name, _value(choices, VARIABLES[name][0]))
+        case "stale":
+            return ("stale", choices.number(0, 9))
+    return ("crash", choices.number(0, 3))
+
+
+def _arrival(choices: Choices) -> Operation:
+    channel = choices.one_of(CHANNELS)
+    if channel.endswith("M"):
+        kinds = {"x": "int", "on": "bool", "d": "double", "s": "string", "colour": "Colour", "inner": "Inner"}
+    else:
+        kinds = {"text": "string", "n": "int"}
+    members = {name: _value(choices, kind) for name, kind in kinds.items()}
+    age = choices.one_of((0, 0, MS, 5 * MS, 10 * MS, 30 * MS))
+    return ("arrival", channel, choices.one_of(HOSTS), age, tuple(members.items()))
+
+
+def _value(choices: Choices, kind: str) -> Any:
+    match kind:
+        case "bool":
+            return choices.one_in(2)
+        case "int":
+            return choices.number(0, 3)
+        case "double":
+            return choices.one_of((0.5, 0.0, 1.5, 2.0))
+        case "string":
+            return choices.one_of(("a", "b", ""))
+        case "Inner":
+            return ("Inner", choices.number(0, 3), choices.one_of((None, 0, 2)))
+        case "duration":
+            return choices.one_of((10 * MS, 0, MS))
+    return ("Colour", choices.number(0, 2))
+
+
+@dataclass
+class Game:
+    """The interpreter and the generated class of a role, side by side."""
+
+    made: Generated
+    text: str
+    now: int = 0
+    running: dict[str, int] = field(default_factory=dict)
+    old: list[tuple[str, int]] = field(default_factory=list)
+    """Activities that have ended or were cancelled, with their tokens."""
+    published: list[Publication] = field(default_factory=list)
+    late: list[Arrived] = field(default_factory=list)
+    numbers: dict[str, int] = field(default_factory=dict)
+    story: list[str] = field(default_factory=list)
+    taken: int = 0
+
+    def __post_init__(self) -> None:
+        self.plan = self.made.plan("R")
+        self.expected = Reference(self.plan, "me", vars(self.made.messages))
+        self.actual = self.made.chart("R", "me")
+
+    def play(self, sequence: list[Moment]) -> None:
+        """Give both the same inputs, and compare them after each step."""
+        for moment in sequence:
+            self.step(moment)
+            if self.expected.finished or self.expected.failure is not None:
+                break
+
+    def step(self, moment: Moment) -> None:
+        due = self.expected.due(self.now)
+        self.now += moment.wait if moment.wait is not None else 0 if due is None else due - self.now
+        inputs: list[Input] = list(self.late)
+        for operation in moment.operations:
+            inputs += self.inputs(operation)
+        late: list[Any] = [item for operation in moment.late for item in self.inputs(operation)]
+        self.late = late
+        self.expected.pending = lambda: late
+        self.actual.pending = lambda: late
+        self.story.append(f"at {self.now / MS} ms: {inputs}" + (f", during it {late}" if late else ""))
+
+        expected = self.expected.step(self.now, inputs)
+        actual = self.actual.step(self.now, inputs)
+        self.compare("the step", shown(expected), shown(actual))
+        self.compare("the configuration", self.expected.configuration(), self.actual.configuration())
+        self.compare("due", self.expected.due(self.now), self.actual.due(self.now))
+        for variable in self.plan.variables:
+            name = variable.name
+            self.compare(f"the variable {name}", self.expected.variable(name), self.actual.variable(name))
+        self.follow(expected)
+
+    def compare(self, what: str, expected: Any, actual: Any) -> None:
+        if expected != actual:
+            raise AssertionError(
+                "\n".join(
+                    [
+                        f"{what} differs",
+                        f"interpreter: {expected}",
+                        f"generated:   {actual}",
+                        "",
+                        *self.story,
+                        "",
+                        self.text,
+                    ]
+                )
+            )
+
+    def follow(self, outcome: Outcome) -> None:
+        """Remember what runs now and what was published."""
+        self.taken += len(outcome.taken)
+        for effect in outcome.effects:
+            match effect:
+                case Start(label=label, token=token):
+                    self.running[label] = token
+                case Cancel(label=label, token=token):
+                    self.running.pop(label, None)
+                    self.old.append((label, token))
+                case Publication(host=host) if host in (None, "me"):
+                    self.published.append(effect)
+
+    def inputs(self, operation: Operation) -> list[Input]:
+        """What an operation is for this chart: nothing, where it has nothing to be about."""
+        match operation:
+            case ("done" | "crash" as kind, number):
+                if not self.running:
+                    return []
+                label = list(self.running)[number % len(self.running)]
+                token = self.running.pop(label)
+                self.old.append((label, token))
+                return [Completed(label, token) if kind == "done" else Crashed(label, token, "no battery")]
+            case ("stale", number):
+                if not self.old:
+                    return []
+                label, token = self.old[number % len(self.old)]
+                return [Completed(label, token) if number < 5 else Crashed(label, token, "too late")]
+            case ("event", name):
+                return [Happened(name)]
+            case ("write", name, value):
+                return [Written(name, self.built(value))]
+            case ("mail", performative, message, number):
+                if not self.plan.branches:
+                    return []
+                branch = self.plan.branches[number % len(self.plan.branches)].label
+                content = self.made.message(message)
+                return [Mail(branch, performative, message, content, "other", "ann", self.identity("ann"))]
+            case ("back",):
+                back = [self.arrived(p.channel, p.message, "me", 0, p.region) for p in self.published]
+                self.published.clear()
+                return list(back)
+            case ("arrival", channel, sender, age, members):
+                values = {name: self.built(value) for name, value in members}
+                message = self.made.message(channel.split(".")[2], **values)
+                return [self.arrived(channel, message, sender, age, None)]
+        raise ValueError(operation)
+
+    def arrived(self, channel: str, message: Any, sender: str, age: int, region: str | None) -> Arrived:
+        return Arrived(channel, message, sender, self.now - age, self.identity(sender), region)
+
+    def identity(self, sender: str) -> Identity:
+        self.numbers[sender] = self.numbers.get(sender, 0) + 1
+        return sender, self.numbers[sender]
+
+    def built(self, value: Any) -> Any:
+        match value:
+            case ("Colour", number):
+                return self.made.messages.Colour(number)
+            case ("Inner", y, z):
+                return self.made.message("Inner", y=y, z=z)
+        return value
+
+
+def shown(outcome: Outcome) -> tuple[Any, ...]:
+    """What must agree: all but the words of faults and failures."""
+    effects = [_shown(effect) for effect in outcome.effects]
+    return outcome.taken, effects, outcome.finished, outcome.again, outcome.failure is not None
+
+
+def _shown(effect: Effect) -> Any:
+    return ("Fault", effect.transition) if isinstance(effect, Fault) else effect
