@@ -39,6 +39,8 @@ TIME_LIMIT = 60.0
 
 _IMPORT = re.compile(r'^\s*import\s+(?:public\s+|weak\s+)?"([^"]+)"', re.MULTILINE)
 _PROBLEM = re.compile(r"^(?P<file>.+?):(?P<line>\d+):(?P<column>\d+): (?P<text>.*)$")
+_NOISE = re.compile(r"WARNING: All log messages|[IWEF]\d{4} |.*: File not found\.$")
+"""Log lines, and what protoc says again at the place of the import."""
 _WELL_KNOWN = "google/protobuf/"
 _INT_TYPES = "INT32 INT64 UINT32 UINT64 SINT32 SINT64 FIXED32 FIXED64 SFIXED32 SFIXED64".split()
 
@@ -159,8 +161,9 @@ def _protoc(
         return None, (f"protoc could not be run: {problem}",)
     if done.returncode == 0 and output.is_file():
         return output.read_bytes(), ()
-    lines = tuple(line.replace(f"{folder / 'in'}/", "") for line in done.stderr.splitlines() if line.strip())
-    return None, lines or (f"protoc ended with code {done.returncode}",)
+    said = (line.replace(f"{folder / 'in'}/", "") for line in done.stderr.splitlines())
+    lines = tuple(line for line in said if line.strip() and not _NOISE.match(line))
+    return None, lines or (f"protoc ended with code {done.returncode}: {done.stderr.strip()}",)
 
 
 def _diagnostics(problems: tuple[str, ...], source: Source, name: str, at: Span) -> tuple[Diagnostic, ...]:
