@@ -528,6 +528,8 @@ def _fits(kind: str, value: Any) -> bool:
 def reason_of(error: BaseException) -> str:
     """An exception in one line."""
     text = str(error)
+    if hasattr(error, "frames"):  # reported by another process: the text is the whole
+        return text
     return f"{type(error).__name__}: {text}" if text else type(error).__name__
 
 

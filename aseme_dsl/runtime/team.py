@@ -19,6 +19,7 @@ from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.conversation import Conversations
 from aseme_dsl.runtime.loading import Loaded, importing
 from aseme_dsl.runtime.radio import Radio
+from aseme_dsl.runtime.real import RealDriver
 from aseme_dsl.runtime.scripted import Scripted
 from aseme_dsl.runtime.trace import Listener, Trace
 from aseme_dsl.runtime.virtual import VirtualDriver
@@ -147,12 +148,16 @@ class Team:
                 self._radios.append(radio)
             self.bus.join(agent, radio)
             self.conversations.join(agent)
-        self.driver.agents = self.agents
+        self.driver.bring(self.agents)
 
     # ---- making ------------------------------------------------------------------------------
 
-    def _driver(self, clock: str) -> VirtualDriver:
-        driver = VirtualDriver()
+    def _driver(self, clock: str) -> VirtualDriver | RealDriver:
+        if clock == "virtual":
+            driver: VirtualDriver | RealDriver = VirtualDriver()
+        else:
+            driver = RealDriver(self._path)
+            driver.watch = self._stop is not None
         driver.until = self._until
         return driver
 
@@ -225,13 +230,18 @@ class Team:
         driver.settled = self._settled
         driver.advance = self._advance
         driver.complain = self._complain
-        for agent in self.agents:
-            agent.begin()
         self.bus.restore(self._messages)
         for item in self._script:
-            driver.at(item.at, self._giving(item))
+            if item.at > 0:
+                driver.at(item.at, self._giving(item))
+            else:  # before the first step
+                self._giving(item)()
+        for agent in self.agents:
+            agent.begin()
         for radio in self._radios:
             radio.begin(self.world.step_ns if self.world is not None else None)
+        if self.world is not None and not driver.clock.virtual:
+            self._move_world()
 
     def _giving(self, item: Scripted) -> Callable[[], None]:
         def give() -> None:
@@ -251,9 +261,15 @@ class Team:
         return self._stop(self) if self._stop is not None else None
 
     def _advance(self, moment: int) -> None:
-        if self.world is not None:
+        if self.world is not None and self.driver.clock.virtual:
             self.world.advance(moment)
         self.bus.save()
+
+    def _move_world(self) -> None:
+        """Let a simulated world go with the real time, step by step."""
+        assert self.world is not None
+        self.world.advance(self.driver.clock.now())
+        self.driver.at(self.world.now_ns + self.world.step_ns, self._move_world, background=True)
 
     def _complain(self, text: str) -> None:
         self.trace.fault(self.driver.clock.now(), "", text)

@@ -80,6 +80,10 @@ class VirtualDriver:
 
     # ---- the driver's interface --------------------------------------------------------------
 
+    def bring(self, agents: Sequence[Agent]) -> None:
+        """Take these agents, in the team's order."""
+        self.agents = agents
+
     def at(self, moment: int, call: Callable[[], None], background: bool = False) -> Timer:
         """Make a call at a moment; at once, if that has passed."""
         return self._timers.add(max(moment, self.clock.now()), call, background)

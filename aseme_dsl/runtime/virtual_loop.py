@@ -19,6 +19,7 @@ async def run_async(execution: Execution) -> None:
     """Run the code of an async activity to its end, and say how it ended."""
     error: BaseException | None = None
     try:
+        execution.context.check()
         assert execution.code is not None
         await execution.code().execute(execution.context)
     except BaseException as raised:  # whatever it is, the agent must hear of it

@@ -1,0 +1,125 @@
+"""A worker process: runs activities of kind `process`, one after the other, each on a snapshot."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import importlib.util
+import os
+import pickle
+import signal
+import sys
+import threading
+import time
+from pathlib import Path
+from queue import SimpleQueue
+from types import ModuleType
+from typing import IO, Any
+
+from aseme_dsl.runtime.clock import SECOND
+from aseme_dsl.runtime.context import Cancelled, Context
+from aseme_dsl.runtime.execution import frames_of, reason_of
+from aseme_dsl.runtime.processes import get, put
+from aseme_dsl.runtime.snapshot import Snapshot, SnapshotPort, Told
+
+
+class _Worker:
+    def __init__(self, requests: IO[bytes], answers: IO[bytes]) -> None:
+        self.requests = requests
+        self.answers = answers
+        self.jobs: SimpleQueue[bytes | None] = SimpleQueue()
+        self.cancelled = threading.Event()
+
+    def listen(self) -> None:
+        """Put jobs in order, and pass on a cancellation while one runs."""
+        while (data := get(self.requests)) is not None:
+            if data == _CANCEL:
+                self.cancelled.set()
+            else:
+                self.cancelled.clear()
+                self.jobs.put(data)
+        self.cancelled.set()
+        self.jobs.put(None)
+
+    def work(self) -> None:
+        """Run jobs until there are no more."""
+        while (data := self.jobs.get()) is not None:
+            kind: str | None = None
+            reason, frames = "", None
+            try:
+                _, module, file, name, snapshot = pickle.loads(data)
+                self._run(_class(module, file, name), snapshot)
+            except BaseException as error:  # whatever it is, the agent must hear of it
+                kind, reason, frames = type(error).__name__, reason_of(error), frames_of(error)
+            put(self.answers, ("end", kind, reason, frames))
+
+    def _run(self, kind: type[Any], snapshot: Snapshot) -> None:
+        begun = time.monotonic_ns()
+
+        def tell(told: Told) -> None:
+            put(self.answers, ("tell", told))
+
+        def wait(duration: int) -> None:
+            if self.cancelled.wait(duration / SECOND):
+                raise Cancelled
+
+        port = SnapshotPort(
+            snapshot,
+            tell,
+            lambda: snapshot.now + time.monotonic_ns() - begun,
+            wait,
+            self.cancelled.is_set,
+        )
+        kind().execute(Context(port))
+
+
+_CANCEL = pickle.dumps(("cancel",))
+
+
+def _class(module: str, file: str | None, name: str) -> type[Any]:
+    """The class of an activity. A module that cannot be imported by its name is loaded from its file."""
+    found: Any = sys.modules.get(module)
+    if found is None:
+        try:
+            found = importlib.import_module(module)
+        except ImportError:
+            if file is None:
+                raise
+            found = _loaded(module, file)
+    for part in name.split("."):
+        found = getattr(found, part)
+    kind: type[Any] = found
+    return kind
+
+
+def _loaded(module: str, file: str) -> ModuleType:
+    package, _, _ = module.rpartition(".")
+    if package and package not in sys.modules:
+        parent = ModuleType(package)
+        parent.__path__ = [str(Path(file).parent)]
+        sys.modules[package] = parent
+    specification = importlib.util.spec_from_file_location(module, file)
+    if specification is None or specification.loader is None:
+        raise ImportError(f"{file} is no module")
+    loaded = importlib.util.module_from_spec(specification)
+    sys.modules[module] = loaded
+    specification.loader.exec_module(loaded)
+    return loaded
+
+
+def main() -> None:
+    """Serve the process at the other end of standard input and output; what is printed goes to its errors."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the team is told, and tells us
+    requests = os.fdopen(os.dup(0), "rb")
+    answers = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)
+    with Path(os.devnull).open("rb") as nothing:
+        os.dup2(nothing.fileno(), 0)
+    worker = _Worker(requests, answers)
+    threading.Thread(target=worker.listen, daemon=True).start()
+    with contextlib.suppress(BrokenPipeError):  # nobody listens any more
+        worker.work()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,339 @@
+"""Cancellation, re-entry and failure, for the four kinds of activity, in virtual and in real time."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.runtime import Context, activities_in
+from aseme_dsl.runtime.clock import RealClock
+from aseme_dsl.runtime.trace import Record
+from tests.runtime.playing import MS, Played, play
+from tests.support.generated import generate
+
+KINDS = ("thread", "async", "process", "step")
+CLOCKS = ("virtual", "real")
+
+CANCELLED = """
+system S
+message M { int n }
+topic t { state M }
+srm R {
+  var late : bool = false
+  liveness { R = (Work . Next) || Boss }
+  activities { Work writes t.state.M, late  Next takes 10ms  Boss takes 30ms }
+  control R { enter Next : stop }
+}
+"""
+
+# Each kind as its user would write it; all go on for ever, and try to publish when they are cancelled.
+WORK = {
+    "thread": """
+        class Work:
+            def execute(self, context):
+                try:
+                    while True:
+                        context.wait(0.01)
+                finally:
+                    context.set("late", True)
+        """,
+    "async": """
+        import asyncio
+        class Work:
+            async def execute(self, context):
+                try:
+                    await context.sleep(1000)
+                except asyncio.CancelledError:
+                    context.set("late", True)
+        """,
+    "process": """
+        class Work:
+            kind = "process"
+            def execute(self, context):
+                try:
+                    context.wait(1000)
+                finally:
+                    context.set("late", True)
+        """,
+    "step": """
+        class Work:
+            def execute(self, context):
+                try:
+                    while True:
+                        yield 0.01
+                finally:
+                    context.set("late", True)
+        """,
+}
+BOSS = """
+class Boss:
+    async def execute(self, context):
+        await context.sleep(0.05)
+        context.raise_event("stop")
+"""
+
+
+def folder(tmp_path: Path, **modules: str) -> Path:
+    for name, text in modules.items():
+        (tmp_path / f"{name}.py").write_text(textwrap.dedent(text))
+    return tmp_path
+
+
+@pytest.mark.parametrize("clock", CLOCKS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_who_is_cancelled_is_told_and_what_it_still_does_is_dropped(
+    kind: str, clock: str, tmp_path: Path
+) -> None:
+    """ "Leaving a BASIC state whose activity still runs cancels the activity: it is told, and its late result
+    is dropped." """
+    find = activities_in(folder(tmp_path, work=WORK[kind], boss=BOSS))
+    run = play(CANCELLED, find, clock=clock, path=[tmp_path])
+    assert run.result.reason == "finished"
+    assert [line for line in run.order() if line.endswith("Work")] == [
+        "start Work",
+        "cancel Work",
+        "late Work",
+    ]
+    assert run.of("activity", what="late")[0]["dropped"] == 1
+    assert not run.of("variable")
+    assert run.order("end").count("end Next") == 1
+
+
+REENTRY = """
+system S
+srm R {
+  liveness { R = (Work . Next)~ || Boss }
+  control R { repeat (Work . Next) : again }
+}
+"""
+
+# Each kind, slow to come to its end after it was cancelled, where it can be.
+SLOW = {
+    "thread": """
+        import time
+        class Work:
+            def execute(self, context):
+                try:
+                    context.wait(1000)
+                finally:
+                    time.sleep(0.05)
+        """,
+    "async": """
+        import asyncio
+        class Work:
+            async def execute(self, context):
+                try:
+                    await context.sleep(1000)
+                finally:
+                    await asyncio.sleep(0.05)
+        """,
+    "process": """
+        import time
+        class Work:
+            kind = "process"
+            def execute(self, context):
+                try:
+                    context.wait(1000)
+                finally:
+                    time.sleep(0.05)
+        """,
+    "step": """
+        class Work:
+            def execute(self, context):
+                yield 1000
+        """,
+}
+
+
+@pytest.mark.parametrize("clock", CLOCKS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_state_that_is_entered_again_waits_for_its_cancelled_activity(
+    kind: str, clock: str, tmp_path: Path
+) -> None:
+    """ "the new one starts when the old one has, and the state is incomplete until then" """
+    boss = """
+    class Boss:
+        async def execute(self, context):
+            await context.sleep(0.05)
+            context.raise_event("again")
+    """
+    find = activities_in(folder(tmp_path, work=SLOW[kind], boss=boss))
+    started: list[Record] = []
+
+    def second_start(record: Record) -> None:
+        if record.get("what") == "start" and record["activity"] == "Work":
+            started.append(record)
+
+    run = play(
+        generate(REENTRY),
+        find,
+        clock=clock,
+        path=[tmp_path],
+        until=60_000 * MS,
+        stop=lambda team: "seen" if len(started) > 1 else None,
+        listeners=[second_start],
+    )
+    assert run.result.reason == "seen"
+    lines = [line for line in run.order() if line.endswith(" Work")]
+    wait = [] if kind == "step" else ["wait Work"]  # a generator is ended where it stands
+    assert lines[: 4 + len(wait)] == ["start Work", "cancel Work", *wait, "late Work", "start Work"]
+
+
+CRASH = """
+system S
+srm R {
+  liveness { R = Work || Other }
+  activities { Other takes 10s }
+}
+"""
+BAD = {
+    "thread": "class Work:\n    def execute(self, context):\n        raise ValueError('no battery')\n",
+    "async": "class Work:\n    async def execute(self, context):\n        raise ValueError('no battery')\n",
+    "process": (
+        "class Work:\n    kind = 'process'\n    def execute(self, context):\n"
+        "        raise ValueError('no battery')\n"
+    ),
+    "step": "class Work:\n    def execute(self, context):\n        yield\n        raise ValueError('no battery')\n",
+}
+
+
+@pytest.mark.parametrize("clock", CLOCKS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_an_activity_that_raises_stops_the_agent_which_says_where(
+    kind: str, clock: str, tmp_path: Path
+) -> None:
+    """ "otherwise the agent stops in a safe way and says where" """
+    find = activities_in(folder(tmp_path, work=BAD[kind]))
+    run = play(CRASH, find, clock=clock, path=[tmp_path])
+    (agent,) = run.result.agents
+    assert run.result.failed
+    assert "ValueError: no battery" in (agent.failure or "")
+    assert agent.at.startswith("test.aseme:4:")
+    assert run.order("cancel") == ["cancel Other"]
+    (crash,) = run.of("activity", what="crash")
+    assert (crash["traceback"][-1]["file"], crash["traceback"][-1]["function"]) == ("work.py", "execute")
+    (error,) = run.of("error")
+    assert error["at"] == agent.at
+
+
+def test_an_error_transition_takes_a_failure() -> None:
+    class Work:
+        def execute(self, context: Context) -> None:
+            raise RuntimeError
+
+    text = """system S srm R { liveness { R = (Work . Next) } activities { Next takes 10ms }
+    control R { enter Next : error } }"""
+    run = play(text, {"Work": Work})
+    assert run.order() == ["start Work", "crash Work", "start Next", "end Next"]
+    assert run.result.reason == "finished" and not run.result.failed
+
+
+def test_an_activity_that_waits_while_it_is_cancelled_at_the_end_of_a_run_comes_to_its_end() -> None:
+    ended: list[str] = []
+
+    class Work:
+        def execute(self, context: Context) -> None:
+            try:
+                context.wait(100)
+            finally:
+                ended.append(context.activity)
+
+    run = play("system S srm R { liveness { R = Work } }", {"Work": Work}, until=50 * MS)
+    assert ended == ["Work"]
+    assert run.order() == ["start Work", "cancel Work", "late Work"]
+
+
+def test_a_real_run_reports_an_activity_that_does_not_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    import threading
+
+    release = threading.Event()
+    monkeypatch.setattr("aseme_dsl.runtime.real.GRACE", 0.1)
+
+    class Work:
+        def execute(self, context: Context) -> None:
+            release.wait()
+
+    run = play("system S srm R { liveness { R = Work } }", {"Work": Work}, until=50 * MS, clock="real")
+    release.set()
+    assert run.result.reason == "time"
+    assert any("has not ended" in fault["reason"] for fault in run.of("fault"))
+
+
+def test_a_worker_process_that_dies_is_a_failure_and_the_next_one_lives(tmp_path: Path) -> None:
+    text = """system S srm R { liveness { R = Work . Work2 } control R { enter Work2 : error } }"""
+    die = (
+        "import os\nclass Work:\n    kind = 'process'\n    def execute(self, context):\n        os._exit(3)\n"
+    )
+    work2 = "class Work2:\n    kind = 'process'\n    def execute(self, context):\n        print('to the errors')\n"
+    find = activities_in(folder(tmp_path, work=die, work2=work2))
+    run = play(text, find, clock="real", path=[tmp_path])
+    assert run.order() == ["start Work", "crash Work", "start Work2", "end Work2"]
+    assert run.of("activity", what="crash")[0]["reason"] == "its process has ended with code 3"
+
+
+def test_process_activities_run_elsewhere_and_read_publish_and_write(tmp_path: Path) -> None:
+    generated = generate("""
+    system S
+    message M { int n }
+    topic t { state M  signal M }
+    srm R {
+      var sum : int = 0
+      liveness { R = Work . Check }
+      activities { Work as process reads t.state.M, t.signal.M writes t.state.M, sum }
+      control R { enter Check : [sum == 12 && t.state.M.n == 8] }
+    }
+    """)
+    work = f"""
+    import os
+    from {generated.package.__name__}.messages import M
+
+    class Work:
+        def execute(self, context):
+            assert os.getpid() != {__import__("os").getpid()}
+            message = context.read("t.state.M", M)
+            signal = context.take("t.signal.M")
+            assert context.take("t.signal.M") is None
+            context.publish("t.state.M", M(n=message.n + 1))
+            context.set("sum", message.n + signal.n)
+            context.log(context.agent)
+    """
+    find = activities_in(folder(tmp_path, work=work))
+    script = [
+        {"at": 0, "channel": "t.state.M", "message": {"n": 7}},
+        {"at": 0, "channel": "t.signal.M", "message": {"n": 5}},
+    ]
+    for clock in CLOCKS:
+        run = play(generated, find, clock=clock, path=[tmp_path], script=script)
+        assert run.result.reason == "finished", run.result
+        assert run.of("log")[0]["text"] == "me"
+        assert run.of("taken")[0]["input"] == ["input", 2]
+
+
+def _finished(run: Played) -> bool:
+    return all(agent.finished for agent in run.result.agents)
+
+
+def test_threads_are_resident(tmp_path: Path) -> None:
+    """ "never a new thread per start" """
+    names: set[str] = set()
+
+    class Work:
+        def execute(self, context: Context) -> None:
+            import threading
+
+            names.add(threading.current_thread().name)
+            if len(starts) > 50:
+                context.raise_event("enough")
+            starts.append(1)
+
+    starts: list[int] = []
+    text = """system S srm R { liveness { R = Work+ } control R { leave Work : enough  repeat Work :  } }"""
+    run = play(text, {"Work": Work}, clock="real")
+    assert _finished(run)
+    assert len(starts) > 50 and len(names) <= 3
+
+
+def test_the_real_clock_begins_at_zero() -> None:
+    assert 0 <= RealClock().now() < 10_000 * MS

@@ -1,0 +1,310 @@
+"""Virtual time: what takes how long, in which order, and that it is always the same."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.runtime import Cancelled, Context
+from tests.runtime.playing import MS, SECOND, play
+
+LOOP = """
+system S
+message M { int n }
+topic t { state M }
+srm R { liveness { R = (A | B) . C } activities { A takes 30ms } }
+"""
+
+
+def test_an_activity_without_code_lasts_what_it_takes_or_100_ms_with_a_warning() -> None:
+    """ "An activity without code lasts `takes`, or 100 ms with a warning." """
+    run = play("system S srm R { liveness { R = A . B . B } activities { A takes 30ms } }")
+    assert run.activities() == [
+        "0 start A",
+        "30 end A",
+        "30 start B",
+        "130 end B",
+        "130 start B",
+        "230 end B",
+    ]
+    assert [fault["code"] for fault in run.of("fault")] == ["W201"]
+    assert (run.result.reason, run.result.time) == ("finished", 230 * MS)
+
+
+def test_an_empty_execute_is_no_code() -> None:
+    class A:
+        def execute(self, context: Context) -> None:
+            """Not written yet."""
+
+    run = play("system S srm R { liveness { R = A } }", {"A": A})
+    assert run.activities() == ["0 start A", "100 end A"]
+
+
+def test_code_without_takes_lasts_as_long_as_it_waits() -> None:
+    class A:
+        def execute(self, context: Context) -> None:
+            context.wait(0.02)
+            context.wait(0.03)
+
+    class B:
+        def execute(self, context: Context) -> None:
+            context.log(f"it is {context.now}")
+
+    run = play("system S srm R { liveness { R = A . B } }", {"A": A, "B": B})
+    assert run.activities() == ["0 start A", "50 end A", "50 start B", "50 end B"]
+    assert run.of("log")[0]["text"] == f"it is {50 * MS}"
+
+
+def test_with_takes_the_code_runs_at_the_start_and_its_results_count_at_the_end() -> None:
+    """ "its code, if it runs there, runs at the start and its results count at the end" """
+    seen: list[int] = []
+    text = """
+    system S
+    message M { int n }
+    topic t { state M }
+    srm R {
+      var done : bool = false
+      liveness { R = A || (B . C) }
+      activities { A takes 40ms writes t.state.M, done  B takes 10ms }
+      control R { enter C : when [has(t.state.M) && done] }
+    }
+    """
+    from tests.support.generated import generate
+
+    generated = generate(text)
+
+    class A:
+        def execute(self, context: Context) -> None:
+            seen.append(context.now)
+            context.publish("t.state.M", generated.message("M", n=1))
+            context.set("done", True)
+
+    run = play(generated, {"A": A})
+    assert seen == [0]
+    assert run.of("message")[0]["time"] == 40 * MS
+    assert "40 start C" in run.activities()
+
+
+def test_code_that_waits_longer_than_takes_is_an_overrun() -> None:
+    class A:
+        def execute(self, context: Context) -> None:
+            context.wait(0.05)
+
+    run = play("system S srm R { liveness { R = A } activities { A takes 20ms } }", {"A": A})
+    assert run.activities() == ["0 start A", "50 overrun A", "50 end A"]
+
+
+def test_waiting_activities_of_several_regions_go_on_in_the_order_of_time() -> None:
+    def waiting(*pauses: float) -> type:
+        class Waiting:
+            def execute(self, context: Context) -> None:
+                for pause in pauses:
+                    context.wait(pause)
+                    context.log(context.activity)
+
+        return Waiting
+
+    run = play(
+        "system S srm R { liveness { R = A || B || C } }",
+        {"A": waiting(0.03, 0.03), "B": waiting(0.02, 0.02, 0.02), "C": waiting(0.05)},
+    )
+    logged = [(record["time"] // MS, record["text"]) for record in run.of("log")]
+    assert logged == [(20, "B"), (30, "A"), (40, "B"), (50, "C"), (60, "A"), (60, "B")]
+
+
+def test_async_activities_wait_in_virtual_time() -> None:
+    class A:
+        async def execute(self, context: Context) -> None:
+            async def tick(name: str, pause: float) -> None:
+                await asyncio.sleep(pause)
+                context.log(name)
+
+            await asyncio.gather(tick("late", 0.3), tick("early", 0.1))
+            await context.sleep(0.1)
+            assert await asyncio.to_thread(sum, [1, 2]) == 3
+            with pytest.raises(TimeoutError):
+                await asyncio.wait_for(asyncio.Event().wait(), 1.0)
+
+    run = play("system S srm R { liveness { R = A } }", {"A": A})
+    assert run.activities() == ["0 start A", "1400 end A"]
+    assert [(r["time"] // MS, r["text"]) for r in run.of("log")] == [(100, "early"), (300, "late")]
+
+
+def test_step_activities_are_advanced_inside_the_step() -> None:
+    class A:
+        def execute(self, context: Context) -> Iterator[float | None]:
+            yield 0.05
+            yield None
+            context.log("done")
+
+    run = play("system S srm R { liveness { R = A } }", {"A": A})
+    assert run.activities() == ["0 start A", "60 end A"]
+
+
+def test_a_step_or_async_activity_must_not_block() -> None:
+    class A:
+        async def execute(self, context: Context) -> None:
+            context.wait(1)
+
+    run = play("system S srm R { liveness { R = A } }", {"A": A})
+    assert "must not block" in (run.result.agents[0].failure or "")
+
+
+def test_process_activities_see_a_snapshot() -> None:
+    from tests.support.generated import generate
+
+    generated = generate("""
+    system S
+    message M { int n }
+    topic t { state M }
+    srm R {
+      var sum : int = 0
+      liveness { R = A || B }
+      activities { A as process reads t.state.M writes sum  B writes t.state.M }
+    }
+    """)
+
+    class A:
+        kind = "process"
+
+        def execute(self, context: Context) -> None:
+            before = context.state("t.state.M")
+            context.wait(0.05)
+            assert context.state("t.state.M") is before
+            context.set("sum", context.variable("sum") + before.n)
+
+    class B:
+        def execute(self, context: Context) -> None:
+            context.wait(0.01)
+            context.publish("t.state.M", generated.message("M", n=7))
+
+    script = [{"at": 0, "channel": "t.state.M", "message": {"n": 3}}]
+    run = play(generated, {"A": A, "B": B}, script=script)
+    assert run.of("variable")[0]["value"] == 3
+    assert run.result.reason == "finished"
+
+
+def test_a_period_is_from_start_to_start_and_missed_beats_are_counted() -> None:
+    """ "A period (`every 33ms`) is from start to start, per node … never caught up in a burst." """
+
+    class A:
+        def execute(self, context: Context) -> None:
+            context.wait(0.005 if context.now < 100 * MS else 0.08)
+
+    run = play("system S srm R { liveness { R = A~ } activities { A every 33ms } }", {"A": A}, until=300 * MS)
+    assert run.activities("start", "missed") == [
+        "0 start A",
+        "33 start A",
+        "66 start A",
+        "99 start A",
+        "132 start A",
+        "212 missed A",
+        "212 start A",
+        "292 missed A",
+        "292 start A",
+    ]
+    assert [r["beats"] for r in run.of("activity", what="missed")] == [2, 2]
+
+
+def test_a_period_holds_back_the_start_but_not_the_state() -> None:
+    """ "the state is entered at once, only the activity's start is held back" """
+    text = """system S srm R { liveness { R = (A . B)~ } activities { A every 100ms takes 10ms  B takes 10ms } 
+    control R { enter B : after(50ms) } }"""
+    run = play(text, until=250 * MS)
+    assert run.activities("start", "cancel") == [
+        "0 start A",
+        "50 start B",
+        "100 start A",
+        "110 start B",
+        "170 cancel A",
+        "170 start B",
+        "200 start A",
+        "230 start B",
+        "250 cancel A",
+    ]
+
+
+def test_steps_that_do_not_end_at_one_instant_are_an_error_that_names_the_cycle() -> None:
+    class A:
+        def execute(self, context: Context) -> None:
+            context.log("at once")
+
+    run = play("system S srm R { liveness { R = A~ } }", {"A": A})
+    failure = run.result.agents[0].failure or ""
+    assert "1000 steps at 0 s" in failure and "activities A" in failure
+    assert run.result.agents[0].at.startswith("test.aseme:1")
+
+
+def test_a_run_ends_when_nothing_would_ever_happen() -> None:
+    run = play(
+        "system S srm R { liveness { R = A . B } control R { enter B : bell } activities { A takes 1s } }"
+    )
+    assert (run.result.reason, run.result.time) == ("idle", SECOND)
+
+
+def test_a_run_ends_with_its_duration() -> None:
+    run = play("system S srm R { liveness { R = A~ } activities { A takes 1s } }", until=10 * SECOND)
+    assert (run.result.reason, run.result.time) == ("time", 10 * SECOND)
+    assert run.activities("start")[-1] == "10000 start A"
+    assert run.activities()[-1] == "10000 cancel A" or run.activities()[-2] == "10000 cancel A"
+
+
+def test_a_stop_condition_ends_a_run() -> None:
+    run = play(
+        "system S srm R { liveness { R = A~ } activities { A takes 1s } }",
+        stop=lambda team: "enough" if team.driver.clock.now() >= 3 * SECOND else None,
+    )
+    assert (run.result.reason, run.result.time) == ("enough", 3 * SECOND)
+
+
+TEAM = """
+system S
+message M { int n }
+topic t { state M  signal M }
+srm R {
+  liveness { R = Play~ || Listen~ }
+  activities { Play every 40ms takes 10ms writes t.state.M  Listen reads t.state.M every 70ms takes 20ms }
+}
+team T { ann, bob : R }
+"""
+
+
+class Play:
+    def execute(self, context: Context) -> None:
+        context.wait(context.random.random() / 100)
+        context.log(f"{context.random.randrange(1000)}")
+
+
+class Listen:
+    async def execute(self, context: Context) -> None:
+        await context.sleep(context.random.random() / 100)
+        context.log(f"{context.random.randrange(1000)}")
+
+
+def test_one_seed_gives_the_same_bytes(tmp_path: Path) -> None:
+    """ "With the virtual clock and one seed, a run is the same to the bit" """
+    paths = [tmp_path / f"{n}.jsonl" for n in range(3)]
+    for path, seed in zip(paths, (1, 1, 2), strict=True):
+        play(TEAM, {"Play": Play, "Listen": Listen}, until=2 * SECOND, seed=seed, trace=path)
+    assert paths[0].read_bytes() == paths[1].read_bytes()
+    assert paths[0].read_bytes() != paths[2].read_bytes()
+    assert paths[0].stat().st_size > 10_000
+
+
+def test_agents_that_are_due_at_one_instant_step_in_the_order_of_the_team() -> None:
+    run = play(TEAM, until=400 * MS)
+    steps = [(r["time"], r["agent"]) for r in run.of("step")]
+    firsts = [agent for time, agent in steps if time == 0]
+    assert firsts[:2] == ["ann", "bob"]
+    assert all(
+        agents == sorted(agents)
+        for moment in {time for time, _ in steps}
+        for agents in [list(dict.fromkeys(agent for time, agent in steps if time == moment))]
+    )
+
+
+def test_cancelled_is_no_exception() -> None:
+    assert not issubclass(Cancelled, Exception)
