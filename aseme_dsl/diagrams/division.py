@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable, Mapping
 from functools import partial
 
@@ -14,6 +15,8 @@ from aseme_dsl.diagrams.view import View, view
 
 PIECE = 80
 """A piece has at most so many states, if its own OR state alone has not more."""
+
+_LONG_LABEL = 80
 
 Drawer = Callable[[View, str, Mapping[str, str]], Sheet]
 """Draws a view under a name, with the files that its closed states lead to."""
@@ -47,7 +50,9 @@ def _flat(part: View, name: str, draw: Drawer) -> tuple[Drawing, ...]:
 
 
 def piece_name(name: str, label: str) -> str:
-    """The name of the drawing that shows the state `label` of the drawing `name`."""
+    """The name of the drawing that shows the state `label` of the drawing `name`; short enough for a file."""
+    if len(label) > _LONG_LABEL:
+        label = f"{label[:_LONG_LABEL]}-{hashlib.sha256(label.encode()).hexdigest()[:8]}"
     return f"{name}.{label}"
 
 
