@@ -230,14 +230,15 @@ class Team:
         driver.settled = self._settled
         driver.advance = self._advance
         driver.complain = self._complain
-        self.bus.restore(self._messages)
-        for item in self._script:
-            if item.at > 0:
-                driver.at(item.at, self._giving(item))
-            else:  # before the first step
-                self._giving(item)()
-        for agent in self.agents:
-            agent.begin()
+        with driver.holding():  # what is there from the beginning is part of the first step
+            self.bus.restore(self._messages)
+            for item in self._script:
+                if item.at > 0:
+                    driver.at(item.at, self._giving(item))
+                else:
+                    self._giving(item)()
+            for agent in self.agents:
+                agent.begin()
         for radio in self._radios:
             radio.begin(self.world.step_ns if self.world is not None else None)
         if self.world is not None and not driver.clock.virtual:

@@ -91,7 +91,7 @@ def make(
         schema=getattr(generated.messages, "SCHEMA", None),
         script=read_script([json.dumps(line) for line in script], messages),
         listeners=[records.append, *options.pop("listeners", ())],
-        path=[generated.folder.parent, *options.pop("path", ())],
+        path=[generated.folder, *options.pop("path", ())],
         **options,
     )
     return team, records
