@@ -9,7 +9,7 @@ from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.messages import DOUBLE, DURATION, INT
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import Node, Statechart, Transition
+from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.expressions import function_key
 from aseme_dsl.codegen.flat import FlatChart
@@ -140,6 +140,14 @@ def _transition(transition: Transition) -> str:
     )
 
 
+def _variable(system: System, variable: Variable) -> str:
+    initial = variable.initial.value
+    enum = system.enum(variable.type.name)
+    if enum is not None:
+        initial = dict(enum.constants)[str(initial)]
+    return _call("Variable", [variable.name, str(variable.type), initial], [("scope", variable.scope, None)])
+
+
 def _activity(activity: Activity) -> str:
     return _call(
         "ActivityInfo",
@@ -178,10 +186,7 @@ def plan_sections(system: System, chart: Statechart) -> list[tuple[str, list[str
         ("transitions", [_transition(transition) for transition in chart.transitions]),
         (
             "variables",
-            [
-                _call("Variable", [v.name, str(v.type), v.initial.value], [("scope", v.scope, None)])
-                for v in chart.variables
-            ],
+            [_variable(system, v) for v in chart.variables],
         ),
         (
             "regions",

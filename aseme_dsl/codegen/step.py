@@ -257,11 +257,9 @@ class _Generator:
     def _initial(self, variable: Variable) -> str:
         value = variable.initial.value
         if variable.type.kind is Kind.ENUM:
-            enum = self.system.enum(variable.type.name)
-            constants = {number: name for name, number in enum.constants} if enum else {}
-            if isinstance(value, int) and value in constants:
-                self.enums.add((variable.type.name, constants[value]))
-                return enum_name(variable.type.name, constants[value])
+            constant = str(value)
+            self.enums.add((variable.type.name, constant))
+            return enum_name(variable.type.name, constant)
         return repr(float(value)) if variable.type.kind is Kind.DOUBLE else repr(value)
 
     def _readers(self) -> dict[str, tuple[int, ...]]:
@@ -682,6 +680,8 @@ class _Generator:
             method.add(depth, f"self.join({node.label!r})")
         for variable in self.chart.variables:
             if variable.scope == node.label:
+                if len(self.flat.variable_regions[variable.name]) > 1:
+                    method.add(depth, f"self.renew({variable.name!r})")
                 self._write(method, depth, region, variable.name, self._initial(variable))
         if node.label in self.flat.timed:
             method.add(depth, f"self.{self._time(node.label)} = now")

@@ -80,17 +80,22 @@ class Board:
         self._refresh(channel)
 
     def _kept(self, channel: str, item: Arrived, now: int) -> tuple[Arrived, ...]:
-        """The history with `item` in its place in time: what is in the window, and one before it."""
+        """The history with `item` in its place in time: the window, and of each sender one before it."""
         history = self._data.get(channel, ())
         place = len(history)
         while place and history[place - 1].time > item.time:
             place -= 1
         history = (*history[:place], item, *history[place:])
         oldest = now - self.RETENTION.get(channel, 0)
-        first = 0
-        while first + 1 < len(history) and history[first + 1].time <= oldest:
-            first += 1
-        return history[first:]
+        kept: list[Arrived] = []
+        before: set[str] = set()
+        for entry in reversed(history):
+            if entry.time > oldest:
+                kept.append(entry)
+            elif entry.sender not in before:
+                before.add(entry.sender)
+                kept.append(entry)
+        return tuple(reversed(kept))
 
     def _refresh(self, channel: str) -> None:
         for slot, host in self.SLOTS.get(channel, ()):

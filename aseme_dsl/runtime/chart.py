@@ -277,6 +277,10 @@ class Chart:
             return
         self.effects.append(Cancel(label, activity, token))
 
+    def renew(self, variable: str) -> None:
+        """A branch's variable starts anew: what was written to it before, in this step, is forgotten."""
+        self.writes = [write for write in self.writes if write[1] != variable]
+
     def join(self, branch: str) -> None:
         """A protocol branch is entered."""
         self.effects.append(Joined(branch))
