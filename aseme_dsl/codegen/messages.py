@@ -130,7 +130,8 @@ def _member(system: System, field: Field) -> Iterator[str]:
 def _schema(system: System, messages: tuple[Message, ...]) -> Iterator[str]:
     channels = [rules.channel for topic in system.topics for rules in topic.channels]
     yield ""
-    yield ""
+    if system.enums or messages:
+        yield ""
     yield from _mapping(
         "CHANNELS: dict[str, type[object]] = {", [f'"{channel}": {channel.message},' for channel in channels]
     )

@@ -107,7 +107,7 @@ def _describe(system: System, message: Message, described: DescriptorProto) -> N
             member.type_name = "." + full_name(system, _declared(system, field))
         if field.label == "optional":
             # As protoc does it: presence is a oneof of one member, with a name that nothing else has.
-            name = f"_{field.name}"
+            name = field.name if field.name.startswith("_") else f"_{field.name}"
             while name in taken:
                 name = f"X{name}"
             taken.add(name)

@@ -100,7 +100,7 @@ class Schema:
     def _to_proto(self, message: object) -> ProtoMessage:
         kind = type(message)
         if kind not in self._protos:
-            raise WireError(f"a {kind.__name__} is no message of this system")
+            raise WireError(f"{kind.__name__} is no message of this system")
         proto: ProtoMessage = self._protos[kind]()
         chosen: set[str] = set()
         for member in self._members[kind]:
