@@ -219,7 +219,8 @@ class Chart:
                     self._ahead.discard((region, item.identity))
             case Completed(label, token):
                 leaf, owner, number = self.RUNNING[label]
-                if getattr(self, leaf) == number and getattr(self, owner) == token:
+                runs = getattr(self, leaf) == number and label not in self.failed
+                if runs and getattr(self, owner) == token:
                     setattr(self, leaf, number + 1)
             case Crashed(label, token, reason):
                 leaf, owner, number = self.RUNNING[label]
