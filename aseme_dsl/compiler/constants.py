@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Value
 from aseme_dsl.amola.messages import DOUBLE, DURATION
+
+LARGEST_INT = 2**63 - 1
 
 Constant = bool | int | float | str
 
@@ -22,7 +26,7 @@ def fold(value: Value) -> Constant:
 
     Raises:
         NotConstant: It reads something.
-        ArithmeticError: It divides by zero, or is out of a double's range.
+        ArithmeticError: It divides by zero, or a part of it fits neither an int of 64 bits nor a double.
     """
     match value:
         case Literal(value=constant):
@@ -41,9 +45,11 @@ def fold(value: Value) -> Constant:
             first, second = fold(left), fold(right)
             assert not isinstance(first, str) and not isinstance(second, str)
             result = _arithmetic(operator, first, second)
-            if kind == DURATION:
-                return round(result)
-            return float(result) if kind == DOUBLE else result
+            if kind == DOUBLE:
+                result = float(result)
+            if not (abs(result) <= LARGEST_INT if kind != DOUBLE else math.isfinite(result)):
+                raise OverflowError("it is too large")
+            return round(result) if kind == DURATION else result
     raise NotConstant(value)
 
 

@@ -210,15 +210,15 @@ def with_lets(outer: Scope, lets: Sequence[tree.Let]) -> tuple[Scope, tuple[Diag
     order, circles = _in_order(written)
     in_circle = {item.name.text for circle, _ in circles for item in circle}
     diagnostics += [_circle(circle, use) for circle, use in circles]
-    scope = outer
+    typed_lets = dict(outer.lets)  # grows while it is not visible to anybody else
+    scope = replace(outer, lets=typed_lets)
     for item in order:
         value = None
         if item.name.text not in in_circle:
             value, problems = type_value(item.expression, scope)
             diagnostics += problems
         height, size = (0, 0) if value is None else measure(value, scope)
-        typed = TypedLet(item.name.text, value, height, size, item.name.span)
-        scope = replace(scope, lets={**scope.lets, item.name.text: typed})
+        typed_lets[item.name.text] = TypedLet(item.name.text, value, height, size, item.name.span)
     return scope, tuple(diagnostics)
 
 
@@ -239,20 +239,20 @@ def _in_order(written: Mapping[str, tree.Let]) -> tuple[list[tree.Let], list[_Ci
         if name in started:
             continue
         started.add(name)
-        chain = [(name, iter(uses[name]))]
+        chain = {name: iter(uses[name])}
         while chain:
-            inner, rest = chain[-1]
-            for use in rest:
-                around = [entry[0] for entry in chain]
-                if use.text in around:
+            inner = next(reversed(chain))
+            for use in chain[inner]:
+                if use.text in chain:
+                    around = list(chain)
                     circles.append(([written[item] for item in around[around.index(use.text) :]], use))
                 elif use.text not in started:
                     started.add(use.text)
-                    chain.append((use.text, iter(uses[use.text])))
+                    chain[use.text] = iter(uses[use.text])
                     break
             else:
                 order.append(written[inner])
-                chain.pop()
+                del chain[inner]
     return order, circles
 
 

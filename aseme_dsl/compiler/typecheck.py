@@ -17,7 +17,7 @@ from aseme_dsl.compiler.calls import (
     wrong_form,
 )
 from aseme_dsl.compiler.checker import Checker
-from aseme_dsl.compiler.constants import NotConstant, fold
+from aseme_dsl.compiler.constants import LARGEST_INT, NotConstant, fold
 from aseme_dsl.compiler.names import unknown, unknown_performative
 from aseme_dsl.compiler.operators import COMPARISONS, arithmetic, compare, is_condition, negate
 from aseme_dsl.compiler.paths import channel_of, member_of, through_optional, value_of_path
@@ -31,8 +31,6 @@ DEEPEST = 100
 
 MOST_PARTS = 10_000
 """How many parts an expression may have, with its lets written out."""
-
-LARGEST_INT = 2**63 - 1
 
 
 def type_expression(
@@ -99,9 +97,6 @@ def constant(
     if expected == DOUBLE:
         assert not isinstance(result, str)
         result = float(result)
-    if not isinstance(result, bool) and isinstance(result, int) and abs(result) > LARGEST_INT:
-        checker.report("E516", f"{result} does not fit 64 bits", value.span)
-        return None, tuple(checker.diagnostics)
     return Literal(result, expected, written.span), tuple(checker.diagnostics)
 
 
@@ -176,9 +171,10 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
         return None
     match written:
         case tree.Number(value=number, span=span):
-            return _number(checker, number, span)
+            kind = INT if isinstance(number, int) else DOUBLE
+            return _checked(checker, Literal(number, kind, span))
         case tree.Duration(nanoseconds=nanoseconds, span=span):
-            return Literal(nanoseconds, DURATION, span)
+            return _checked(checker, Literal(nanoseconds, DURATION, span))
         case tree.Truth(value=truth, span=span):
             return Literal(truth, BOOL, span)
         case tree.Text(text=text, span=span):
@@ -204,11 +200,12 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
             return amola.Logic(operator, tuple(part for part in parts if part is not None), written.span)
 
 
-def _number(checker: Checker, number: int | float, span: Span) -> Value | None:
-    if isinstance(number, int) and number > LARGEST_INT:
-        checker.report("E516", f"{number} does not fit 64 bits", span)
+def _checked(checker: Checker, literal: Literal) -> Value | None:
+    """A number that fits where it is kept: 64 bits."""
+    if isinstance(literal.value, int) and literal.value > LARGEST_INT:
+        checker.report("E516", f"{literal.span.text} does not fit 64 bits", literal.span)
         return None
-    return Literal(number, INT if isinstance(number, int) else DOUBLE, span)
+    return literal
 
 
 def _unary(checker: Checker, written: tree.Unary, depth: int) -> Value | None:
