@@ -196,7 +196,10 @@ BAD = {
         "class Work:\n    kind = 'process'\n    def execute(self, context):\n"
         "        raise ValueError('no battery')\n"
     ),
-    "step": "class Work:\n    def execute(self, context):\n        yield\n        raise ValueError('no battery')\n",
+    "step": (
+        "class Work:\n    def execute(self, context):\n        yield\n"
+        "        raise ValueError('no battery')\n"
+    ),
 }
 
 
@@ -267,7 +270,7 @@ def test_a_worker_process_that_dies_is_a_failure_and_the_next_one_lives(tmp_path
     die = (
         "import os\nclass Work:\n    kind = 'process'\n    def execute(self, context):\n        os._exit(3)\n"
     )
-    work2 = "class Work2:\n    kind = 'process'\n    def execute(self, context):\n        print('to the errors')\n"
+    work2 = die.replace("Work", "Work2").replace("os._exit(3)", "print('to the errors')")
     find = activities_in(folder(tmp_path, work=die, work2=work2))
     run = play(text, find, clock="real", path=[tmp_path])
     assert run.order() == ["start Work", "crash Work", "start Work2", "end Work2"]

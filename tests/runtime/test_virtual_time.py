@@ -211,7 +211,7 @@ def test_a_period_is_from_start_to_start_and_missed_beats_are_counted() -> None:
 
 def test_a_period_holds_back_the_start_but_not_the_state() -> None:
     """ "the state is entered at once, only the activity's start is held back" """
-    text = """system S srm R { liveness { R = (A . B)~ } activities { A every 100ms takes 10ms  B takes 10ms } 
+    text = """system S srm R { liveness { R = (A . B)~ } activities { A every 100ms takes 10ms  B takes 10ms }
     control R { enter B : after(50ms) } }"""
     run = play(text, until=250 * MS)
     assert run.activities("start", "cancel") == [
