@@ -75,7 +75,9 @@ class Telling:
         """A line of the trace."""
         kind = record["kind"]
         if kind == "activity":
-            if self._activities and record["what"] == "start":
+            if record["what"] == "crash":
+                self._crashed(record)
+            elif self._activities and record["what"] == "start":
                 self._started(record)
         elif kind == "log":
             if self._activities:
@@ -85,7 +87,7 @@ class Telling:
                 for taken in record["taken"]:
                     self._took(record, taken)
         elif kind in ("fault", "error"):
-            self._wrong(record, "fault" if kind == "fault" else "failure")
+            self._wrong(record, "fault" if kind == "fault" else "failure", record["reason"], record.get("at"))
 
     def end(self) -> None:
         """Take the time away, and say how many faults there were besides those that were shown."""
@@ -127,14 +129,20 @@ class Telling:
             label = label.rpartition(".")[0]
         return label
 
-    def _wrong(self, record: Mapping[str, Any], what: str) -> None:
-        key = (record["reason"], record.get("at", ""))
+    def _crashed(self, record: Mapping[str, Any]) -> None:
+        """An activity raised: where in its code, innermost."""
+        frames = record.get("traceback") or [None]
+        place = f"{frames[-1]['file']}:{frames[-1]['line']}" if frames[-1] else None
+        self._wrong(record, "crash", f"{record['activity']}: {record['reason']}", place)
+
+    def _wrong(self, record: Mapping[str, Any], what: str, reason: str, at: str | None) -> None:
+        key = (reason, at or "")
         self._faults[key] += 1
         if self._faults[key] == 1 and len(self._faults) <= _QUIET_AFTER:
             self._clear()
-            place = f" ({record['at']})" if record.get("at") else ""
-            painted = click.style(what, fg="red" if what == "failure" else "yellow") if self._colour else what
-            text = f"{_time(record['time'])}  {record['agent']}  {painted}: {record['reason']}{place}"
+            place = f" ({at})" if at else ""
+            painted = click.style(what, fg="yellow" if what == "fault" else "red") if self._colour else what
+            text = f"{_time(record['time'])}  {record['agent']}  {painted}: {reason}{place}"
             click.echo(text, err=True, color=True)
 
     def _say(self, record: Mapping[str, Any], text: str) -> None:

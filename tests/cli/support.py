@@ -14,7 +14,7 @@ from aseme_dsl.cli import main
 
 GOOD = """\
 system Walker
-message Seen { bool ball }
+message Seen { bool ball  bool home }
 topic eyes { state Seen }
 srm robot {
   liveness { robot = (Walk | Stand)+ }
@@ -22,13 +22,13 @@ srm robot {
   control robot {
     enter Walk  : [eyes.state.Seen.ball]
     enter Stand : else
-    repeat (Walk | Stand) : [!(has(eyes.state.Seen) && eyes.state.Seen.ball)]
-    leave  (Walk | Stand) : else
+    leave  (Walk | Stand) : [eyes.state.Seen.home]
+    repeat (Walk | Stand) : else
   }
 }
 team Walkers { one, two : robot }
 """
-"""A small system: it stands until it sees the ball, then walks once and has finished."""
+"""A small system: it stands until it sees the ball, then walks until it is home."""
 
 BAD = GOOD.replace("eyes.state.Seen.ball]\n    enter Stand", "eyes.state.Sen.ball]\n    enter Stand").replace(
     "Stand : else", "Sit : else"

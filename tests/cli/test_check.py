@@ -29,7 +29,7 @@ def test_everything_below_a_folder(here: Here, folder: Path) -> None:
     (folder / "deep" / "other.aseme").write_text(
         'import "shared.aseme"\n' + GOOD.replace("message Seen", "message Sun")
     )
-    (folder / "deep" / "shared.aseme").write_text("message Seen { bool ball }")
+    (folder / "deep" / "shared.aseme").write_text("message Seen { bool ball  bool home }")
     done = here("check", ".")
     assert done.code == 1
     assert done.out.splitlines()[-1].endswith("in 4 files")

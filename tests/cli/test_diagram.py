@@ -1,0 +1,147 @@
+"""`asemec diagram`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import Here, asemec
+
+ALL = {"srm.robot", "iac.robot", "iac.robot.tree"}
+
+
+def stems(folder: Path) -> set[str]:
+    return {path.stem for path in folder.iterdir() if not path.name.startswith(".")}
+
+
+def test_all_models_into_a_folder(here: Here, folder: Path) -> None:
+    done = here("diagram", "good.aseme")
+    assert (done.code, done.out) == (0, "files: 3 created\n")
+    assert stems(folder / "diagrams") == ALL
+    assert here("diagram", "good.aseme").out == "files: 3 unchanged\n"
+
+
+@pytest.mark.parametrize(
+    ("models", "drawn"),
+    [
+        (["srm.robot"], {"srm.robot"}),
+        (["iac"], {"iac.robot", "iac.robot.tree"}),
+        (["iac.robot.tree", "srm"], {"iac.robot.tree", "srm.robot"}),
+        (["*.tree"], {"iac.robot.tree"}),
+    ],
+)
+def test_some_models(here: Here, folder: Path, models: list[str], drawn: set[str]) -> None:
+    assert here("diagram", "good.aseme", *models, "-o", "some").code == 0
+    assert stems(folder / "some") == drawn
+
+
+@pytest.mark.parametrize(
+    ("format", "begin"), [("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF"), ("dot", b"digraph")]
+)
+def test_formats(here: Here, folder: Path, format: str, begin: bytes) -> None:
+    assert here("diagram", "good.aseme", "srm", "-o", f"one.{format}").code == 0
+    assert (folder / f"one.{format}").read_bytes().startswith(begin)
+    assert here("diagram", "good.aseme", "srm", "-o", "many", "--format", format).code == 0
+    assert (folder / "many" / f"srm.robot.{format}").read_bytes().startswith(begin)
+
+
+def test_standard_output(folder: Path) -> None:
+    done = asemec("diagram", "good.aseme", "srm.robot", "-o", "-", "--format", "dot", cwd=folder)
+    assert (done.code, done.err) == (0, "")
+    assert done.out.startswith("digraph")
+
+
+def test_one_file_takes_one_drawing(here: Here, folder: Path) -> None:
+    done = here("diagram", "good.aseme", "-o", "all.svg")
+    assert done.code == 2
+    assert "takes one drawing, and these are 3" in done.err
+    assert not (folder / "all.svg").exists()
+
+
+def test_a_named_file_is_overwritten_and_others_are_not(here: Here, folder: Path) -> None:
+    (folder / "one.svg").write_text("old")
+    assert here("diagram", "good.aseme", "srm", "-o", "one.svg").code == 0
+    assert (folder / "one.svg").read_text() != "old"
+    (folder / "some").mkdir()
+    (folder / "some/srm.robot.svg").write_text("mine")
+    done = here("diagram", "good.aseme", "srm", "-o", "some")
+    assert done.code == 1
+    assert "asemec did not write it" in done.err
+    assert (folder / "some/srm.robot.svg").read_text() == "mine"
+    assert here("diagram", "good.aseme", "srm", "-o", "some", "--force").code == 0
+
+
+def test_a_source_is_not_taken_for_a_picture(here: Here, folder: Path) -> None:
+    before = (folder / "good.aseme").read_text()
+    assert here("diagram", "good.aseme", "srm", "-o", "good.aseme").code == 1
+    assert (folder / "good.aseme").read_text() == before
+
+
+def test_part_of_a_statechart(here: Here, folder: Path) -> None:
+    assert here("diagram", "good.aseme", "iac.robot", "--layout", "nested", "-o", "all.dot").code == 0
+    assert here("diagram", "good.aseme", "--at", "0.2", "--layout", "nested", "-o", "part.dot").code == 0
+    assert (
+        here("diagram", "good.aseme", "iac.robot", "--layout", "nested", "--depth", "1", "-o", "top.dot").code
+        == 0
+    )
+    sizes = {name: len((folder / f"{name}.dot").read_text()) for name in ("all", "part", "top")}
+    assert sizes["part"] < sizes["all"]
+    assert sizes["top"] < sizes["all"]
+
+
+def test_expressions(here: Here, folder: Path) -> None:
+    texts = {}
+    for choice in ("numbered", "inline", "none"):
+        done = here("diagram", "good.aseme", "iac.robot.tree", "--expressions", choice, "-o", f"{choice}.dot")
+        assert done.code == 0, done.err
+        texts[choice] = (folder / f"{choice}.dot").read_text()
+    assert len(set(texts.values())) == 3
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["iac.robbot"], "did you mean iac.robot?"),
+        (["eac"], "there are srm.robot"),
+        (["--at", "0.99"], "0.99"),
+    ],
+)
+def test_what_is_not_there_is_wrong_use(here: Here, folder: Path, arguments: list[str], words: str) -> None:
+    done = here("diagram", "good.aseme", *arguments)
+    assert done.code == 2
+    assert words in done.err
+
+
+def test_a_file_with_errors(here: Here, folder: Path) -> None:
+    done = here("diagram", "bad.aseme")
+    assert done.code == 1
+    assert "error[" in done.err
+    assert not (folder / "diagrams").exists()
+    failed = here("diagram", "bad.aseme", "--json")
+    assert failed.json["errors"] == 2
+
+
+def test_a_folder_with_several_systems(here: Here, folder: Path) -> None:
+    done = here("diagram", ".")
+    assert done.code == 2
+    assert "means 2 systems (bad.aseme, good.aseme)" in done.err
+
+
+def test_json(here: Here, folder: Path) -> None:
+    result = here("diagram", "good.aseme", "srm", "--json").json
+    assert result["created"] == [str(Path("diagrams/srm.robot.svg"))]
+    assert result["remarks"] == []
+
+
+def test_without_graphviz(here: Here, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from aseme_dsl.diagrams import GraphvizMissing
+
+    def missing() -> str:
+        raise GraphvizMissing
+
+    monkeypatch.setattr("aseme_dsl.diagrams.layout.program", missing)
+    done = here("diagram", "good.aseme")
+    assert done.code == 1
+    assert "Graphviz is needed to draw" in done.err
+    assert here("diagram", "good.aseme", "--format", "dot").code == 0

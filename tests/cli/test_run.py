@@ -1,0 +1,399 @@
+"""`asemec run`."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import GOOD, Here, asemec, command
+
+SCRIPT = """\
+{"at": "2500ms", "channel": "eyes.state.Seen", "message": {"ball": true}}
+{"at": "3500ms", "agent": "one", "channel": "eyes.state.Seen", "message": {"ball": true, "home": true}}
+{"at": "5500ms", "channel": "eyes.state.Seen", "message": {"home": true}}
+"""
+
+WORLD = '''\
+"""A world with a counter for the robots to look at."""
+
+
+class Body:
+    payload_limit = 10
+
+    def __init__(self, name):
+        self.name = name
+
+    def sense(self):
+        return None
+
+    def act(self, command):
+        pass
+
+    def say(self, payload):
+        return True
+
+    def hear(self):
+        return []
+
+
+class Court:
+    def __init__(self, seed):
+        self.seed, self.now_ns, self.step_ns = seed, 0, 100_000_000
+        self.bodies = {name: Body(name) for name in ("one", "two")}
+        self.over = False
+
+    def advance(self, until_ns):
+        while self.now_ns + self.step_ns <= until_ns:
+            self.now_ns += self.step_ns
+            self.over = self.now_ns >= 2_000_000_000
+
+
+def court(seed):
+    return Court(seed)
+
+
+def body(name):
+    return Body(name)
+
+
+def notes(world):
+    return [f"whistle at {second} s" for second in range(1, world.now_ns // 1_000_000_000 + 1)]
+
+
+def result(world):
+    return f"the court of seed {world.seed} is closed"
+
+
+def broken(**anything):
+    raise RuntimeError("no court today")
+'''
+
+PROJECT = """\
+[tool.asemec]
+files = ["good.aseme"]
+output = "made"
+activities = "skills"
+
+[tool.asemec.run]
+world = "world:court"
+progress = "world:notes"
+summary = "world:result"
+duration = "30s"
+seed = 9
+"""
+
+
+@pytest.fixture
+def script(folder: Path) -> Path:
+    (folder / "script.jsonl").write_text(SCRIPT)
+    return folder / "script.jsonl"
+
+
+@pytest.fixture
+def project(folder: Path) -> Path:
+    """A project with a world of its own."""
+    (folder / "world.py").write_text(WORLD)
+    (folder / "pyproject.toml").write_text(PROJECT)
+    return folder
+
+
+def trace(path: Path) -> list[dict[str, object]]:
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+def test_a_team_plays_until_all_have_finished(here: Here, script: Path) -> None:
+    done = here("run", "good.aseme", "--input", "script.jsonl")
+    assert done.code == 0, done.err
+    lines = done.out.splitlines()
+    assert lines[0] == "Walker -> out: files: 15 created"
+    assert "    0.00 s  one  Stand" in lines
+    assert "    3.00 s  one  Walk" in lines
+    assert "    3.00 s  two  Walk" in lines
+    assert "played 6 s with seed 1: all agents have finished" in lines
+    assert "  one (robot) has finished" in lines
+    assert trace(Path("out/trace.jsonl"))[-1]["reason"] == "finished"
+    for part in ("models/iac.robot.json", "diagrams/iac.robot.svg", "monas/Walker/robot/plan.py"):
+        assert (Path("out") / part).exists()
+
+
+def test_it_ends_in_time(here: Here, folder: Path) -> None:
+    assert "played 60 s with seed 1: the time is over" in here("run", "good.aseme").out
+    assert "played 3 s with seed 7: the time" in here("run", "good.aseme", "--for", "3s", "--seed", "7").out
+
+
+def test_the_same_seed_gives_the_same_trace(folder: Path, script: Path) -> None:
+    for name, hash_seed in (("a", "1"), ("b", "2")):
+        arguments = [
+            "run",
+            "good.aseme",
+            "--input",
+            "script.jsonl",
+            "--seed",
+            "5",
+            "--trace",
+            f"{name}.jsonl",
+        ]
+        assert asemec(*arguments, cwd=folder, PYTHONHASHSEED=hash_seed).code == 0
+    assert (folder / "a.jsonl").read_bytes() == (folder / "b.jsonl").read_bytes()
+
+
+def test_quiet_and_verbose(here: Here, script: Path) -> None:
+    quiet = here("run", "good.aseme", "--input", "script.jsonl", "--quiet").out
+    assert "Stand" not in quiet
+    assert "played 6 s" in quiet
+    verbose = here("run", "good.aseme", "--input", "script.jsonl", "--verbose").out
+    assert "one  0.2.1 -> 0.2.4 Stand" in verbose
+    assert verbose.count("one  Stand") > 1
+
+
+def test_json(here: Here, script: Path) -> None:
+    done = here("run", "good.aseme", "--input", "script.jsonl", "--json")
+    result = done.json["result"]
+    assert (result["system"], result["reason"], result["time"], result["seed"]) == (
+        "Walker",
+        "finished",
+        6 * 10**9,
+        1,
+    )
+    assert [(agent["name"], agent["finished"]) for agent in result["agents"]] == [
+        ("one", True),
+        ("two", True),
+    ]
+    assert result["trace"] == str(Path("out/trace.jsonl"))
+    assert "Stand" in done.err
+    failed = here("run", "bad.aseme", "--json")
+    assert (failed.code, failed.json["result"], failed.json["errors"]) == (1, None, 2)
+
+
+def test_a_file_with_errors_is_not_played(here: Here, folder: Path) -> None:
+    done = here("run", "bad.aseme")
+    assert done.code == 1
+    assert "error[" in done.err
+    assert not (folder / "out").exists()
+
+
+class TestPlans:
+    def test_one_plan_alone(self, here: Here, script: Path) -> None:
+        done = here("run", "good.aseme", "--plan", "robot", "--for", "1s")
+        assert "    0.00 s  one  Stand" in done.out
+        assert "  two  " not in done.out
+        done = here("run", "good.aseme", "--plan", "Walker.robot", "--agent", "solo", "--for", "1s")
+        assert "    0.00 s  solo  Stand" in done.out
+
+    def test_what_a_robot_carries_is_listed(self, here: Here, folder: Path) -> None:
+        (folder / "other.aseme").write_text(GOOD.replace("Walker", "Runner"))
+        here("build", "good.aseme", "-o", "out")
+        assert here("run", "out", "--list").out.startswith("Walker.robot ")
+        result = here("run", "out", "--list", "--json").json
+        (plan,) = result["plans"]
+        assert (plan["plan"], plan["states"], plan["agents"]) == ("Walker.robot", 9, ["one", "two"])
+
+    def test_a_robot_needs_no_source(self, folder: Path, script: Path) -> None:
+        asemec("build", "good.aseme", "-o", "out", cwd=folder)
+        (folder / "out" / "models").rename(folder / "models")
+        (folder / "good.aseme").unlink()
+        done = asemec("run", "out", "--input", "script.jsonl", cwd=folder)
+        assert done.code == 0, done.err
+        assert "one  Walk" in done.out
+        assert "->" not in done.out
+
+    def test_of_several_systems_one_plan_is_chosen(self, here: Here, folder: Path) -> None:
+        (folder / "other.aseme").write_text(GOOD.replace("Walker", "Runner"))
+        here("build", "good.aseme", "other.aseme", "-o", "both")
+        (folder / "robot" / "monas").mkdir(parents=True)
+        for system in ("Walker", "Runner"):
+            (folder / "both" / system / "monas" / system).rename(folder / "robot" / "monas" / system)
+        assert len(here("run", "robot", "--list").out.splitlines()) == 2
+        done = here("run", "robot", "--for", "1s")
+        assert done.code == 1
+        assert "choose a plan of Runner.robot, Walker.robot" in done.err
+        assert "several plans are called robot" in here("run", "robot", "--plan", "robot").err
+        assert here("run", "robot", "--plan", "Runner.robot", "--for", "1s").code == 0
+
+    def test_a_plan_that_is_not_there(self, here: Here, folder: Path) -> None:
+        done = here("run", "good.aseme", "--plan", "robbot")
+        assert done.code == 1
+        assert "no plan is called robbot; did you mean robot?" in done.err
+
+    def test_without_a_team_the_only_role_plays(self, here: Here, folder: Path) -> None:
+        (folder / "good.aseme").write_text(GOOD.partition("team")[0])
+        assert "    0.00 s  robot  Stand" in here("run", "good.aseme", "--for", "1s").out
+
+
+class TestScripts:
+    @pytest.mark.parametrize(
+        ("line", "words"),
+        [
+            ("{", "line 1: not JSON"),
+            ('{"at": "soon", "event": "x"}', "is no duration"),
+            ('{"channel": "eyes.state.Sun", "message": {}}', "is no channel"),
+            ('{"channel": "eyes.state.Seen", "message": {"ball": 3}}', "line 1"),
+            ('{"agent": "three", "event": "Bumped"}', "there are one, two"),
+        ],
+    )
+    def test_a_wrong_line_is_said(self, here: Here, script: Path, line: str, words: str) -> None:
+        script.write_text(line)
+        done = here("run", "good.aseme", "--input", "script.jsonl")
+        assert done.code == 1
+        assert words in done.err
+
+    def test_a_script_that_cannot_be_read(self, here: Here, script: Path) -> None:
+        assert "missing.jsonl cannot be read" in here("run", "good.aseme", "--input", "missing.jsonl").err
+        script.write_bytes(b"\xff")
+        assert "is not UTF-8" in here("run", "good.aseme", "--input", "script.jsonl").err
+
+
+class TestActivities:
+    def write(self, folder: Path, text: str) -> None:
+        (folder / "skills").mkdir(exist_ok=True)
+        (folder / "skills" / "stand.py").write_text(text)
+
+    def test_they_may_log_and_import_messages(self, here: Here, folder: Path) -> None:
+        self.write(
+            folder,
+            "from monas.Walker.messages import Seen\n"
+            "class Stand:\n"
+            "    def execute(self, context):\n"
+            "        context.log(f'{Seen(ball=True)}')\n",
+        )
+        done = here("run", "good.aseme", "--activities", "skills", "--for", "1s")
+        assert "one  Stand: Seen(ball=True, home=False)" in done.out
+
+    def test_one_that_fails_stops_its_agent_with_the_place(self, here: Here, folder: Path) -> None:
+        self.write(folder, "class Stand:\n    def execute(self, context):\n        1 / 0\n")
+        done = here("run", "good.aseme", "--activities", "skills", "--for", "5s")
+        assert done.code == 1
+        assert "Traceback" not in done.err
+        assert "one (robot) failed:" in done.err
+        assert "ZeroDivisionError" in done.err
+        assert "one  crash: Stand: ZeroDivisionError: division by zero (stand.py:3)" in done.err
+
+    @pytest.mark.parametrize(
+        ("text", "words"),
+        [
+            ("class Stand", "SyntaxError"),
+            ("import nothing_of_that_name", "ModuleNotFoundError"),
+            ("class Sit: pass", "stand.py has no class Stand"),
+        ],
+    )
+    def test_one_that_cannot_be_loaded(self, here: Here, folder: Path, text: str, words: str) -> None:
+        self.write(folder, text)
+        done = here("run", "good.aseme", "--activities", "skills")
+        assert done.code == 1
+        assert words in done.err
+        assert "Traceback" not in done.err
+
+
+class TestProjects:
+    def test_it_is_played_as_it_says(self, here: Here, project: Path) -> None:
+        done = here("run", ".")
+        assert done.code == 0, done.err
+        lines = done.out.splitlines()
+        assert "whistle at 1 s" in lines
+        assert "whistle at 2 s" in lines
+        assert "the court of seed 9 is closed" in lines
+        assert "played 2 s with seed 9: the world is over" in lines
+        assert "Stand" not in done.out
+        assert (project / "made/trace.jsonl").exists()
+        assert (project / "skills/walk.py").exists()
+
+    def test_from_anywhere(self, project: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
+        elsewhere = tmp_path_factory.mktemp("elsewhere")
+        done = asemec("run", project, cwd=elsewhere)
+        assert done.code == 0, done.err
+        assert "whistle at 2 s" in done.out
+        assert not list(elsewhere.iterdir())
+
+    def test_the_command_line_goes_first(self, here: Here, project: Path) -> None:
+        done = here("run", ".", "--for", "1s", "--seed", "3", "--trace", "mine.jsonl", "-o", "out")
+        assert "played 1 s with seed 3: the time is over" in done.out
+        assert Path("mine.jsonl").exists()
+        assert Path("out/monas").exists()
+
+    def test_another_file_of_the_folder_is_not_the_project(self, here: Here, project: Path) -> None:
+        (project / "other.aseme").write_text(GOOD.replace("Walker", "Runner"))
+        done = here("run", "other.aseme", "-o", "out", "--for", "1s")
+        assert "whistle" not in done.out
+        assert "one  Stand" in done.out
+
+    @pytest.mark.parametrize(
+        ("function", "words"),
+        [
+            ("world:broken", "broken failed: RuntimeError: no court today"),
+            ("world:nothing", "no function nothing in module world"),
+            ("nowhere:court", "no function court in module nowhere"),
+            ("faulty:court", "faulty cannot be imported: SyntaxError"),
+        ],
+    )
+    def test_a_world_that_cannot_be_made(self, here: Here, project: Path, function: str, words: str) -> None:
+        (project / "faulty.py").write_text("def court(:\n")
+        done = here("run", ".", "--world", function)
+        assert done.code == 1
+        assert words in done.err
+        assert "Traceback" not in done.err
+
+    def test_bodies_without_a_world(self, here: Here, project: Path) -> None:
+        done = here("run", ".", "--body", "one=world:body", "--for", "1s")
+        assert done.code == 0, done.err
+        done = here("run", ".", "--body", "three=world:body", "--for", "1s")
+        assert done.code == 1
+        assert "no agent three for a body; there are one, two" in done.err
+
+    def test_several_systems_and_no_choice(self, here: Here, project: Path) -> None:
+        (project / "other.aseme").write_text(GOOD.replace("Walker", "Runner"))
+        (project / "bad.aseme").unlink()
+        (project / "pyproject.toml").write_text("[tool.asemec.run]\nseed = 1\n")
+        done = here("run", ".")
+        assert done.code == 2
+        assert "means 2 systems (good.aseme, other.aseme)" in done.err
+
+
+def test_ctrl_c_ends_a_run_with_its_trace_whole(folder: Path) -> None:
+    process = subprocess.Popen(
+        command("run", "good.aseme", "--for", "1000000min"),
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout is not None
+    while "Stand" not in process.stdout.readline():
+        assert process.poll() is None
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert ": stopped" in out
+    assert "Traceback" not in err
+    assert trace(folder / "out/trace.jsonl")[-1]["reason"] == "interrupted"
+
+
+def test_real_time(here: Here, folder: Path) -> None:
+    done = here("run", "good.aseme", "--real", "--for", "50ms")
+    assert done.code == 0, done.err
+    assert "the time is over" in done.out
+    assert trace(Path("out/trace.jsonl"))[0]["clock"] == "real"
+
+
+def test_a_trace_that_cannot_be_written(here: Here, folder: Path) -> None:
+    done = here("run", "good.aseme", "--trace", "good.aseme/trace.jsonl", "--for", "1s")
+    assert done.code == 1
+    assert "cannot be written" in done.err
+    assert (folder / "good.aseme").read_text() == GOOD
+
+
+def test_activities_and_functions_come_from_nowhere_else(folder: Path) -> None:
+    """What a run has imported is gone from `sys.path` afterwards."""
+    program = (
+        "import sys; from aseme_dsl.cli import main; before = list(sys.path);"
+        "code = main(['run', 'good.aseme', '--for', '1s', '--quiet']); print(code, sys.path == before)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, cwd=folder, env=os.environ
+    )
+    assert done.stdout.splitlines()[-1] == "0 True"
