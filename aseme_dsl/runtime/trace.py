@@ -20,7 +20,16 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from aseme_dsl.runtime.as_json import to_json
-from aseme_dsl.runtime.inputs import Arrived, Cancel, Fault, FunctionResult, Identity, Outcome, Start
+from aseme_dsl.runtime.inputs import (
+    Arrived,
+    Cancel,
+    Fault,
+    FunctionResult,
+    Identity,
+    MailTaken,
+    Outcome,
+    Start,
+)
 from aseme_dsl.runtime.plan import Plan
 
 FORMAT = 1
@@ -200,6 +209,8 @@ class Trace:
                 for effect in outcome.effects
                 if isinstance(effect, FunctionResult)
             ]
+            or None,
+            mail=[list(effect.identity) for effect in outcome.effects if isinstance(effect, MailTaken)]
             or None,
             configuration=list(configuration),
             again=outcome.again or None,

@@ -5,13 +5,16 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
+
+from jsonschema import Draft202012Validator
 
 from aseme_dsl.runtime.activities import ActivityFinder
 from aseme_dsl.runtime.scripted import read_script
 from aseme_dsl.runtime.team import RunResult, Team
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.trace import Record, schema
 from tests.support.generated import Generated, generate
 
 MS = 1_000_000
@@ -102,7 +105,25 @@ def play(
 ) -> Played:
     """Run a team to its end; see `make`."""
     team, records = make(what, activities, **options)
-    return Played(team, team.run(), records)
+    result = team.run()
+    for record in records:
+        check_line(record)
+    return Played(team, result, records)
+
+
+@cache
+def _validators() -> dict[str, Draft202012Validator]:
+    """A validator for each kind of line: one for all of them would only say that none fits."""
+    whole = schema()
+    Draft202012Validator.check_schema(whole)
+    return {line["title"]: Draft202012Validator({**line, "$defs": whole["$defs"]}) for line in whole["oneOf"]}
+
+
+def check_line(record: Record) -> None:
+    """Fail for a line that is not as the schema says."""
+    assert record["kind"] in _validators(), f"the schema does not know {record['kind']}"
+    errors = list(_validators()[record["kind"]].iter_errors(record))
+    assert not errors, f"{record}\n{errors[0].message}"
 
 
 def lines_of(path: Path) -> list[Record]:
