@@ -494,7 +494,9 @@ class _Generator:
             method.add(depth, f"if {' and '.join(tests)}:")
             depth += 1
         taken = (*before, way.number)
-        if way.branches:
+        if self.chart.node(self.flat.transition(way.number).target).type is NodeType.CONDITION:
+            if not way.branches:
+                method.add(depth, "pass  # no way out of the choice")
             always = any(
                 self._way(method, depth, region, source, leaf, complete, branch, taken)
                 for branch in way.branches
