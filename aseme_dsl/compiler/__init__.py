@@ -18,6 +18,7 @@ from aseme_dsl.compiler.formula_to_statechart import LARGEST
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
+    from aseme_dsl.compiler.missing import Missing
     from aseme_dsl.diagnostics import Diagnostic
     from aseme_dsl.source import Source
 
@@ -31,10 +32,14 @@ class Options:
 
 @dataclass(frozen=True, slots=True)
 class Analysis:
-    """What is known of a file: every diagnostic, in order, and its system if none of them is an error."""
+    """What is known of a file: every diagnostic, in order, and its system if none of them is an error.
+
+    `missing` are the notes with what `asemec scaffold` writes for each.
+    """
 
     system: System | None
     diagnostics: tuple[Diagnostic, ...]
+    missing: tuple[Missing, ...] = ()
 
 
 def analyse(

@@ -9,7 +9,7 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler import formulas as formula_tables
 from aseme_dsl.compiler.blocks import participants_of
 from aseme_dsl.compiler.chart import Part, RelativeLine, World, chart_of
-from aseme_dsl.compiler.choices import check_formulas
+from aseme_dsl.compiler.choices import check_formulas, undecided_formulas
 from aseme_dsl.compiler.control import (
     LabelledLine,
     Lines,
@@ -19,6 +19,7 @@ from aseme_dsl.compiler.control import (
 )
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.formula_to_statechart import Outline, expand_protocol, too_large
+from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.scopes import TypedParticipant
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
@@ -32,12 +33,14 @@ PROCESS = "process"
 class Protocol:
     """An `aip` whose processes have been read: the parts by name, and their chart.
 
-    A participant whose process cannot be expanded is missing in `parts`; `outline` is None if any is.
+    A participant whose process cannot be expanded is not in `parts`; `outline` is None if any is not.
+    `missing` is what its control does not say yet.
     """
 
     written: tree.Aip
     parts: Mapping[str, Part]
     outline: Outline | None
+    missing: tuple[Missing, ...]
 
     @property
     def name(self) -> str:
@@ -98,32 +101,22 @@ def read_protocol(
                 for item in labelled[name]
             )
             parts[name] = replace(parts[name], labelled=relative)
+    missing: list[Missing] = []
     for participant in participants:
-        lines = lines_of.get(participant.name.text)
-        if lines is not None:
-            if outline is not None:
-                lines = including_labels(lines, outline, labelled[participant.name.text])
-            found += _undecided(participant, written, lines, controls, is_damaged)
-    return Protocol(written, parts, outline), tuple(found)
-
-
-def _undecided(
-    participant: tree.Participant,
-    written: tree.Aip,
-    lines: Lines,
-    controls: Iterable[tuple[tree.Control, str, str]],
-    is_damaged: Damaged,
-) -> tuple[Diagnostic, ...]:
-    """The choices and loops of a participant that its lines do not decide."""
-    name = participant.name.text
-    formulas, _ = formula_tables.table(f"{written.name}.{name}", participant.formulas, PROCESS)
-    if formulas is None:
-        return ()
-    unsure = {formula for control, part, formula in controls if part == name and is_damaged(control.span)}
-    if is_damaged(participant.span):
-        unsure |= set(formulas.named)
-    names = {formula: name if formula == PROCESS else formula for formula in formulas.named}
-    return check_formulas(formulas, names, lines, frozenset(unsure))
+        name = participant.name.text
+        lines = lines_of.get(name)
+        formulas, _ = formula_tables.table(f"{written.name}.{name}", participant.formulas, PROCESS)
+        if lines is None or formulas is None:
+            continue
+        if outline is not None:
+            lines = including_labels(lines, outline, labelled[name])
+        unsure = {formula for control, part, formula in controls if part == name and is_damaged(control.span)}
+        if is_damaged(participant.span):
+            unsure |= set(formulas.named)
+        names = {formula: name if formula == PROCESS else formula for formula in formulas.named}
+        found += check_formulas(formulas, names, lines, frozenset(unsure))
+        missing += undecided_formulas(formulas, names, lines, written.span, frozenset(unsure))
+    return Protocol(written, parts, outline, tuple(missing)), tuple(found)
 
 
 def aip_to_eac(protocol: Protocol, world: World) -> Statechart | None:

@@ -10,6 +10,7 @@ from aseme_dsl.amola.liveness import Formula, Operator, ungrouped
 from aseme_dsl.compiler.control import Line, Lines
 from aseme_dsl.compiler.formula_to_statechart import Way
 from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.terms import Terms, spelling, terms_of
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
@@ -51,19 +52,37 @@ def check_formulas(
             continue
         terms = terms_of(formulas, name, controls.get(name, name))
         choices, loops, others = _alternatives(terms, lines)
-        if name in lines.unsure:
-            pass
-        elif name in lines.blocks:
+        if name in lines.blocks and name not in lines.unsure:
             for choice in choices:
                 found += check_choice(choice)
             for loop in loops:
                 found += check_loop(loop)
-        elif choices or loops:
-            found.append(_nothing_said(terms, controls.get(name, name), choices, loops))
         for group in (*choices, *loops, *others):
             found += check_group(group)
         for group in (*loops, *others):
             found += check_source(group)
+    return tuple(found)
+
+
+def undecided_formulas(
+    formulas: Formulas,
+    controls: Mapping[str, str],
+    lines: Lines,
+    inside: Span,
+    damaged: frozenset[str] = frozenset(),
+) -> tuple[Missing, ...]:
+    """A note for every formula with choices or loops that has no `control` block at all (N704).
+
+    `inside` is the block that the control block goes into; the rest is as in `check_formulas`.
+    """
+    found: list[Missing] = []
+    for name in formulas.named:
+        if name in damaged or name in lines.blocks:
+            continue
+        terms = terms_of(formulas, name, controls.get(name, name))
+        choices, loops, _ = _alternatives(terms, lines)
+        if any(not item.lines for group in (*choices, *loops) for item in group):
+            found.append(_nothing_said(terms, controls.get(name, name), choices, loops, inside))
     return tuple(found)
 
 
@@ -220,15 +239,18 @@ def _nothing_said(
     control: str,
     choices: Sequence[Sequence[Alternative]],
     loops: Sequence[Sequence[Alternative]],
-) -> Diagnostic:
+    inside: Span,
+) -> Missing:
     parts = [_counted(len(choices), "choice"), _counted(len(loops), "loop")]
     what = " and ".join(part for part in parts if part)
-    return Diagnostic(
+    skeleton = control_skeleton(control, [*choices, *loops])
+    note = Diagnostic(
         "N704",
-        f"`{terms.formula}` has {what} without a condition: what comes first is taken",
+        f"`{terms.title}` has {what} without a condition: what comes first is taken",
         terms.formulas.named[terms.formula].name.span,
-        hint="start from\n" + control_skeleton(control, [*choices, *loops]),
+        hint="start from\n" + skeleton,
     )
+    return Missing(note, skeleton, inside)
 
 
 def _counted(number: int, what: str) -> str:
@@ -263,4 +285,5 @@ __all__ = [
     "check_source",
     "control_skeleton",
     "never_taken",
+    "undecided_formulas",
 ]

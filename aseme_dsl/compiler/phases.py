@@ -33,9 +33,7 @@ from aseme_dsl.source import Source, Span
 _T = TypeVar("_T")
 
 
-def analyse_files(
-    root: Source | Path | str, sources: Mapping[str, str] | None, options: Options
-) -> Analysis:
+def analyse_files(root: Source | Path | str, sources: Mapping[str, str] | None, options: Options) -> Analysis:
     """The system of a file, and every diagnostic of it and of what it imports."""
     # Models are many small objects without cycles: looking for cycles all the time costs a third of the time.
     threshold = gc.get_threshold()
@@ -105,15 +103,20 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     found += close_names(used, described, formulas)
     capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
     cases = use_cases(suc, [*protocols, *(item.name.text for item in formulas), *used, *capabilities])
-    found += suc_to_aip(cases, blocks.aips)
+    missing = [*suc_to_aip(cases, blocks.aips)]
     srms = [keep(read_srm(role, iacs[role.name], cases)) for role in roles.values()]
-    found += suc_to_srm(cases, roles, [item.name for item in given], blocks.aips)
+    missing += suc_to_srm(cases, roles, [item.name for item in given], blocks.aips)
+    missing += [item for protocol in protocols.values() for item in protocol.missing]
+    missing += [item for role in roles.values() for item in role.missing]
+    if has_errors(loaded.diagnostics):
+        missing = []  # it may be among what could not be read
+    found += [item.note for item in missing]
     if symbols.system is None:
         found += _no_system(loaded)
 
     diagnostics = in_order(_without_consequences(found))
     if has_errors(diagnostics) or symbols.system is None:
-        return Analysis(None, diagnostics)
+        return Analysis(None, diagnostics, tuple(missing))
     system = System(
         name=name,
         enums=symbols.enums,
@@ -132,7 +135,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
         sources=tuple(file.source for file in loaded.files),
         span=symbols.system.name.span,
     )
-    return Analysis(system, diagnostics)
+    return Analysis(system, diagnostics, tuple(missing))
 
 
 def _places_of_roles(blocks: Blocks) -> dict[str, Span]:

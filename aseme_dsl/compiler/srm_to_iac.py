@@ -11,11 +11,12 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler import formulas as formula_tables
 from aseme_dsl.compiler.aip_to_eac import Protocol
 from aseme_dsl.compiler.chart import Part, World, chart_of
-from aseme_dsl.compiler.choices import check_formulas
+from aseme_dsl.compiler.choices import check_formulas, undecided_formulas
 from aseme_dsl.compiler.control import LabelledLine, Lines, check_labels, including_labels, read_lines
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.formula_to_statechart import Outline, expand_role, sizes, too_large
 from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.names import unknown
 from aseme_dsl.compiler.scopes import TypedRole
 from aseme_dsl.compiler.symbols import Symbols
@@ -25,7 +26,10 @@ from aseme_dsl.grammar import tree
 
 @dataclass(frozen=True, slots=True)
 class Role:
-    """An `srm` that has been read. `outline` is None where its formulas cannot be expanded."""
+    """An `srm` that has been read. `outline` is None where its formulas cannot be expanded.
+
+    `missing` is what its formulas and its control do not say yet.
+    """
 
     written: tree.Srm
     typed: TypedRole
@@ -35,6 +39,7 @@ class Role:
     lines: Lines
     labelled: tuple[LabelledLine, ...]
     outline: Outline | None
+    missing: tuple[Missing, ...]
 
     @property
     def name(self) -> str:
@@ -61,7 +66,7 @@ def read_role(
     if formulas is None:
         if not damaged:
             found.append(_no_formula(written))
-        return Role(written, typed, None, plays, parts, Lines(), (), None), tuple(found)
+        return Role(written, typed, None, plays, parts, Lines(), (), None, ()), tuple(found)
     branches = {
         item.name: parts[item.protocol, item.participant].branch(dict(item.bindings))
         for item in plays
@@ -77,8 +82,6 @@ def read_role(
     ]
     lines, problems = read_lines(formulas, own, typed.scope)
     found += problems
-    if not damaged:
-        found += _not_played(written, formulas, plays)
     outline, labelled = None, tuple[LabelledLine, ...]()
     # A played participant whose process could not be read would stand as an activity: no chart then.
     if expandable and len(branches) == len(written.plays):
@@ -93,7 +96,11 @@ def read_role(
     unsure = frozenset(formulas.named if damaged else (f for c, f in own if is_damaged(c.span)))
     checked = including_labels(lines, outline, labelled) if outline is not None else lines
     found += check_formulas(formulas, {}, checked, unsure)
-    return Role(written, typed, formulas, plays, parts, lines, labelled, outline), tuple(found)
+    missing = undecided_formulas(formulas, {}, checked, written.span, unsure)
+    if not damaged:
+        missing += tuple(_not_played(written, formulas, plays))
+    role = Role(written, typed, formulas, plays, parts, lines, labelled, outline, missing)
+    return role, tuple(found)
 
 
 def srm_to_iac(role: Role, world: World) -> Statechart | None:
@@ -223,16 +230,16 @@ def _bindings(
     return bindings, tuple(found)
 
 
-def _not_played(written: tree.Srm, formulas: Formulas, plays: Sequence[Plays]) -> Iterable[Diagnostic]:
+def _not_played(written: tree.Srm, formulas: Formulas, plays: Sequence[Plays]) -> Iterable[Missing]:
     used = {node.name for item in formulas.named.values() for node in names(item.formula)}
     for item in plays:
         if item.name not in used and item.name not in formulas.named:
-            yield Diagnostic(
-                "N702",
-                f"{written.name} plays {item.protocol}.{item.participant}, but no formula uses `{item.name}`",
-                item.span,
-                hint=f"let a formula use it, such as `{formulas.root} = … | {item.name}`",
+            message = (
+                f"{written.name} plays {item.protocol}.{item.participant}, but no formula uses `{item.name}`"
             )
+            hint = f"let a formula use it, such as `{formulas.root} = … | {item.name}`"
+            note = Diagnostic("N702", message, item.span, hint=hint)
+            yield Missing(note, f"// Let a formula use the participant {item.name}.", written.span)
 
 
 def _foreign_controls(

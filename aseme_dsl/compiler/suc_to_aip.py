@@ -9,6 +9,7 @@ from aseme_dsl.amola.suc import UseCase
 from aseme_dsl.compiler.blocks import participants_of
 from aseme_dsl.compiler.clauses import read_clauses
 from aseme_dsl.compiler.damage import Damaged
+from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.scopes import TypedParticipant
 from aseme_dsl.compiler.usecases import UseCases, activity_name, folded, formula_line, helper_formulas
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -54,25 +55,25 @@ def read_aip(
     return Aip(written.name.text, tuple(participants), outcomes, clauses, written.name.span), found
 
 
-def suc_to_aip(cases: UseCases, written: Sequence[tree.Aip]) -> tuple[Diagnostic, ...]:
+def suc_to_aip(cases: UseCases, written: Sequence[tree.Aip]) -> tuple[Missing, ...]:
     """A note for every protocol that follows from the use cases and is not written yet (N701)."""
     known = {folded(item.name.text) for item in written}
     found = []
     for case in cases.suc.usecases:
         if cases.is_protocol(case) and known.isdisjoint(cases.names_of(case)):
-            found.append(
-                Diagnostic(
-                    "N701",
-                    f"the protocol `{case.name}` of {_listed(case.participants)} is not written yet",
-                    case.span,
-                    tuple(
-                        Related(role.span, f"`{role.name}`")
-                        for role in cases.suc.roles
-                        if role.name in case.participants
-                    ),
-                    hint="start from\n" + aip_skeleton(cases, case),
-                )
+            skeleton = aip_skeleton(cases, case)
+            note = Diagnostic(
+                "N701",
+                f"the protocol `{case.name}` of {_listed(case.participants)} is not written yet",
+                case.span,
+                tuple(
+                    Related(role.span, f"`{role.name}`")
+                    for role in cases.suc.roles
+                    if role.name in case.participants
+                ),
+                hint="start from\n" + skeleton,
             )
+            found.append(Missing(note, skeleton))
     return tuple(found)
 
 

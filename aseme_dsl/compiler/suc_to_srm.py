@@ -9,6 +9,7 @@ from aseme_dsl.amola.aip import NamedFormula
 from aseme_dsl.amola.srm import Capability, Functionality, Srm
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.suc import RoleType, UseCase
+from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.names import declared_twice, unknown
 from aseme_dsl.compiler.srm_to_iac import Role
 from aseme_dsl.compiler.usecases import UseCases, activity_name, folded, formula_line, helper_formulas
@@ -101,12 +102,12 @@ def _cases_of(name: str, role: Role | None, cases: UseCases) -> Iterator[UseCase
 
 def suc_to_srm(
     cases: UseCases, roles: Mapping[str, Role], charts: Iterable[str], protocols: Sequence[tree.Aip]
-) -> tuple[Diagnostic, ...]:
+) -> tuple[Missing, ...]:
     """Notes for the roles (N703), formulas (N702) and use cases (N700) that nothing specifies yet.
 
     `charts` are the roles that are written as a statechart: what they do is not looked into.
     """
-    found: list[Diagnostic] = []
+    found: list[Missing] = []
     written = _Written(cases, protocols)
     elsewhere = set(charts)
     noted: set[str] = set()  # use cases that a note's skeleton contains, folded
@@ -114,9 +115,10 @@ def suc_to_srm(
         if item.type not in (RoleType.SYSTEM, RoleType.ABSTRACT):
             elsewhere.add(item.name)
         elif item.type is RoleType.SYSTEM and item.name not in roles and item.name not in elsewhere:
-            hint = "start from\n" + srm_skeleton(item.name, cases, protocols)
+            skeleton = srm_skeleton(item.name, cases, protocols)
             message = f"the role `{item.name}` is not written yet"
-            found.append(Diagnostic("N703", message, item.span, hint=hint))
+            note = Diagnostic("N703", message, item.span, hint="start from\n" + skeleton)
+            found.append(Missing(note, skeleton))
             elsewhere.add(item.name)
             noted |= _included(_cases_of(item.name, None, cases), cases)
     for name, role in roles.items():
@@ -134,7 +136,10 @@ def suc_to_srm(
             continue
         hint = f"let a formula use `{cases.spelling(case)}`, or say what it `realises`"
         message = f"nothing specifies the use case `{case.name}`"
-        found.append(Diagnostic("N700", message, case.span, hint=hint))
+        note = Diagnostic("N700", message, case.span, hint=hint)
+        doer = next((roles[name] for name in case.participants if name in roles), None)
+        inside = doer.written.span if doer is not None else None
+        found.append(Missing(note, f"// The use case {case.name}: {hint}.", inside))
     return tuple(found)
 
 
@@ -208,20 +213,26 @@ def _is_realised(case: UseCase, role: Role, written: _Written) -> bool:
     return written.cases.is_protocol(case) and written.protocol_of(case) is None
 
 
-def _no_formula(case: UseCase, role: Role, written: _Written) -> Diagnostic:
+def _no_formula(case: UseCase, role: Role, written: _Written) -> Missing:
+    place = role.written.name.span
     protocol = written.protocol_of(case)
     plays = written.plays(case, role.name)
     if protocol is not None and plays is not None:
-        lines = " or ".join(f"`plays {item}`" for item in plays.values())
+        lines = [f"plays {item}" for item in plays.values()]
         message = f"{role.name} takes part in the use case `{case.name}`, but plays none of {protocol.name}"
-        return Diagnostic("N702", message, role.written.name.span, hint=f"say which part it takes: {lines}")
-    lines = "\n".join(helper_formulas(written.cases, [case], lambda item: written.term(item, role.name)))
-    return Diagnostic(
-        "N702",
-        f"{role.name} has no formula for the use case `{case.name}`",
-        role.written.name.span,
-        hint=f"start from\n{lines}\nand let a formula use `{written.cases.spelling(case)}`",
-    )
+        hint = "say which part it takes: " + " or ".join(f"`{line}`" for line in lines)
+        advice = f"// The use case {case.name}; let a formula use the participant:"
+        note = Diagnostic("N702", message, place, hint=hint)
+    else:
+        lines = helper_formulas(written.cases, [case], lambda item: written.term(item, role.name))
+        message = f"{role.name} has no formula for the use case `{case.name}`"
+        name = written.cases.spelling(case)
+        hint = "\n".join(["start from", *lines, f"and let a formula use `{name}`"])
+        advice = f"// The use case {case.name}; let a formula use `{name}`:"
+        note = Diagnostic("N702", message, place, hint=hint)
+    # As a comment: what no formula uses would be an error.
+    skeleton = "\n".join([advice, *(f"//   {line}" for line in lines)])
+    return Missing(note, skeleton, role.written.span)
 
 
 def srm_skeleton(name: str, cases: UseCases, protocols: Sequence[tree.Aip]) -> str:

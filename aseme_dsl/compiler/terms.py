@@ -23,12 +23,12 @@ class Terms:
     """The terms of one formula: each operand and operator of its text, without parentheses.
 
     `parents` gives the operator around each (None for the whole), `places` those of one spelling in order.
-    `names` are what the whole formula is called in `control`.
+    `title` is what the formula is called in `control`: a participant's name for its process.
     """
 
     formulas: Formulas
     formula: str
-    names: frozenset[str]
+    title: str
     whole: Formula
     parents: Mapping[Formula, Formula | None]
     places: Mapping[str, tuple[Formula, ...]]
@@ -46,13 +46,13 @@ def terms_of(formulas: Formulas, formula: str, control: str) -> Terms:
         places.setdefault(canonical(term), []).append(term)
         stack += [(ungrouped(operand), term) for operand in reversed(term.operands)]
     found = {key: tuple(terms) for key, terms in places.items()}
-    return Terms(formulas, formula, frozenset((formula, control)), whole, parents, found)
+    return Terms(formulas, formula, control, whole, parents, found)
 
 
 def way(terms: Terms, verb: tree.Name, written: tree.Term) -> tuple[Way | None, Diagnostic | None]:
     """The way that a control line names, or what is wrong with the name (E400, E401, E402)."""
     key = term_key(written.formula)
-    if key in terms.names and verb.text in ("start", "finish") and key not in terms.places:
+    if key in (terms.title, terms.formula) and verb.text in ("start", "finish") and key not in terms.places:
         term: Formula | None = terms.whole
     else:
         term, problem = _find(terms, key, written)
@@ -135,7 +135,7 @@ def _find(terms: Terms, key: str, written: tree.Term) -> tuple[Formula | None, D
         )
         return None, Diagnostic(
             "E401",
-            f"`{name}` stands {len(places)} times in `{terms.formula}`",
+            f"`{name}` stands {len(places)} times in `{terms.title}`",
             written.span,
             related,
             hint="say which one: " + _listed(f"{name}#{n}" for n in range(1, len(places) + 1)),
@@ -145,7 +145,7 @@ def _find(terms: Terms, key: str, written: tree.Term) -> tuple[Formula | None, D
     count = "once" if len(places) == 1 else f"{len(places)} times"
     return None, Diagnostic(
         "E400",
-        f"there is no `{name}#{written.occurrence}`: the term stands {count} in `{terms.formula}`",
+        f"there is no `{name}#{written.occurrence}`: the term stands {count} in `{terms.title}`",
         written.span,
         tuple(Related(place.span, f"`{name}#{n}`") for n, place in enumerate(places, 1)),
         hint="there " + ("is " if len(places) == 1 else "are ") + _listed(_numbered(terms, places)),
@@ -153,9 +153,9 @@ def _find(terms: Terms, key: str, written: tree.Term) -> tuple[Formula | None, D
 
 
 def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
-    message = f"`{terms.formula}` has no term `{_named(ungrouped(written.formula))}`"
+    message = f"`{terms.title}` has no term `{_named(ungrouped(written.formula))}`"
     named = terms.formulas.named
-    related = (Related(named[terms.formula].formula.span, f"the text of `{terms.formula}`"),)
+    related = (Related(named[terms.formula].formula.span, f"the text of `{terms.title}`"),)
     elsewhere = [
         name
         for name, item in named.items()
@@ -218,9 +218,9 @@ def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Ter
     elif has:
         hint = f"the ways of `{text}` are {_listed(f'{name} {text}' for name in has)}"
     else:
-        hint = f"`{text}` is all of `{terms.formula}`; the ways are those of its terms"
-    related = (Related(term.span, f"`{text}` in `{terms.formula}`"),)
-    message = f"`{text}` has no way `{verb}` in `{terms.formula}`"
+        hint = f"`{text}` is all of `{terms.title}`; the ways are those of its terms"
+    related = (Related(term.span, f"`{text}` in `{terms.title}`"),)
+    message = f"`{text}` has no way `{verb}` in `{terms.title}`"
     return Diagnostic("E402", message, verb.span.to(written.span), related, hint=hint)
 
 

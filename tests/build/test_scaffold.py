@@ -1,0 +1,90 @@
+"""`scaffold`: what is missing is written into a file, and nothing else in it changes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.build.scaffold import Scaffolded, scaffold
+from aseme_dsl.source import Source
+from tests.conftest import Snapshot
+
+ROOT = Path(__file__).resolve().parents[1]
+MISSING = ROOT / "compiler" / "models" / "cases" / "what_is_missing.aseme"
+TEXTS = {
+    "goals_only": "system S\nsag { actor a { goal x depends on b  goal y }  actor b { goal z } }\n",
+    "one_line": "system S srm R { liveness { R = (A | B)+ } }",
+    "several_blocks": """\
+system S
+aip p {
+    participant one { process = A | B }
+    participant two { process = inner . C  inner = [D] }
+}
+srm R {
+    plays p.two
+    liveness { R = two }
+}
+srm Q {
+    plays p.one
+    liveness {
+        Q = (A | B)
+    }
+    control Q { enter A : [true]  enter B : else }
+}
+""",
+    "what_is_missing": MISSING.read_text("utf-8"),
+}
+
+
+def run(text: str) -> Scaffolded:
+    return scaffold(Source("test.aseme", text))
+
+
+def is_kept(before: str, after: str) -> bool:
+    """Whether every character of one text comes in the other, in its order."""
+    rest = iter(after)
+    return all(char in rest for char in before)
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_the_text_with_its_skeletons(name: str, snapshot: Snapshot) -> None:
+    done = run(TEXTS[name])
+    assert done.added
+    assert is_kept(TEXTS[name], done.text)
+    assert {item.severity for item in done.diagnostics} <= {"note"}
+    snapshot(done.text, f"{name}.aseme")
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_a_second_time_there_is_nothing_to_add(name: str) -> None:
+    done = run(TEXTS[name])
+    again = run(done.text)
+    assert (again.text, again.added) == (done.text, ())
+
+
+def test_a_file_that_lacks_nothing_stays_as_it_is() -> None:
+    text = (ROOT / "acceptance" / "testbehavior.aseme").read_text("utf-8")
+    assert run(text) == Scaffolded(text, (), ())
+
+
+def test_a_file_with_errors_stays_as_it_is() -> None:
+    text = TEXTS["goals_only"] + "srm a { liveness { a = A | } }\n"
+    done = run(text)
+    assert (done.text, done.added) == (text, ())
+    assert [item.code for item in done.diagnostics] == ["E101"]
+
+
+def test_line_ends_and_byte_order_mark_are_kept() -> None:
+    done = run("\ufeff" + TEXTS["several_blocks"].replace("\n", "\r\n"))
+    assert done.text.startswith("\ufeffsystem S\r\n")
+    assert done.text.replace("\r\n", "").count("\n") == 0
+    assert done.text[1:].replace("\r\n", "\n") == run(TEXTS["several_blocks"]).text
+
+
+def test_what_an_imported_file_lacks_is_not_written_here(tmp_path: Path) -> None:
+    (tmp_path / "roles.aseme").write_text("srm R { liveness { R = A | B } }\n", "utf-8")
+    text = 'system S\nimport "roles.aseme"\nsrm Q { liveness { Q = C+ } }\n'
+    done = scaffold(Source(str(tmp_path / "main.aseme"), text))
+    assert [item.code for item in done.added] == ["N704"]
+    assert "control Q" in done.text and "control R" not in done.text
