@@ -38,11 +38,14 @@ _FREE = nullcontext()
 class _Seat:
     """A thread's place: it leads, or it sleeps here until it is handed the lead."""
 
-    __slots__ = ("go", "queued")
+    __slots__ = ("go", "queued", "steps_aside")
 
     def __init__(self) -> None:
         self.go = threading.Lock()
         self.go.acquire()
+        self.steps_aside = False
+        """Whether its thread has handed the lead over and is about to sleep here. It must, whoever leads by
+        then: each release of `go` is for one sleep."""
         self.queued = False
         """Whether it is on the list of those that are handed the lead."""
 
@@ -146,6 +149,7 @@ class VirtualDriver:
             self._jobs.append(lambda: self._resume(seat))
 
     def _resume(self, seat: _Seat) -> None:
+        self._leader.steps_aside = True
         self._spares.append(self._leader)
         self._leader = seat
         seat.go.release()
@@ -166,7 +170,8 @@ class VirtualDriver:
         try:
             while not self._done:
                 self._one_thing()
-                if self._leader is not seat:
+                if seat.steps_aside:
+                    seat.steps_aside = False
                     seat.go.acquire()
         except BaseException as error:
             self._error = error
