@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
 from aseme_dsl.build.configuration import Configuration
-from aseme_dsl.build.counting import Amount, Count, amount
+from aseme_dsl.build.counting import Count, amount
 from aseme_dsl.build.manifest import hash_of
 from aseme_dsl.build.write import DISK, Disk, Planned, Written, write
 from aseme_dsl.diagnostics import Diagnostic, in_order
@@ -119,7 +120,7 @@ def _models(system: System) -> Iterator[Planned]:
     from aseme_dsl.amola.as_json import json_text, models_json
 
     for name, model in models_json(system).items():
-        yield Planned(f"{MODELS}/{name}", json_text(model).encode(), MODELS)
+        yield Planned(f"{MODELS}/{name}", _bytes(json_text(model)), MODELS)
 
 
 def _diagrams(
@@ -148,10 +149,10 @@ def _proto(system: System) -> Iterator[Planned]:
     """The messages for robots in other languages, with the files that they import: protoc needs no others."""
     from aseme_dsl.codegen.proto import file_name, proto_text
 
-    yield Planned(f"{PROTO}/{file_name(system)}", proto_text(system).encode(), PROTO)
+    yield Planned(f"{PROTO}/{file_name(system)}", _bytes(proto_text(system)), PROTO)
     for file in system.protos:
         if not file.name.startswith("google/protobuf/"):  # protoc has these
-            yield Planned(f"{PROTO}/{file.name}", file.text.encode(), PROTO)
+            yield Planned(f"{PROTO}/{file.name}", _bytes(file.text), PROTO)
 
 
 def _code(system: System, name: str, folder: Path, choice: Choice) -> Iterator[Planned]:
@@ -164,7 +165,7 @@ def _code(system: System, name: str, folder: Path, choice: Choice) -> Iterator[P
         if artefact.kept:
             first, _, rest = artefact.path.partition("/")
             home = activities / rest if first == ACTIVITIES else folder / name / artefact.path
-        yield Planned(f"{name}/{artefact.path}", artefact.text.encode(), name, home)
+        yield Planned(f"{name}/{artefact.path}", _bytes(artefact.text), name, home)
 
 
 def _count(system: System, code: Sequence[Planned], written: Written) -> Count:
@@ -176,9 +177,27 @@ def _count(system: System, code: Sequence[Planned], written: Written) -> Count:
             content = _content(file.home)
             untouched = hash_of(content) in (hash_of(file.content), written.manifest.started.get(file.path))
             (generated if untouched else by_hand).append(content)
-    own = [source for source in system.sources if not source.path.startswith("stdlib/")]
-    source = sum((amount([source.text.encode()]) for source in own), Amount())
-    return Count(amount(generated), amount(by_hand), source)
+    homes = {file.home for file in code if file.home is not None}
+    by_hand += [_content(path) for path in _helpers({home.parent for home in homes}) if path not in homes]
+    own = [_bytes(source.text) for source in system.sources if not source.path.startswith("stdlib/")]
+    return Count(amount(generated), amount(by_hand), amount(own))
+
+
+def _helpers(folders: Iterable[Path]) -> list[Path]:
+    """Python files beside activities that are none themselves: an activity has a class of its own name."""
+    found: list[Path] = []
+    for folder in folders:
+        for path in sorted(folder.glob("*.py")):
+            name = path.stem.replace("_", "").lower()
+            classes = re.findall(rb"^class (\w+)", _content(path), re.MULTILINE)
+            if name not in [item.decode(errors="replace").lower() for item in classes]:
+                found.append(path)
+    return found
+
+
+def _bytes(text: str) -> bytes:
+    """UTF-8; what is no text (a file's name may be any bytes) is escaped."""
+    return text.encode("utf-8", "backslashreplace")
 
 
 def _content(path: Path) -> bytes:

@@ -85,7 +85,7 @@ def manifest_text(manifest: Manifest) -> str:
         },
         "started": dict(sorted(manifest.started.items())),
     }
-    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(document, indent=2) + "\n"
 
 
 def is_inside(path: str) -> bool:

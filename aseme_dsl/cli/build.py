@@ -9,6 +9,7 @@ import click
 
 from aseme_dsl.cli.shared import (
     FILES_HELP,
+    FilePath,
     check_backends,
     colour_option,
     count_lines,
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
     " activities, which you fill in, not even with it.",
     epilog="Example: asemec build team.aseme -o out   ·   asemec build team.aseme -o out --only diagrams",
 )
-@click.argument("files", nargs=-1, metavar="[FILE]...", type=click.Path())
+@click.argument("files", nargs=-1, metavar="[FILE]...", type=FilePath())
 @folder_option("-o", "--output", text="Where to write.  [default: the project's, else out]")
 @click.option(
     "--only",

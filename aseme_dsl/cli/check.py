@@ -6,6 +6,7 @@ import click
 
 from aseme_dsl.cli.shared import (
     FILES_HELP,
+    FilePath,
     colour_option,
     diagnostics_json,
     json_option,
@@ -22,7 +23,7 @@ from aseme_dsl.cli.shared import (
     " Without FILE: what the project's pyproject.toml names, or every file below here.",
     epilog="Example: asemec check team.aseme   ·   asemec check --strict --json examples/",
 )
-@click.argument("files", nargs=-1, metavar="[FILE]...", type=click.Path())
+@click.argument("files", nargs=-1, metavar="[FILE]...", type=FilePath())
 @click.option("--strict", is_flag=True, help="Let warnings count as errors for the exit code.")
 @json_option
 @colour_option

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from aseme_dsl.cli.shared import (
+    FilePath,
     colour_option,
     diagnostics_json,
     json_option,
@@ -24,14 +25,14 @@ from aseme_dsl.cli.shared import (
     " eac or 'srm.*'. A statechart is drawn twice, as states inside states and as a tree (iac.player.tree).",
     epilog="Example: asemec diagram team.aseme iac.player --at 0.2.5 --depth 2 -o player.svg",
 )
-@click.argument("file", type=click.Path())
+@click.argument("file", type=FilePath())
 @click.argument("models", nargs=-1, metavar="[MODEL]...")
 @click.option(
     "-o",
     "--output",
     default="diagrams",
     show_default=True,
-    type=click.Path(),
+    type=FilePath(),
     help="The folder for the drawings; or a file, or - for standard output, if it is one drawing.",
 )
 @click.option(

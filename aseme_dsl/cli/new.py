@@ -6,7 +6,14 @@ from pathlib import Path
 
 import click
 
-from aseme_dsl.cli.shared import colour_option, diagnostics_json, json_option, print_diagnostics, print_json
+from aseme_dsl.cli.shared import (
+    FilePath,
+    colour_option,
+    diagnostics_json,
+    json_option,
+    print_diagnostics,
+    print_json,
+)
 from aseme_dsl.diagnostics import has_errors
 
 
@@ -16,7 +23,7 @@ from aseme_dsl.diagnostics import has_errors
     " a pyproject.toml. No file that is there is overwritten.",
     epilog="Example: asemec new patrol   ·   cd patrol   ·   asemec run .",
 )
-@click.argument("folder", type=click.Path(path_type=Path))
+@click.argument("folder", type=FilePath(path_type=Path))
 @click.option("--name", help="What the system is called.  [default: as the folder]")
 @json_option
 @colour_option

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from aseme_dsl.cli.shared import (
+    FilePath,
     check_backends,
     colour_option,
     count_lines,
@@ -75,7 +76,7 @@ def _is_function(text: str) -> bool:
     " plans are played as they are. Models, diagrams, Python and a trace are left in the output folder.",
     epilog="Example: asemec run team.aseme --for 30s   ·   asemec run out --plan player --real",
 )
-@click.argument("target", type=click.Path())
+@click.argument("target", type=FilePath())
 @folder_option("-o", "--output", text="Where to build.  [default: the project's, else out]")
 @click.option("--plan", metavar="ROLE", help="Play one plan alone: ROLE, or SYSTEM.ROLE.")
 @click.option("--agent", metavar="NAME", help="What the agent of --plan is called.")
@@ -92,13 +93,13 @@ def _is_function(text: str) -> bool:
 @click.option(
     "--input",
     "script",
-    type=click.Path(path_type=Path),
+    type=FilePath(path_type=Path),
     metavar="FILE.jsonl",
     help='What to give the agents, a line each: {"at": "1s", "channel": "vision.state.Ball", "message": {}}.',
 )
 @click.option(
     "--trace",
-    type=click.Path(path_type=Path),
+    type=FilePath(path_type=Path),
     metavar="FILE",
     help="Where the trace goes.  [default: the project's, else OUTPUT/trace.jsonl]",
 )

@@ -32,6 +32,15 @@ FORMAT = 1
 """The version of what `--json` prints."""
 
 
+class FilePath(click.Path):
+    """A path that need not exist. The empty one is refused: it would mean this folder, which nobody meant."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        if value == "":
+            self.fail("a path is wanted, and this is empty.", param, ctx)
+        return super().convert(value, param, ctx)
+
+
 def json_option(command: CommandT) -> CommandT:
     """`--json`: the result on standard output for programs."""
     return click.option("--json", "as_json", is_flag=True, help="Print the result as JSON.")(command)
@@ -167,7 +176,7 @@ def written_summary(written: Written) -> str:
 
 def folder_option(*names: str, text: str) -> Callable[[CommandT], CommandT]:
     """An option that names a folder, which need not exist."""
-    return click.option(*names, type=click.Path(path_type=Path), metavar="DIR", help=text)
+    return click.option(*names, type=FilePath(path_type=Path), metavar="DIR", help=text)
 
 
 def check_backends(names: Iterable[str], others: Iterable[str] = ()) -> None:
@@ -191,7 +200,7 @@ def count_lines(count: Count | None) -> list[str]:
     size = f"{_kilobytes(generated.bytes)} of {_kilobytes(count.bytes)} KB"
     hand = "no activity yet"
     if by_hand.files:
-        hand = f"{plural(by_hand.lines, 'line')} in {plural(by_hand.files, 'activity')}"
+        hand = f"{plural(by_hand.lines, 'line')} of activities in {plural(by_hand.files, 'file')}"
     text = f"{plural(source.lines, 'line')} of .aseme ({_kilobytes(source.bytes)} KB)"
     return [
         f"generated: {lines} of code, {size} ({_percent(generated.bytes, count.bytes)})",

@@ -9,7 +9,7 @@ from pathlib import PurePath
 
 from aseme_dsl.amola.messages import EnumType, Field, Kind, Message
 from aseme_dsl.amola.system import System
-from aseme_dsl.codegen.place import place
+from aseme_dsl.codegen.place import in_docstring, place
 from aseme_dsl.codegen.proto import descriptor_set, full_name
 from aseme_dsl.codegen.radio import codes
 
@@ -40,7 +40,7 @@ def _lines(system: System) -> Iterator[str]:
     sources = dict.fromkeys(PurePath(span.source.path).name for span in spans)
     yield f'"""Messages of {system.name}. Generated: a change here is lost with the next build.'
     yield ""
-    yield from textwrap.wrap(f"From {', '.join(sources) or 'no declarations'}.", _WIDTH)
+    yield from textwrap.wrap(in_docstring(f"From {', '.join(sources) or 'no declarations'}."), _WIDTH)
     yield '"""'
     yield ""
     yield "from __future__ import annotations"
@@ -82,7 +82,7 @@ def _enum(enum: EnumType) -> Iterator[str]:
     yield ""
     yield ""
     yield f"class {enum.name}(enum.IntEnum):"
-    yield f'    """{place(enum.span)}"""'
+    yield f'    """{in_docstring(place(enum.span))}"""'
     yield ""
     for name, number in enum.constants:
         yield f"    {name} = {number}"
@@ -93,7 +93,7 @@ def _message(system: System, message: Message) -> Iterator[str]:
     yield ""
     yield "@dataclasses.dataclass(frozen=True, slots=True)"
     yield f"class {message.name}:"
-    yield f'    """{place(message.span)}"""'
+    yield f'    """{in_docstring(place(message.span))}"""'
     if message.fields:
         yield ""
     for field in message.fields:

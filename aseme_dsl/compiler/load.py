@@ -112,7 +112,8 @@ def _key(path: str) -> str:
 
 
 def _place(path: str) -> _Place:
-    return _Place(_key(path), path)
+    # A file's name may be any bytes; where it is shown (a comment, JSON, SVG), it must be one line of text.
+    return _Place(_key(path), "".join(char if char.isprintable() else "?" for char in path))
 
 
 def _imports(parsed: tree.File) -> list[tree.Import]:

@@ -53,7 +53,7 @@ def test_everything_has_its_place(here: Here, folder: Path) -> None:
         "diagrams/srm.robot.svg",
         "diagrams/iac.robot.svg",
         "diagrams/iac.robot.tree.svg",
-        "proto/walker.proto",
+        "proto/Walker.proto",
         "monas/Walker/__init__.py",
         "monas/Walker/messages.py",
         "monas/Walker/robot/__init__.py",
@@ -184,7 +184,7 @@ def test_generated_and_written_lines_are_counted(here: Here, folder: Path) -> No
     said = here("build", "good.aseme", "-o", "out").out
     total = second["generated"]["lines"] + 2
     assert f"generated: {total - 2} of {total} lines (" in said
-    assert f"by hand: 2 lines in 1 activity, 14 lines of .aseme ({len(GOOD) / 1000:.1f} KB)" in said
+    assert f"by hand: 2 lines of activities in 1 file, 14 lines of .aseme ({len(GOOD) / 1000:.1f} KB)" in said
 
 
 class TestOverwriting:
@@ -243,7 +243,7 @@ def test_json(here: Here, folder: Path) -> None:
     (system,) = result["systems"]
     assert system["system"] == "Walker"
     assert system["folder"] == "out"
-    assert system["created"] == [str(Path("out/proto/walker.proto"))]
+    assert system["created"] == [str(Path("out/proto/Walker.proto"))]
     assert system["count"] is None
     failed = here("build", "bad.aseme", "-o", "out", "--json")
     assert failed.code == 1
@@ -431,5 +431,5 @@ def test_the_manifest_is_documented_and_stable(here: Here, folder: Path) -> None
     document = json.loads((folder / "out/.asemec.json").read_text())
     assert document["format"] == 1
     assert (document["system"], document["source"]) == ("Walker", "good.aseme")
-    assert list(document["files"]) == ["proto/walker.proto"]
-    assert set(document["files"]["proto/walker.proto"]) == {"part", "hash"}
+    assert list(document["files"]) == ["proto/Walker.proto"]
+    assert set(document["files"]["proto/Walker.proto"]) == {"part", "hash"}

@@ -14,6 +14,7 @@ from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions
 from aseme_dsl.codegen.messages import generate_messages
+from aseme_dsl.codegen.place import in_docstring
 from aseme_dsl.codegen.plan import plan_sections
 from aseme_dsl.codegen.step import generate_step
 
@@ -54,6 +55,7 @@ def _environment(options: BackendOptions) -> Environment:
         autoescape=False,
     )
     environment.filters["quoted"] = repr
+    environment.filters["in_docstring"] = in_docstring
     environment.filters["imports"] = _imports
     environment.filters["class_name"] = class_name
     environment.filters["module_name"] = module_name
