@@ -88,5 +88,12 @@ def _index(whole: View, name: str, parts: list[tuple[View, Drawing]]) -> Sheet:
         around = next((outer.label for outer in whole.chart.ancestors(part.top) if outer.label in tops), None)
         if around is not None and part.top != whole.top:
             lines.append(Line(state_id(around), state_id(part.top), f"p{part.top}"))
-    graph = style.GRAPH | {"rankdir": "LR", "ordering": "out", "nodesep": "0.15"}
-    return Sheet(name, tuple(boxes), tuple(lines), graph, style.NODE, style.EDGE)
+    title = f"{name} in {len(parts)} drawings"
+    graph = style.GRAPH | {
+        "rankdir": "LR",
+        "ordering": "out",
+        "nodesep": "0.15",
+        "labelloc": "t",
+        "label": title,
+    }
+    return Sheet(name, tuple(boxes), tuple(lines), graph, style.NODE, style.EDGE, (title,))

@@ -8,25 +8,38 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from enum import StrEnum
 from typing import Any
 
-from aseme_dsl.diagrams.labels import Html, printable
+from aseme_dsl.diagrams.labels import Html, printable, short
+
+_LONGEST = 3000
+"""Characters of a tooltip, at most 15 000 when escaped: older versions read no string beyond 16 384."""
 
 Attributes = Mapping[str, str]
 """Graphviz attributes; a value that is `Html` is an HTML-like label, all others are plain text."""
+
+
+class Kind(StrEnum):
+    """What is drawn."""
+
+    BOX = "box"
+    GROUP = "group"
+    LINE = "line"
+    SHEET = "sheet"
 
 
 @dataclass(frozen=True, slots=True)
 class Shown:
     """What a picture must contain: an element of this id, and in it these lines of text.
 
-    `inside` is the id of the group whose border must be around it; `is_line` says that it is drawn as a line.
+    `inside` is the id of the group whose border must be around it. An empty id is the whole picture.
     """
 
     id: str
+    kind: Kind
     lines: tuple[str, ...] = ()
     inside: str | None = None
-    is_line: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -82,7 +95,7 @@ def text(sheet: Sheet) -> str:
     import graphviz
 
     def new(name: str | None) -> Any:
-        return graphviz.Digraph(name=None if name is None else graphviz.escape(printable(name)))
+        return graphviz.Digraph(name=None if name is None else _plain(name, is_label=False))
 
     def fill(graph: Any, children: Sequence[Box | Group], made: Mapping[str, Any]) -> None:
         for item in children:
@@ -108,13 +121,22 @@ def text(sheet: Sheet) -> str:
     return str(whole.source)
 
 
-def _values(attributes: Attributes) -> dict[str, str]:
-    import graphviz
-
+def _values(attributes: Attributes) -> dict[str, Any]:
     return {
-        name: f"<{value}>" if isinstance(value, Html) else str(graphviz.escape(printable(value)))
+        name: f"<{value}>" if isinstance(value, Html) else _plain(value, is_label=name == "label")
         for name, value in attributes.items()
     }
+
+
+def _plain(text: str, *, is_label: bool) -> Any:
+    """Text that is shown as it is: Graphviz would read entities, backslashes and angle brackets in it.
+
+    It reads backslashes once in a label, and twice in a tooltip. A tooltip that is too long is cut.
+    """
+    import graphviz
+
+    text = printable(text) if is_label else short(printable(text), _LONGEST).replace("\\", "\\\\")
+    return graphviz.escape(text.replace("&", "&amp;"))
 
 
 def groups(items: Sequence[Box | Group]) -> Sequence[Group]:
@@ -135,10 +157,10 @@ def shown(sheet: Sheet) -> tuple[Shown, ...]:
     stack: list[tuple[Box | Group, str | None]] = [(item, None) for item in reversed(sheet.items)]
     while stack:
         item, inside = stack.pop()
-        found.append(Shown(item.id, item.lines, inside))
+        kind = Kind.GROUP if isinstance(item, Group) else Kind.BOX
+        found.append(Shown(item.id, kind, item.lines, inside))
         if isinstance(item, Group):
             stack.extend((child, item.id) for child in reversed(item.items))
-    found.extend(Shown(line.id, line.lines, is_line=True) for line in sheet.edges if line.id is not None)
-    if sheet.lines:
-        found.append(Shown("", sheet.lines))
+    found.extend(Shown(line.id, Kind.LINE, line.lines) for line in sheet.edges if line.id is not None)
+    found.append(Shown("", Kind.SHEET, sheet.lines))
     return tuple(found)

@@ -6,7 +6,7 @@ from aseme_dsl.amola.sag import Goal, Sag
 from aseme_dsl.diagrams import style
 from aseme_dsl.diagrams.dot import Box, Line, Sheet
 from aseme_dsl.diagrams.labels import Cell, wrapped
-from aseme_dsl.diagrams.marks import cells_label
+from aseme_dsl.diagrams.marks import NAME_LINES, cells_label
 
 _WIDTH = 34
 
@@ -30,7 +30,7 @@ def sheet(sag: Sag, name: str) -> Sheet:
 
 
 def _actor(name: str, box_id: str) -> Box:
-    lines = wrapped(name, 12)
+    lines = wrapped(name, 12, NAME_LINES)
     look = {
         "shape": "circle",
         "style": "filled",
@@ -42,7 +42,7 @@ def _actor(name: str, box_id: str) -> Box:
 
 
 def _goal(goal: Goal, box_id: str) -> Box:
-    cells = [Cell(wrapped(goal.name, _WIDTH), align="CENTER")]
+    cells = [Cell(wrapped(goal.name, _WIDTH, NAME_LINES), align="CENTER")]
     if goal.requirements:
         lines = wrapped(goal.requirements, _WIDTH + 8)
         cells.append(Cell(lines, size=style.SMALL_SIZE, ink=style.PALE_INK, align="CENTER"))

@@ -6,7 +6,7 @@ from aseme_dsl.amola.suc import Role, Suc, UseCase
 from aseme_dsl.diagrams import style
 from aseme_dsl.diagrams.dot import Box, Line, Sheet
 from aseme_dsl.diagrams.labels import Cell, wrapped
-from aseme_dsl.diagrams.marks import cells_label
+from aseme_dsl.diagrams.marks import NAME_LINES, cells_label
 
 _WIDTH = 24
 
@@ -37,13 +37,13 @@ def sheet(suc: Suc, name: str) -> Sheet:
 
 def _role(role: Role, box_id: str) -> Box:
     mark = Cell((f"«{role.type.value}»",), size=style.SMALL_SIZE, ink=style.PALE_INK, align="CENTER")
-    label, text = cells_label([mark, Cell(wrapped(role.name, _WIDTH), align="CENTER")])
+    label, text = cells_label([mark, Cell(wrapped(role.name, _WIDTH, NAME_LINES), align="CENTER")])
     look = {"style": "filled", "fillcolor": style.ROLE_COLOUR, "class": f"role {role.type.value}"}
     return Box(box_id, look | label | {"tooltip": f"{role.type.value} role {role.name}"}, text)
 
 
 def _usecase(case: UseCase, box_id: str) -> Box:
-    lines = wrapped(case.name, _WIDTH)
+    lines = wrapped(case.name, _WIDTH, NAME_LINES)
     tip = [f"use case {case.name}", case.requirements, *(f"realised by {name}" for name in case.realises)]
     look = {"shape": "ellipse", "style": "filled", "fillcolor": style.USE_CASE_COLOUR, "class": "usecase"}
     return Box(box_id, look | {"label": "\n".join(lines), "tooltip": "\n".join(filter(None, tip))}, lines)

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from xml.etree import ElementTree
 
 from aseme_dsl.diagrams import style
-from aseme_dsl.diagrams.dot import Shown
+from aseme_dsl.diagrams.dot import Kind, Shown
 
 _COMMENT = re.compile(rb"<!--.*?-->\n?", re.DOTALL)
 _DOCTYPE = re.compile(rb"<!DOCTYPE[^>]*>\n?")
@@ -39,7 +39,7 @@ def faults(svg: bytes, shown: Sequence[Shown]) -> list[str]:
     found: list[str] = []
     frames: dict[str, Frame] = {}
     for item in shown:
-        element = root if not item.id else elements.get(item.id)
+        element = root if item.kind is Kind.SHEET else elements.get(item.id)
         if element is None:
             found.append(f"{item.id} is not drawn")
             continue
@@ -47,15 +47,15 @@ def faults(svg: bytes, shown: Sequence[Shown]) -> list[str]:
         found += [
             f"{item.id} lacks the text {line!r}" for line in item.lines if _without_blanks(line) not in text
         ]
-        if not item.id:
+        if item.kind is Kind.SHEET:
             continue
-        shape = _shape(element, item.is_line)
+        shape = _shape(element, item.kind)
         frame = None if shape is None else shape_frame(shape.attrib)
         if shape is None or frame is None:
-            if item.is_line or not text:  # a turning point may be nothing but its number
+            if item.kind is Kind.LINE or not text:  # a turning point may be nothing but its number
                 found.append(f"{item.id} has no shape")
             continue
-        if shape.get("stroke", "none") in ("none", "transparent"):
+        if item.kind is Kind.GROUP and shape.get("stroke", "none") in ("none", "transparent"):
             found.append(f"{item.id} has no border")
         frames[item.id] = frame
         around = frames.get(item.inside or "")
@@ -73,9 +73,9 @@ def _without_blanks(text: str) -> str:
     return "".join(text.split())
 
 
-def _shape(element: ElementTree.Element, is_line: bool) -> ElementTree.Element | None:
+def _shape(element: ElementTree.Element, kind: Kind) -> ElementTree.Element | None:
     """The element's first shape: its border, or for a line its path."""
-    names = ("path",) if is_line else ("polygon", "path", "ellipse", "polyline")
+    names = ("path",) if kind is Kind.LINE else ("polygon", "path", "ellipse", "polyline")
     return next((shape for shape in element.iter() if shape.tag.removeprefix(_NAMESPACE) in names), None)
 
 

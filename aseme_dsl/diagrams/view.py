@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition, label_key
 from aseme_dsl.diagrams.drawing import NoSuchState
@@ -88,12 +87,8 @@ class View:
         """Whether a state of a role's chart came from a protocol."""
         return self.chart.kind == "IAC" and self.chart.node(label).origin.kind is OriginKind.PROTOCOL
 
-    @cached_property
-    def sizes(self) -> Mapping[str, int]:
-        return sizes(self.chart)
 
-
-def sizes(chart: Statechart) -> dict[str, int]:
+def _sizes(chart: Statechart) -> dict[str, int]:
     """How many states are inside each state, at any depth."""
     found = dict.fromkeys((node.label for node in chart.nodes), 0)
     for node in reversed(chart.nodes):
@@ -116,7 +111,7 @@ def view(
     top = chart.root.label if at is None else at
     if top not in chart.by_label:
         raise NoSuchState(f"the statechart {chart.name} has no state {top}")
-    counts = sizes(chart)
+    counts = _sizes(chart)
     states: list[Node] = []
     shut: dict[str, int] = {}
     stack = [(chart.node(top), 0)]
