@@ -55,8 +55,8 @@ def package_name(system: System) -> str:
 
 
 def file_name(system: System) -> str:
-    """What the `.proto` file is called."""
-    return f"{package_name(system)}.proto"
+    """What the `.proto` file is called: as the system is, letter for letter."""
+    return f"{system.name}.proto"
 
 
 def full_name(system: System, item: Message | EnumType) -> str:
