@@ -9,7 +9,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-from aseme_dsl.build.write import DISK, Disk, Planned, Written, write
+from aseme_dsl.build.write import DISK, Disk, Planned, Written, mode_of, write
 from aseme_dsl.diagnostics import Diagnostic, closest
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ def into_file(path: Path, content: bytes, disk: Disk = DISK) -> Written:
     try:
         existed = path.exists()
         try:
-            disk.create(temporary, content, None)
+            disk.create(temporary, content, mode_of(path))
             disk.rename(temporary, path)
         finally:
             disk.remove(temporary)

@@ -316,7 +316,7 @@ def _carry_out(plan: _Plan, disk: Disk) -> None:
             _make_folders(target.parent, folders, disk)
             temporary = target.with_name(f"{STAGED}{token}-{number}.new")
             staged.append((temporary, target))
-            disk.create(temporary, content, _mode(target))
+            disk.create(temporary, content, mode_of(target))
         with _uninterrupted():
             _commit(staged, plan.stale, token, disk)
     except BaseException:
@@ -393,7 +393,7 @@ def _fails(action: Callable[..., None], *arguments: Path) -> bool:
     return False
 
 
-def _mode(target: Path) -> int | None:
+def mode_of(target: Path) -> int | None:
     """The permissions of what is being replaced."""
     try:
         return stat.S_IMODE(target.stat().st_mode)

@@ -1,0 +1,67 @@
+"""Complete: the skeletons of what is missing, put into the file itself."""
+
+from __future__ import annotations
+
+import difflib
+from dataclasses import dataclass
+from pathlib import Path
+
+from aseme_dsl.build.configuration import find_configuration
+from aseme_dsl.build.draw import into_file
+from aseme_dsl.build.scaffold import scaffold
+from aseme_dsl.build.write import DISK, Disk
+from aseme_dsl.compiler import Options, analyse
+from aseme_dsl.diagnostics import Diagnostic, has_errors, in_order
+from aseme_dsl.source import Source
+
+
+@dataclass(frozen=True, slots=True)
+class Completed:
+    """A file with its skeletons: `added` are the notes that they answer, `diagnostics` what is left to say.
+
+    `before` and `text` are the same if there was nothing to add, or an error.
+    """
+
+    path: str
+    before: str
+    text: str
+    added: tuple[Diagnostic, ...]
+    diagnostics: tuple[Diagnostic, ...]
+
+    @property
+    def difference(self) -> str:
+        """What is added, as a unified diff."""
+        before, after = (text.splitlines(keepends=True) for text in (self.before, self.text))
+        lines = difflib.unified_diff(before, after, self.path, self.path)
+        return "".join(
+            line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines
+        )
+
+
+def complete(root: Path | Source, *, write: bool = True, disk: Disk = DISK) -> Completed:
+    """Add to a file what its notes say is missing, and (with `write`) put it in the file's place.
+
+    Every character that is there stays, line ends and byte-order mark included; a file with errors stays as
+    it is.
+    """
+    path = Path(root.path) if isinstance(root, Source) else root
+    configuration, problems = find_configuration(path.parent)
+    options = Options(largest=configuration.max_states) if configuration.max_states else None
+    if isinstance(root, Source):
+        source = root
+    else:
+        try:
+            source = Source(str(path), path.read_bytes().decode("utf-8"))
+        except (OSError, ValueError):
+            # The compiler says what is wrong with a file that cannot be read.
+            found = analyse(path, options=options).diagnostics
+            return Completed(str(path), "", "", (), in_order((*problems, *found)))
+    result = scaffold(source, options=options)
+    found = in_order((*problems, *result.diagnostics))
+    if has_errors(found):
+        return Completed(source.path, source.text, source.text, (), found)
+    if write and not isinstance(root, Source) and result.text != source.text:
+        written = into_file(path.resolve(), result.text.encode("utf-8"), disk)
+        if written.diagnostics:
+            return Completed(source.path, source.text, source.text, (), written.diagnostics)
+    return Completed(source.path, source.text, result.text, result.added, found)

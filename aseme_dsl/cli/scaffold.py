@@ -1,0 +1,62 @@
+"""`asemec scaffold`: write what is missing into a file, as skeletons."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+
+from aseme_dsl.cli.shared import (
+    FILES_HELP,
+    FilePath,
+    colour_option,
+    diagnostics_json,
+    json_option,
+    plural,
+    print_diagnostics,
+    print_json,
+    standard_input,
+)
+
+
+@click.command(
+    short_help="Write what is missing into a file.",
+    help="Write skeletons of what is still missing (protocols, roles, formulas, control) into a file, and"
+    f" touch nothing else in it; you fill them in. {FILES_HELP} The text of standard input is completed on"
+    " standard output. A file with errors stays as it is.",
+    epilog="Example: asemec scaffold --diff team.aseme   ·   asemec scaffold team.aseme",
+)
+@click.argument("files", nargs=-1, required=True, metavar="FILE...", type=FilePath())
+@click.option("--diff", is_flag=True, help="Change nothing; print what would be added.")
+@json_option
+@colour_option
+def command(files: tuple[str, ...], diff: bool, as_json: bool, colour: str) -> int:
+    """Complete each file; 1 if one has errors or cannot be written."""
+    from aseme_dsl.build.complete import complete
+    from aseme_dsl.build.inputs import STANDARD_INPUT
+    from aseme_dsl.build.project import inputs_of
+    from aseme_dsl.diagnostics import Severity, has_errors, render_json
+
+    inputs = inputs_of(files, standard_input)
+    completed = [complete(root, write=not diff) for root in inputs.roots]
+    # What is missing is written now, or was left out of the file on purpose: `check` says it.
+    found = [*inputs.diagnostics, *(item for one in completed for item in one.diagnostics)]
+    serious = [item for item in found if item.severity is not Severity.NOTE]
+    if as_json:
+        rows = [
+            {"file": item.path, "added": render_json(item.added), "difference": item.difference}
+            for item in completed
+        ]
+        print_json({"files": rows, **diagnostics_json(found)})
+        return int(has_errors(found))
+    print_diagnostics(serious, colour)
+    for item in completed:
+        if diff:
+            click.echo(item.difference, nl=False)
+        elif item.path == STANDARD_INPUT:
+            click.echo(item.text, nl=False)
+        elif not has_errors(item.diagnostics):
+            for note in item.added:
+                click.echo(f"{note.span or item.path}: {note.message}: written", err=True)
+            click.echo(f"{item.path}: {plural(len(item.added), 'skeleton')} written", file=sys.stdout)
+    return int(has_errors(found))

@@ -1,0 +1,110 @@
+"""`asemec scaffold`."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import GOOD, Here, asemec
+
+SKETCH = """\
+system Match
+sag {
+  actor striker { goal win depends on keeper "More goals than they have." }
+  actor keeper { }
+}
+suc { usecase win includes shout, run }
+"""
+
+
+@pytest.fixture
+def sketch(folder: Path) -> Path:
+    (folder / "match.aseme").write_text(SKETCH)
+    return folder / "match.aseme"
+
+
+def test_what_is_missing_is_added_behind_what_is_there(here: Here, sketch: Path) -> None:
+    done = here("scaffold", "match.aseme")
+    assert done.code == 0
+    assert done.out == "match.aseme: 3 skeletons written\n"
+    assert "match.aseme:6:15: the protocol `win`" in done.err
+    text = sketch.read_text()
+    assert text.startswith(SKETCH)
+    assert "aip win {" in text
+    assert "srm striker {" in text
+    assert here("check", "match.aseme").code == 0
+    before = sketch.stat().st_mtime_ns, sketch.stat().st_ino
+    assert here("scaffold", "match.aseme").out == "match.aseme: 0 skeletons written\n"
+    assert (sketch.stat().st_mtime_ns, sketch.stat().st_ino) == before
+
+
+def test_nothing_is_missing(here: Here, folder: Path) -> None:
+    assert here("scaffold", "good.aseme").out == "good.aseme: 0 skeletons written\n"
+    assert (folder / "good.aseme").read_text() == GOOD
+
+
+def test_a_preview_changes_nothing(here: Here, sketch: Path) -> None:
+    done = here("scaffold", "--diff", "match.aseme")
+    assert done.code == 0
+    assert done.out.startswith("--- match.aseme\n+++ match.aseme\n")
+    assert "+aip win {" in done.out
+    assert not any(line.startswith("-") for line in done.out.splitlines()[1:])
+    assert sketch.read_text() == SKETCH
+
+
+def test_line_ends_mark_permissions_and_links_stay(here: Here, sketch: Path) -> None:
+    sketch.write_bytes(b"\xef\xbb\xbf" + SKETCH.replace("\n", "\r\n").encode())
+    sketch.chmod(0o640)
+    (sketch.parent / "link.aseme").symlink_to(sketch)
+    assert here("scaffold", "link.aseme").code == 0
+    content = sketch.read_bytes()
+    assert content.startswith(b"\xef\xbb\xbfsystem Match\r\n")
+    assert content.count(b"\n") == content.count(b"\r\n")
+    assert sketch.stat().st_mode & 0o777 == 0o640
+    assert (sketch.parent / "link.aseme").is_symlink()
+
+
+def test_a_file_with_errors_stays_as_it_is(here: Here, folder: Path) -> None:
+    before = (folder / "bad.aseme").read_bytes()
+    done = here("scaffold", "bad.aseme")
+    assert done.code == 1
+    assert "error[" in done.err
+    assert done.out == ""
+    assert (folder / "bad.aseme").read_bytes() == before
+
+
+def test_files_that_cannot_be_read(here: Here, folder: Path) -> None:
+    (folder / "latin.aseme").write_bytes(b"system Caf\xe9")
+    for name, code in (("missing.aseme", "E001"), ("latin.aseme", "E002")):
+        done = here("scaffold", name)
+        assert done.code == 1
+        assert code in done.err
+
+
+def test_standard_input_is_completed_on_standard_output(folder: Path) -> None:
+    done = asemec("scaffold", "-", input=SKETCH.encode())
+    assert done.code == 0
+    assert done.out.startswith(SKETCH)
+    assert "aip win {" in done.out
+
+
+def test_json(here: Here, sketch: Path) -> None:
+    result = here("scaffold", "--json", "match.aseme").json
+    (row,) = result["files"]
+    assert row["file"] == "match.aseme"
+    assert len(row["added"]) == 3
+    assert "+aip win {" in row["difference"]
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="nothing is read-only for root")
+def test_a_folder_that_cannot_be_written(here: Here, sketch: Path) -> None:
+    sketch.parent.chmod(0o555)
+    try:
+        done = here("scaffold", "match.aseme")
+        assert done.code == 1
+        assert "error[E009]" in done.err
+        assert sketch.read_text() == SKETCH
+    finally:
+        sketch.parent.chmod(0o755)
