@@ -23,7 +23,6 @@ from aseme_dsl.source import Source, Span
 
 _T = TypeVar("_T")
 
-VERBS = BLOCKS["JunkControl"].words
 COMM_TYPES = ("signal", "state", "data")
 _COUNTS = {"one": 1, "two": 2, "three": 3}
 _LONGEST_INTEGER = 18
@@ -283,7 +282,7 @@ class _Builder:
                     said.check("the requirement", self.span(clause))
                     requirements = self.text(clause.text)
         return tree.UseCase(
-            self.new_name(node.name, "a use case", BLOCKS["JunkSuc"].words),
+            self.new_name(node.name, "a use case", ("role", "usecase", "by", "includes", "realises")),
             lists.get("by", ()),
             lists.get("includes", ()),
             lists.get("realises", ()),

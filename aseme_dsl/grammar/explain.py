@@ -27,6 +27,7 @@ _PHRASES = {
     "EntryName": "a name",
     "SystemName": "a name",
     "RoleName": "a role",
+    "ActName": "a name",
     "ActivityName": "an activity",
     "NodeName": "a name",
     "Path": "a name",
@@ -54,7 +55,9 @@ _ENTRIES = {
 }
 """What a block holds, where its words do not say it."""
 
-_MOST_ALTERNATIVES = 8
+
+_BEGINNINGS = ("a name", "an activity", "a label (as 0.2.1)")
+"""What an entry may begin with, besides the words of its block."""
 
 
 def explain(lexed: Lexed, mistake: Mistake) -> Diagnostic:
@@ -73,7 +76,10 @@ class _Explanation:
         self.index = self.tokens.at(mistake.place)
         if mistake.kind == "JunkHeader" and self.first > 0:
             self.first -= 1  # the end of the header before it, which has been understood
-        self.words = BLOCKS[mistake.kind].words if mistake.kind in BLOCKS else ()
+        self.words: tuple[str, ...] = ()
+        self.clauses: tuple[str, ...] = ()
+        if mistake.kind in BLOCKS:
+            self.words, self.clauses = BLOCKS[mistake.kind].words, BLOCKS[mistake.kind].clauses
 
     # ---- what is wrong -------------------------------------------------------------------------
 
@@ -95,7 +101,10 @@ class _Explanation:
             return self._blank_before_unit()
         previous = tokens.word(self.index - 1)
         wanted = self._wanted()
-        after = f" after {shown(previous)}" if previous and self.index > self.first else ""
+        continues = self.index > self.first or (
+            0 < self.index < len(tokens) and not tokens.begins_line(self.index)
+        )
+        after = f" after {shown(previous)}" if previous and continues else ""
         if self.index >= len(tokens):
             last = len(tokens) - 1
             return Diagnostic("E100", f"expected {wanted}{after}, but the file ends", self._span(last))
@@ -114,7 +123,7 @@ class _Explanation:
             "but the file ends" if self.index >= len(tokens) else f"found {shown(tokens.word(self.index))}"
         )
         # The block that lacks its `}` may be an inner one: then the outer one's `}` has closed it.
-        for inner, closing in sorted(tokens.closing.items()):
+        for inner, closing in sorted(tokens.closing_with_missing.items()):
             if (
                 opener < inner
                 and closing < self.index
@@ -133,7 +142,9 @@ class _Explanation:
         begin = self.first - 1
         while begin > 0 and not begins_declaration(tokens, begin):
             begin -= 1
-        openers = {closing: opening for opening, closing in tokens.closing.items() if opening >= begin}
+        openers = {
+            closing: opening for opening, closing in tokens.closing_with_missing.items() if opening >= begin
+        }
         for closing in range(begin, self.first):
             opener = openers.get(closing)
             if opener is None or tokens.word(closing) != "}":
@@ -165,9 +176,12 @@ class _Explanation:
     def _misspelt(self) -> Diagnostic | None:
         tokens = self.tokens
         entry = self.first
-        if self.mistake.kind == "JunkActivity" and tokens.word(entry - 2) not in (*self.words, ","):
-            entry -= 1  # a misspelt clause has been taken for an activity
-        for index, candidates in ((self.index, self._keywords()), (entry, self.words)):
+        if self.mistake.kind in ("JunkActivity", "JunkChart") and tokens.word(entry - 2) not in (
+            *self.words,
+            ",",
+        ):
+            entry -= 1  # a misspelt clause has been taken for a name
+        for index, candidates in ((self.index, self._keywords()), (entry, (*self.words, *self.clauses))):
             word = tokens.word(index)
             if index < self.index - 1 or not word[:1].isalpha() or word in candidates:
                 continue
@@ -250,7 +264,7 @@ class _Explanation:
             if not rule.rule_name:
                 words.append(str(rule.to_match))
         if self.index == self.first:
-            words += self.words
+            words += [*self.words, *self.clauses]
         return [word for word in dict.fromkeys(words) if word[:1].isalpha()]
 
     def _wanted(self) -> str:
@@ -264,14 +278,13 @@ class _Explanation:
             else:
                 phrases.append(f"'{rule.to_match}'")
         phrases = [phrase for phrase in dict.fromkeys(phrases) if phrase]
-        begins_line = self.tokens.begins_line(self.index) if self.index < len(self.tokens) else True
-        if self.index == self.first and (begins_line or len(phrases) > _MOST_ALTERNATIVES or not phrases):
-            entries = _ENTRIES.get(self.mistake.kind)
-            if entries is not None:
-                return entries
-            if self.words:
-                return _alternatives([f"'{word}'" for word in self.words] + ["'}'"])
-        return _alternatives(phrases)
+        if self.index > self.first or self.mistake.kind not in BLOCKS:
+            return _alternatives(phrases)
+        words = [f"'{word}'" for word in self.words]
+        more = [phrase for phrase in phrases if phrase not in words and phrase not in _BEGINNINGS]
+        if more and self.index < len(self.tokens) and not self.tokens.begins_line(self.index):
+            return _alternatives([*more, "the next entry"])
+        return _ENTRIES.get(self.mistake.kind) or _alternatives([*words, "'}'"])
 
     def _what_may_stand_here(self) -> str | None:
         tokens = self.tokens

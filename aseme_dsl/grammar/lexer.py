@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -88,19 +88,33 @@ class Tokens:
         for found in self._TOKEN.finditer(text):
             self.starts.append(found.start())
             self.ends.append(found.end())
+        self.missing: list[int] = []  # before which token a `{` is missing (terminals.py)
         self.doubtful_before = -1  # braces that are closed beyond this token are not trusted (recovery.py)
 
     @cached_property
     def closing(self) -> dict[int, int]:
         """The index of the `}` of each `{` that has one."""
+        return self._pairs(())
+
+    @cached_property
+    def closing_with_missing(self) -> dict[int, int]:
+        """The same when each `{` that the parser has missed counts as written; ask when it has finished."""
+        return self._pairs(self.missing)
+
+    def _pairs(self, missing: Iterable[int]) -> dict[int, int]:
         pairs: dict[int, int] = {}
         open_: list[int] = []
+        before = dict.fromkeys(missing)
         for index in range(len(self)):
+            if index in before:
+                open_.append(-1)
             word = self.word(index)
             if word == "{":
                 open_.append(index)
             elif word == "}" and open_:
-                pairs[open_.pop()] = index
+                opener = open_.pop()
+                if opener >= 0:
+                    pairs[opener] = index
         return pairs
 
     def __len__(self) -> int:

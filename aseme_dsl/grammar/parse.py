@@ -54,6 +54,7 @@ def _selected(
         mistakes = [
             item for item in mistakes if item.span and item.span.end < comment and item.code != "E111"
         ]
+    mistakes = _at_different_places(mistakes, {item.span.start for item in inside if item.span})
     first: dict[int, tuple[int, int]] = {}  # by line: the place and the kind of its first mistake
     kinds = list(enumerate((odd, mistakes, inside)))
     for kind, items in kinds:
@@ -72,6 +73,18 @@ def _selected(
     last = found[_MOST - 1]
     note = Diagnostic("E113", f"only the first {_MOST} mistakes of the file are listed", last.span)
     return (*found[:_MOST], note)
+
+
+def _at_different_places(mistakes: list[Diagnostic], taken: set[int]) -> list[Diagnostic]:
+    """Without those at the place of an earlier one, and missing braces where something else is wrong."""
+    seen: set[int] = set()
+    kept: list[Diagnostic] = []
+    for item in mistakes:
+        start = item.span.start if item.span else -1
+        if start not in seen and not (item.code in _BRACES and start in taken):
+            kept.append(item)
+        seen.add(start)
+    return kept
 
 
 _BRACES = ("E110", "E111", "E112")

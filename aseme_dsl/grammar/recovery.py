@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
+from aseme_dsl.diagnostics import closest
 from aseme_dsl.grammar.lexer import Tokens
 
 _NAME = r"[A-Za-z_]\w*"
@@ -17,7 +19,7 @@ _OPEN_DECLARATION = (
     rf"|(?:enum|message|topic|aip|srm|statechart|team)\s+{_NAME}|(?:sag|suc)\b"
 )
 _FORMULA = rf"{_NAME}\s*=(?!=)"
-_LABELS = r"[0-9]+(?:\.[0-9]+)*\s*->"
+_LABELS = r"[0-9]+(?:\.[0-9]+)*\s*[-=]"
 _BEGINS_BY_NAME = re.compile(rf"{_FORMULA}|{_LABELS}")
 
 _DECLARATION = re.compile(_CLOSED_DECLARATION)
@@ -26,58 +28,58 @@ _DECLARATION_AT_MARGIN = re.compile(_OPEN_DECLARATION)
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """A kind of block: the words that begin its entries, and how to recognise where the next one begins.
+    """A kind of block, and how to recognise where its next entry begins.
 
-    `entry` is None where an entry begins with any name: then the next line, or what follows one of
-    `separators`, is taken for the next entry.
+    `words` begin entries, `clauses` continue them. `entry` is None where an entry begins with any name: then
+    the next line, or what follows one of `separators`, is taken for the next entry. `around` names the
+    blocks in which this one stands.
     """
 
     words: tuple[str, ...]
     entry: re.Pattern[str] | None
+    clauses: tuple[str, ...] = ()
     around: tuple[str, ...] = ()
-    separators: str = ""
+    separators: tuple[str, ...] = ()
 
 
-def _block(words: str, entry: str | None, *around: str) -> Block:
-    return Block(tuple(words.split()), re.compile(entry) if entry else None, around)
-
-
-def _any(words: str) -> str:
+def _words(words: str) -> str:
     return rf"(?:{'|'.join(words.split())})\b"
 
 
-_AIP = "participant outcome clause let control"
-_SRM = "plays capability var let liveness activities functionality control"
-_PARTICIPANT = "engage var let sends receives process"
-_VERBS = "enter skip repeat leave start finish"
+def _block(words: str, entry: str = "", clauses: str = "", around: str = "") -> Block:
+    patterns = [pattern for pattern in (_words(words) if words else "", entry) if pattern]
+    return Block(
+        tuple(words.split()), re.compile("|".join(patterns)), tuple(clauses.split()), tuple(around.split())
+    )
+
+
+def _names(clauses: str = "", around: str = "", separators: str = "") -> Block:
+    return Block((), None, tuple(clauses.split()), tuple(around.split()), tuple(separators))
+
 
 BLOCKS: dict[str, Block] = {
-    "JunkDeclaration": _block(
-        "language system import enum message topic function let sag suc aip srm statechart team scenario"
-        " property",
-        rf"{_CLOSED_DECLARATION}|{_OPEN_DECLARATION}",
+    "JunkDeclaration": Block(
+        tuple(
+            "language system import enum message topic function let sag suc aip srm statechart team scenario"
+            " property".split()
+        ),
+        re.compile(rf"{_CLOSED_DECLARATION}|{_OPEN_DECLARATION}"),
     ),
-    "JunkConstant": Block((), None, separators=",;"),
-    "JunkField": Block(("optional", "repeated"), None, separators=",;"),
-    "JunkTopic": _block("signal state data from every queued persist", _any("signal state data")),
-    "JunkActor": _block("actor", _any("actor")),
-    "JunkGoal": _block("goal depends on", _any("goal"), "JunkActor"),
-    "JunkSuc": _block("role usecase by includes realises", _any("role usecase")),
-    "JunkAip": _block(_AIP, _any(_AIP)),
-    "JunkParticipant": _block(_PARTICIPANT, rf"{_any(_PARTICIPANT)}|{_FORMULA}", "JunkAip"),
-    "JunkControl": _block(_VERBS, rf"{_any(_VERBS)}|{_LABELS}", "JunkAip", "JunkSrm"),
-    "JunkSrm": _block(_SRM, _any(_SRM)),
-    "JunkFormula": _block("", _FORMULA, "JunkSrm"),
-    "JunkActivity": _block("every takes as uses reads writes", None, "JunkSrm"),
-    "JunkFunctionality": _block(
-        "technology permissions environment algorithm",
-        _any("technology permissions environment algorithm"),
-        "JunkSrm",
-    ),
-    "JunkChart": _block(
-        "state var let activities activity", rf"{_any('state var let activities')}|{_LABELS}"
-    ),
-    "JunkAgents": _block("", rf"{_NAME}\s*[,:\[]"),
+    "JunkConstant": _names(separators=",;"),
+    "JunkField": _names("optional repeated", separators=",;"),
+    "JunkTopic": _block("signal state data", clauses="from every queued persist"),
+    "JunkActor": _block("actor"),
+    "JunkGoal": _block("goal", clauses="depends on", around="JunkActor"),
+    "JunkSuc": _block("role usecase", clauses="by includes realises"),
+    "JunkAip": _block("participant outcome clause let control"),
+    "JunkParticipant": _block("engage var let sends receives process", _FORMULA, around="JunkAip"),
+    "JunkControl": _block("enter skip repeat leave start finish", _LABELS, around="JunkAip JunkSrm"),
+    "JunkSrm": _block("plays capability var let liveness activities functionality control"),
+    "JunkFormula": _block("", _FORMULA, around="JunkSrm"),
+    "JunkActivity": _names("every takes as uses reads writes", around="JunkSrm"),
+    "JunkFunctionality": _block("technology permissions environment algorithm", around="JunkSrm"),
+    "JunkChart": _block("state var let activities", _LABELS, clauses="activity"),
+    "JunkAgents": _names(),
 }
 """By the name of the terminal that takes what is no entry."""
 
@@ -118,6 +120,12 @@ def is_outside(tokens: Tokens, index: int, block: Block) -> bool:
     return block is not BLOCKS["JunkDeclaration"] and _begins_outer(tokens, index, block)
 
 
+@lru_cache(maxsize=1000)
+def is_close(word: str, words: tuple[str, ...]) -> bool:
+    """Whether `word` may be meant for one of `words`."""
+    return len(word) < 20 and closest(word, words) is not None
+
+
 def is_stray_brace(tokens: Tokens, index: int) -> bool:
     """Whether a `}` behind something on its line cannot be meant to close a block of several lines.
 
@@ -136,27 +144,35 @@ def _begins_entry(tokens: Tokens, index: int, block: Block) -> bool:
     if block is BLOCKS["JunkDeclaration"]:
         return begins_declaration(tokens, index)
     if block.entry is None:
-        return tokens.begins_line(index) or tokens.word(index - 1) in tuple(block.separators)
+        return tokens.begins_line(index) or tokens.word(index - 1) in block.separators
     return block.entry.match(tokens.text, tokens.starts[index]) is not None
 
 
-def end_of_junk(tokens: Tokens, first: int, wrong: int, block: Block) -> int:
-    """The offset behind an entry that begins with token `first` and has gone wrong at token `wrong`."""
+def end_of_junk(tokens: Tokens, first: int, wrong: int, block: Block) -> tuple[int, bool]:
+    """Where an entry ends that begins with token `first` and has gone wrong at token `wrong`.
+
+    Returns the offset behind it, and whether another entry seems to begin there.
+    """
     count = len(tokens)
     wrong = min(wrong, count - 1)
+    margin = tokens.indentation(first)
     index = first
+    another = False
     while index < count:
         word = tokens.word(index)
         if index > first:
             if word == "}" and block is not BLOCKS["JunkDeclaration"]:
                 break
-            if index >= wrong and _begins_entry(tokens, index, block):
-                break
             if _begins_outer(tokens, index, block):
+                break
+            beside = tokens.begins_line(index) and tokens.column(index) == margin
+            begins = _begins_entry(tokens, index, block) or (beside and is_close(word, block.words))
+            if index >= wrong and begins:
+                another = True
                 break
         closing = _matching_brace(tokens, index, block) if word == "{" else None
         index = index + 1 if closing is None else closing + 1
-    return tokens.ends[index - 1]
+    return tokens.ends[index - 1], another
 
 
 def _matching_brace(tokens: Tokens, opening: int, block: Block) -> int | None:
@@ -194,9 +210,4 @@ def _is_entry_word(tokens: Tokens, index: int) -> bool:
     return tokens.word(index) in _ENTRY_WORDS
 
 
-_ENTRY_WORDS = frozenset(
-    word
-    for block in BLOCKS.values()
-    for word in block.words
-    if word not in ("from", "every", "queued", "persist", "on")
-)
+_ENTRY_WORDS = frozenset(word for block in BLOCKS.values() for word in block.words)

@@ -228,8 +228,10 @@ def _junk(rule: Any) -> Callable[[Any], Any]:
             raise NoMatch([rule], start, parser)
         place = max(start, progress.farthest)
         expected = tuple(progress.expected) if place == progress.farthest else ()
-        end = end_of_junk(tokens, first, tokens.at(place), block)
+        end, another = end_of_junk(tokens, first, tokens.at(place), block)
         progress.note(rule.rule_name, start, end, place, expected)
+        if another:
+            progress.quiet_before = -1
         parser.position = end
         return Terminal(rule, start, token(parser.input[start:end], start))
 
@@ -247,6 +249,8 @@ def _missing_open(rule: Any) -> Callable[[Any], Any]:
         expected = tuple(progress.expected) if place == progress.farthest else ()
         end = end_of_header(tokens, tokens.at(_skip_blanks(parser)), start)
         progress.note("JunkHeader", start, end, place, expected)
+        if end == start:
+            tokens.missing.append(tokens.at(end))
         progress.openers.append(end)
         parser.position = end
         return _nothing(rule, end)
