@@ -1,4 +1,4 @@
-"""A statechart as a compact text that a person can check: states indented, transitions, variables, regions."""
+"""A statechart as compact text for people: states indented, transitions, variables, regions."""
 
 from __future__ import annotations
 
