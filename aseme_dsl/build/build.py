@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
@@ -40,6 +40,8 @@ class Choice:
     activities: Path | None = None
     templates: Path | None = None
     expressions: str = "numbered"
+    labels: str = "plain"
+    """`original`: states are named as the original tools name them."""
     force: bool = False
 
 
@@ -62,6 +64,7 @@ def build(system: System, folder: Path, choice: Choice, disk: Disk = DISK) -> Re
     Raises:
         UnknownBackend: a backend is asked for that is not installed.
     """
+    system = with_labels(system, choice.labels)
     backends = [name for name in choice.backends if not choice.only or name in choice.only]
     backends += sorted(name for name in choice.only if name not in (*PARTS, *backends))
     parts = [part for part in PARTS if not choice.only or part in choice.only]
@@ -98,6 +101,7 @@ def choose(
     backends: Iterable[str] = (),
     activities: Path | None = None,
     templates: Path | None = None,
+    labels: str | None = None,
     force: bool = False,
 ) -> Choice:
     """What is asked for on the command line, else by the project's configuration, else the usual."""
@@ -107,8 +111,19 @@ def choose(
         activities or configuration.activities,
         templates or configuration.templates,
         configuration.expressions or "numbered",
+        labels or configuration.labels or "plain",
         force,
     )
+
+
+def with_labels(system: System, labels: str) -> System:
+    """The system with its states named as the original tools name them, if `labels` is `original`."""
+    if labels != "original":
+        return system
+    from aseme_dsl.amola.original_names import labels_as_original
+
+    eacs, iacs = (tuple(map(labels_as_original, charts)) for charts in (system.eacs, system.iacs))
+    return replace(system, eacs=eacs, iacs=iacs)
 
 
 def activities_folder(folder: Path, choice: Choice, backend: str = "monas") -> Path:

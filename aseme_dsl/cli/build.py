@@ -55,6 +55,11 @@ if TYPE_CHECKING:
     "--activities", text="Where your activities are.  [default: the project's, else OUTPUT/monas/activities]"
 )
 @folder_option("--templates", text="A folder of templates that replace the backend's own, by name.")
+@click.option(
+    "--labels",
+    type=click.Choice(["plain", "original"]),
+    help="original: name states as the original tools do, to compare.  [default: the project's, else plain]",
+)
 @click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
 @json_option
 @colour_option
@@ -65,6 +70,7 @@ def command(
     backends: tuple[str, ...],
     activities: Path | None,
     templates: Path | None,
+    labels: str | None,
     force: bool,
     as_json: bool,
     colour: str,
@@ -88,6 +94,7 @@ def command(
                 backends=backends,
                 activities=activities,
                 templates=templates,
+                labels=labels,
                 force=force,
             )
             check_backends(choice.backends)

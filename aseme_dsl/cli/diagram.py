@@ -49,6 +49,11 @@ from aseme_dsl.cli.shared import (
 @click.option("--at", metavar="LABEL", help="Draw only this state of the statecharts, with all in it.")
 @click.option("--depth", type=click.IntRange(min=1), help="How many levels of states are open.")
 @click.option("--layout", type=click.Choice(["nested", "tree"]), help="Only one of the two views.")
+@click.option(
+    "--labels",
+    type=click.Choice(["plain", "original"]),
+    help="original: name states as the original tools do, to compare.  [default: the project's, else plain]",
+)
 @click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
 @json_option
 @colour_option
@@ -61,11 +66,13 @@ def command(
     at: str | None,
     depth: int | None,
     layout: str | None,
+    labels: str | None,
     force: bool,
     as_json: bool,
     colour: str,
 ) -> int:
     """Draw and write; 1 if the file has errors or a drawing cannot be made or written."""
+    from aseme_dsl.build.build import with_labels
     from aseme_dsl.build.draw import NoSuchDrawing, choose, draw_all, into_file, into_folder
     from aseme_dsl.diagrams import FORMATS, DrawingFailed, Expressions, Layout, NoSuchState, Options
 
@@ -82,7 +89,8 @@ def command(
     format_ = format_ or (suffix if suffix in FORMATS else "svg")
     to_file = output == "-" or suffix == format_
     try:
-        chosen = choose(compiled.system, models, options)
+        system = with_labels(compiled.system, labels or compiled.configuration.labels or "plain")
+        chosen = choose(system, models, options)
         if to_file and len(chosen) != 1:
             names = ", ".join(item.name for item in chosen) or "none"
             raise click.UsageError(f"{output} takes one drawing, and these are {len(chosen)}: {names}.")

@@ -286,6 +286,20 @@ class TestConfiguration:
         assert "no backend 'jade'" in done.err
 
 
+def test_states_may_be_named_as_the_originals_do(here: Here, folder: Path) -> None:
+    def names(*arguments: str) -> set[str]:
+        assert here("build", "good.aseme", "-o", "out", *arguments).code == 0
+        model = json.loads((folder / "out/models/iac.robot.json").read_text())
+        return {node["name"] for node in model["nodes"]}
+
+    assert "(Walk | Stand)" in names()
+    assert not any(" | " in name for name in names("--labels", "original"))
+    (folder / "pyproject.toml").write_text('[tool.asemec]\nlabels = "original"\n')
+    assert not any(" | " in name for name in names())
+    assert here("run", "good.aseme", "-o", "out", "--for", "1s").code == 0
+    assert "iac.robot" in here("diagram", "good.aseme", "iac", "--labels", "plain", "--json").out
+
+
 def test_templates_of_the_user(here: Here, folder: Path) -> None:
     (folder / "mine").mkdir()
     (folder / "mine/activity.py.j2").write_text("# {{ name }} of mine\n")
