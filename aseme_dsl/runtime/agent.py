@@ -101,6 +101,7 @@ class Agent:
         self._due: Timer | None = None
         self._prepared: dict[tuple[str | None, str], Any] = {}
         self._crashed: dict[str, str] = {}
+        self._configuration: tuple[str, ...] = ()
         self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
         self._carried_out: dict[type[Any], Callable[[Any], None]] = {
             Start: self.executions.start,
@@ -210,6 +211,8 @@ class Agent:
         outcome = chart.step(now, [item.input for item in inputs])
         self.recent.extend(outcome.taken)
         configuration = chart.configuration() if self.trace.active else ()
+        changed = configuration != self._configuration
+        self._configuration = configuration
         self.trace.step(
             now,
             self.name,
@@ -218,7 +221,7 @@ class Agent:
             [item.identity for item in inputs],
             ahead,
             outcome,
-            configuration,
+            configuration if changed else None,
         )
         for item in inputs:
             if isinstance(item.input, Crashed):

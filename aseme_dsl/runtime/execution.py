@@ -62,20 +62,17 @@ class Execution:
         "timer",
     )
 
-    def __init__(
-        self, owner: Executions, start: Start, info: ActivityInfo, code: type[Any] | None, number: int
-    ) -> None:
-        agent = owner.agent
+    def __init__(self, owner: Executions, start: Start, node: _Node, now: int) -> None:
         self.owner = owner
         self.start = start
-        self.info = info
-        self.code = code
-        self.number = number
-        self.started = agent.driver.clock.now()
-        self.board: Board = agent.chart.board_of(start.label)
-        self.branch = agent.branch_of(start.label)
+        self.info = node.info
+        self.code = node.code
+        self.number = node.starts
+        self.started = now
+        self.board: Board = owner.agent.chart.board_of(start.label)
+        self.branch = node.branch
         self.context = c.Context(self)
-        self.kind = info.kind
+        self.kind = node.kind
         self.cancelled = False
         self.has_returned = False
         self.error: BaseException | None = None
@@ -214,7 +211,14 @@ class Execution:
 class _Node:
     """A BASIC state: what runs there, and what is to run next."""
 
-    every: int | None
+    info: ActivityInfo
+    code: type[Any] | None
+    """None where there is no code."""
+    kind: str
+    error: ActivityError | None
+    """Why the activity cannot run."""
+    branch: str | None
+    """The label of the protocol branch around it."""
     starts: int = 0
     last_start: int | None = None
     last_end: int = 0
@@ -242,7 +246,7 @@ class Executions:
         """Start an activity, as soon as its period and its predecessor allow it."""
         node = self._nodes.get(start.label)
         if node is None:
-            node = self._nodes[start.label] = _Node(self._info(start.activity).every)
+            node = self._nodes[start.label] = self._node(start)
         node.next = start
         node.waits = False
         self._begin_when_free(node)
@@ -290,8 +294,19 @@ class Executions:
 
     # ---- beginning ---------------------------------------------------------------------------
 
-    def _info(self, activity: str) -> ActivityInfo:
-        return self._infos.get(activity) or ActivityInfo(activity)
+    def _node(self, start: Start) -> _Node:
+        info = self._infos.get(start.activity) or ActivityInfo(start.activity)
+        code: type[Any] | None = None
+        kind = info.kind
+        error: ActivityError | None = None
+        try:
+            code = self._find(start.activity)
+            if code is not None:
+                code = code if has_code(code) else None
+                kind = info.kind if code is None else kind_of(code, info.kind)
+        except ActivityError as raised:
+            error = raised
+        return _Node(info, code, kind, error, self.agent.branch_of(start.label))
 
     def _begin_when_free(self, node: _Node) -> None:
         """Begin what is next, unless the old one has not returned or the period is not over."""
@@ -304,13 +319,14 @@ class Executions:
                 self._trace("wait", start)
             return
         now = self.agent.driver.clock.now()
-        if node.every is not None and node.last_start is not None:
-            due = node.last_start + node.every
+        every = node.info.every
+        if every is not None and node.last_start is not None:
+            due = node.last_start + every
             if now < due:
                 release = partial(self._release, node, due)
                 node.held = self.agent.driver.at(due, lambda: self.agent.errand(release))
                 return
-            missed = (node.last_end - node.last_start - 1) // node.every
+            missed = (node.last_end - node.last_start - 1) // every
             if missed > 0:
                 self._trace("missed", start, beats=missed)
         self._begin(node, start, now)
@@ -322,25 +338,14 @@ class Executions:
             self._begin_when_free(node)
 
     def _begin(self, node: _Node, start: Start, now: int) -> None:
-        info = self._info(start.activity)
+        info = node.info
         node.next = None
         node.last_start = now
         node.starts += 1
-        error: ActivityError | None = None
-        code: type[Any] | None = None
-        try:
-            code = self._find(start.activity)
-        except ActivityError as raised:
-            error = raised
-        execution = node.current = Execution(self, start, info, code if has_code(code) else None, node.starts)
-        if execution.code is not None:
-            try:
-                execution.kind = kind_of(execution.code, info.kind)
-            except ActivityError as raised:
-                error = raised
+        execution = node.current = Execution(self, start, node, now)
         self._trace("start", start)
-        if error is not None:
-            self.returned(execution, error)
+        if node.error is not None:
+            self.returned(execution, node.error)
         elif execution.code is None:
             self._last(execution, info, now)
         else:
