@@ -193,6 +193,8 @@ def command(
             tick=telling.tick,
         )
     except PlayError as problem:
+        if as_json:
+            print_json({"result": None, "problem": str(problem), **diagnostics_json(())})
         raise click.ClickException(str(problem)) from problem
     telling.end()
     return _print(played, loaded, report, folder, telling, as_json)

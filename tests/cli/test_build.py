@@ -187,6 +187,24 @@ def test_generated_and_written_lines_are_counted(here: Here, folder: Path) -> No
     assert f"by hand: 2 lines of activities in 1 file, 14 lines of .aseme ({len(GOOD) / 1000:.1f} KB)" in said
 
 
+def test_helpers_beside_activities_count_as_written(here: Here, folder: Path) -> None:
+    (folder / "skills").mkdir()
+    (folder / "skills/geometry.py").write_text("def angle(): ...\n")
+    (folder / "skills/jump.py").write_text("class Jump: ...  # of another system\n")
+    arguments = ["build", "good.aseme", "-o", "out", "--activities", "skills", "--json"]
+    count = here(*arguments).json["systems"][0]["count"]
+    assert count["by_hand"] == {"files": 1, "lines": 1, "bytes": 17}
+
+
+@pytest.mark.parametrize("name", [b"caf\xe9", b"a \"b\" 'c'", b'"""\\N{x}', b"two\nlines", "ω – x".encode()])
+def test_a_file_may_be_called_anything(folder: Path, name: bytes) -> None:
+    path = os.fsdecode(name) + ".aseme"
+    (folder / path).write_text(GOOD)
+    for arguments in (["check"], ["run", "--for", "1s", "-o", "out"], ["diagram", "-o", "drawn"]):
+        done = asemec(arguments[0], path, *arguments[1:], cwd=folder)
+        assert done.code == 0, done.err
+
+
 class TestOverwriting:
     def test_an_edited_file_is_not_overwritten(self, here: Here, folder: Path) -> None:
         here("build", "good.aseme", "-o", "out")

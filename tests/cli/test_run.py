@@ -220,6 +220,7 @@ class TestPlans:
         done = here("run", "good.aseme", "--plan", "robbot")
         assert done.code == 1
         assert "no plan is called robbot; did you mean robot?" in done.err
+        assert here("run", "good.aseme", "--plan", "robbot", "--json").json["result"] is None
 
     def test_without_a_team_the_only_role_plays(self, here: Here, folder: Path) -> None:
         (folder / "good.aseme").write_text(GOOD.partition("team")[0])
