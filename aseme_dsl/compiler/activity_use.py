@@ -13,6 +13,9 @@ from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
 
+_LONG = 5
+"""How many letters a name has to have for one of them to be a slip."""
+
 
 def used_activities(charts: Iterable[Statechart]) -> dict[str, Node]:
     """Every activity with the state where it stands first, in document order."""
@@ -47,8 +50,8 @@ def close_names(
 ) -> Iterator[Diagnostic]:
     """W200 for an activity whose name is close to a formula's or another activity's: is it misspelt?
 
-    Close is: equal but for case and underscores, or one letter more, less, wrong or swapped in a name of
-    five or more. Names that differ in a digit are meant to differ.
+    Close is: equal but for case and underscores, or one letter more, less, wrong or swapped in a name of five
+    or more. Names that differ in a digit or a capital (`ScanA`, `ScanB`) are meant to differ.
     """
     declared: dict[str, tuple[Span, str]] = {}
     for item in formulas:
@@ -69,7 +72,7 @@ def close_names(
             other
             for shape in _shapes(folded(name))
             for other in by_shape[shape]
-            if rank[other] < rank[name] and _close(folded(name), folded(other))
+            if rank[other] < rank[name] and _is_close(name, other)
         }
         if near:
             other = min(near, key=lambda item: rank[item])
@@ -86,24 +89,24 @@ def close_names(
 
 def _shapes(name: str) -> Sequence[str]:
     """The name itself and all that lack one of its letters: close names share one of these."""
-    if len(name) < 5:
+    if len(name) < _LONG:
         return (name,)
     return (name, *dict.fromkeys(name[:i] + name[i + 1 :] for i in range(len(name))))
 
 
-def _close(one: str, other: str) -> bool:
-    if one == other:
+def _is_close(one: str, other: str) -> bool:
+    if folded(one) == folded(other):
         return True
-    if min(len(one), len(other)) < 5:
+    if min(sum(char.isalpha() for char in name) for name in (one, other)) < _LONG:
         return False
     start = 0
-    while start < min(len(one), len(other)) and one[start] == other[start]:
+    while start < min(len(one), len(other)) and one[start].lower() == other[start].lower():
         start += 1
     end = 0
-    while end < min(len(one), len(other)) - start and one[-1 - end] == other[-1 - end]:
+    while end < min(len(one), len(other)) - start and one[-1 - end].lower() == other[-1 - end].lower():
         end += 1
     left, right = one[start : len(one) - end], other[start : len(other) - end]
-    if any(char.isdigit() for char in left + right):
+    if all(char.isdigit() or char.isupper() for char in left + right):
         return False
     swapped = len(left) == 2 and left == right[::-1]
     return swapped or (len(left) <= 1 and len(right) <= 1)

@@ -58,7 +58,8 @@ def read_statechart(
         if first is not node:
             related = (Related(first.span, "the first one"),)
             found.append(Diagnostic("E607", f"two states are labelled {node.label}", node.span, related))
-    if not is_damaged(written.span):
+    damaged = is_damaged(written.span)  # then what is missing may only be unreadable
+    if not damaged:
         found += _structure(written, nodes)
     lines: list[LabelledLine] = []
     for position, entry in enumerate(written.transitions):
@@ -66,7 +67,7 @@ def read_statechart(
         found += problems
         missing = [name for name in (entry.source, entry.target) if name.text not in nodes]
         if missing:
-            if not is_damaged(written.span):
+            if not damaged:
                 found += [_unknown(name, nodes) for name in missing]
             continue
         place = entry.source.span.to(entry.target.span)
@@ -76,9 +77,9 @@ def read_statechart(
             continue
         line = Line(entry.expression, expression, position, entry.span)
         lines.append(LabelledLine(entry.source, entry.target, line))
-    if not is_damaged(written.span):
+    if not damaged:
         found += _decisions(nodes, lines)
-    is_sound = not any(item.code in _UNSOUND for item in found)
+    is_sound = not damaged and not any(item.code in _UNSOUND for item in found)
     ordered = sorted(nodes.values(), key=lambda node: label_key(node.label))
     return GivenChart(written, typed, tuple(ordered), tuple(lines), is_sound), tuple(found)
 

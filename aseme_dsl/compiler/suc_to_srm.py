@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from aseme_dsl.amola.aip import NamedFormula
@@ -89,12 +89,13 @@ def _capabilities(
     return tuple(capabilities.values()), tuple(found)
 
 
-def _cases_of(name: str, role: Role | None, cases: UseCases) -> Iterator[UseCase]:
+def _cases_of(name: str, role: Role | None, cases: UseCases) -> list[UseCase]:
     """The use cases of a role, those of the participants that it plays included."""
-    names = {name}
+    names = [name]
     if role is not None:
-        names.update(item.participant for item in role.plays)
-    return (case for case in cases.suc.usecases if names.intersection(case.participants))
+        names += [item.participant for item in role.plays]
+    found = {case.name: case for item in names for case in cases.by_participant.get(item, ())}
+    return list(found.values())
 
 
 # ---- what is missing -----------------------------------------------------------------------------
@@ -238,7 +239,7 @@ def _no_formula(case: UseCase, role: Role, written: _Written) -> Missing:
 def srm_skeleton(name: str, cases: UseCases, protocols: Sequence[tree.Aip]) -> str:
     """An `srm` to start from: every use case of the role, with all that they include; nothing is left out."""
     written = _Written(cases, protocols)
-    own = list(_cases_of(name, None, cases))
+    own = _cases_of(name, None, cases)
     inner = {folded(item) for case in own for item in case.includes}
     outer = [case for case in own if folded(case.name) not in inner] or own
     plays: dict[str, None] = {}

@@ -23,6 +23,7 @@ class UseCases:
 
     suc: Suc
     by_name: Mapping[str, UseCase]
+    by_participant: Mapping[str, Sequence[UseCase]]
     spellings: Mapping[str, str]
 
     def case(self, name: str) -> UseCase:
@@ -67,7 +68,11 @@ def use_cases(suc: Suc, written: Iterable[str]) -> UseCases:
     spellings: dict[str, str] = {}
     for name in written:
         spellings.setdefault(folded(name), name)
-    return UseCases(suc, {folded(case.name): case for case in suc.usecases}, spellings)
+    by_participant: dict[str, list[UseCase]] = {}
+    for case in suc.usecases:
+        for participant in case.participants:
+            by_participant.setdefault(participant, []).append(case)
+    return UseCases(suc, {folded(case.name): case for case in suc.usecases}, by_participant, spellings)
 
 
 def activity_name(name: str) -> str:
