@@ -55,8 +55,12 @@ def package_name(system: System) -> str:
 
 
 def file_name(system: System) -> str:
-    """What the `.proto` file is called: as the system is, letter for letter."""
-    return f"{system.name}.proto"
+    """What the `.proto` file is called: as the system is, unless an imported file stands there already."""
+    taken = {PurePath(file.name).stem.lower() for file in system.protos}
+    name = system.name
+    while name.lower() in taken:  # also where a file system takes cell.proto for Cell.proto
+        name += "_system"
+    return f"{name}.proto"
 
 
 def full_name(system: System, item: Message | EnumType) -> str:

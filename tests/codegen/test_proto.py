@@ -126,7 +126,7 @@ def test_imported_messages_stay_in_their_files(tmp_path: Path) -> None:
     """
     found = analyse(Source(str(tmp_path / "main.aseme"), text))
     assert found.system is not None, render_text(found.diagnostics)
-    assert (package_name(found.system), file_name(found.system)) == ("cell_system", "cell_system.proto")
+    assert (package_name(found.system), file_name(found.system)) == ("cell_system", "Cell_system.proto")
     (tmp_path / "out").mkdir()
     read = protoc(tmp_path / "out", found.system)
     assert read == file_descriptor(found.system)
