@@ -569,7 +569,7 @@ class _Builder:
             if begins or not statements:
                 statements.append([])
             statements[-1].append(name)
-            depth += {"{": 1, "}": -1}.get(name.text, 0)
+            depth += (name.text in ("{", "(", "[")) - (name.text in ("}", ")", "]"))
         return tree.Scenario(self.text(node.title), tuple(map(tuple, statements)), self.span(node))
 
     def property(self, node: Any) -> tree.Property:

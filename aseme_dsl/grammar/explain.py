@@ -123,7 +123,7 @@ class _Explanation:
             "but the file ends" if self.index >= len(tokens) else f"found {shown(tokens.word(self.index))}"
         )
         # The block that lacks its `}` may be an inner one: then the outer one's `}` has closed it.
-        for inner, closing in sorted(tokens.closing_with_missing.items()):
+        for inner, closing in tokens.closing_with_missing.items():
             if (
                 opener < inner
                 and closing < self.index

@@ -33,6 +33,9 @@ _PATH = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _NUMBER = re.compile(r"([0-9]+)(?:\.([0-9]+))?([a-z]*)")
 _LONGEST_NUMBER = 18
 
+_BEGINS_NO_ACTION = ("", ";", "/", "]", ")", "[", ",", "=", ".")
+_ARE_NO_ACTION = ("else", "when", "and", "or")
+
 _MEANT = {
     "&": ("&&", "'&&' is and"),
     "|": ("||", "'||' is or"),
@@ -228,7 +231,7 @@ class _Reader:
         return tree.Raised(tree.Name(str(first), self.span(first)), self.span(first))
 
     def action(self) -> tree.Action:
-        if self.index == len(self.tokens) or not (_is_name(self.next) and self.next not in RESERVED):
+        if self.next[:1] in _BEGINS_NO_ACTION or self.next in _ARE_NO_ACTION:
             raise self.unexpected("an action")
         first = self.tokens[self.index]
         following = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else ""

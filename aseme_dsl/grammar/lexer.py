@@ -112,10 +112,9 @@ class Tokens:
             if word == "{":
                 open_.append(index)
             elif word == "}" and open_:
-                opener = open_.pop()
-                if opener >= 0:
-                    pairs[opener] = index
-        return pairs
+                pairs[open_.pop()] = index
+        pairs.pop(-1, None)
+        return dict(sorted(pairs.items()))
 
     def __len__(self) -> int:
         return len(self.starts)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator
-from contextlib import contextmanager
+import threading
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.diagnostics import Diagnostic, in_order
@@ -22,7 +21,7 @@ def parse(source: Source) -> tuple[File, tuple[Diagnostic, ...]]:
     """
     from aseme_dsl.grammar.terminals import read
 
-    with _few_collections():
+    with _few_collections:
         model, progress = read(source)
         return understood(model, progress)
 
@@ -91,12 +90,30 @@ _BRACES = ("E110", "E111", "E112")
 """What is shown on a line though it may concern others."""
 
 
-@contextmanager
-def _few_collections() -> Iterator[None]:
-    """A tree is many small objects without cycles: to look for cycles costs a third of the time."""
-    threshold = gc.get_threshold()
-    gc.set_threshold(100_000, 50, 100)
-    try:
-        yield
-    finally:
-        gc.set_threshold(*threshold)
+class _FewCollections:
+    """While anybody parses, look for cycles of objects rarely: a tree is many small objects without cycles.
+
+    To look for them all the time costs a third of the time. Threads may parse at once: the first one sets
+    the threshold, the last one restores it.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._inside = 0
+        self._before = gc.get_threshold()
+
+    def __enter__(self) -> None:
+        with self._lock:
+            if self._inside == 0:
+                self._before = gc.get_threshold()
+                gc.set_threshold(100_000, 50, 100)
+            self._inside += 1
+
+    def __exit__(self, *raised: object) -> None:
+        with self._lock:
+            self._inside -= 1
+            if self._inside == 0:
+                gc.set_threshold(*self._before)
+
+
+_few_collections = _FewCollections()

@@ -10,6 +10,7 @@ from aseme_dsl.diagnostics import closest
 from aseme_dsl.grammar.lexer import Tokens
 
 _NAME = r"[A-Za-z_]\w*"
+# How declarations begin: such that nothing in a block begins so, and others, which count at the margin only.
 _CLOSED_DECLARATION = (
     rf"(?:enum|message|topic|aip|srm|statechart|team)\s+{_NAME}\s*(?:under\b|radio\b|\{{)|(?:sag|suc)\s*\{{"
     r'|(?:scenario|property)\s*"'
@@ -83,6 +84,8 @@ BLOCKS: dict[str, Block] = {
 }
 """By the name of the terminal that takes what is no entry."""
 
+_ENTRY_WORDS = frozenset(word for block in BLOCKS.values() for word in block.words)
+
 # What begins an entry of a block around and cannot be an entry of the block itself.
 _OUTER = {
     "JunkActor": re.compile(rf"actor\s+{_NAME}\s*\{{"),
@@ -106,7 +109,8 @@ def begins_declaration(tokens: Tokens, index: int) -> bool:
     return tokens.column(index) == 0 and _DECLARATION_AT_MARGIN.match(tokens.text, start) is not None
 
 
-def _begins_outer(tokens: Tokens, index: int, block: Block) -> bool:
+def is_outside(tokens: Tokens, index: int, block: Block) -> bool:
+    """Whether the token begins an entry of a block around `block`."""
     if block is BLOCKS["JunkDeclaration"]:
         return False
     start = tokens.starts[index]
@@ -115,13 +119,8 @@ def _begins_outer(tokens: Tokens, index: int, block: Block) -> bool:
     return begins_declaration(tokens, index)
 
 
-def is_outside(tokens: Tokens, index: int, block: Block) -> bool:
-    """Whether the token begins an entry of a block around `block`."""
-    return block is not BLOCKS["JunkDeclaration"] and _begins_outer(tokens, index, block)
-
-
 @lru_cache(maxsize=1000)
-def is_close(word: str, words: tuple[str, ...]) -> bool:
+def _is_close(word: str, words: tuple[str, ...]) -> bool:
     """Whether `word` may be meant for one of `words`."""
     return len(word) < 20 and closest(word, words) is not None
 
@@ -163,10 +162,10 @@ def end_of_junk(tokens: Tokens, first: int, wrong: int, block: Block) -> tuple[i
         if index > first:
             if word == "}" and block is not BLOCKS["JunkDeclaration"]:
                 break
-            if _begins_outer(tokens, index, block):
+            if is_outside(tokens, index, block):
                 break
             beside = tokens.begins_line(index) and tokens.column(index) == margin
-            begins = _begins_entry(tokens, index, block) or (beside and is_close(word, block.words))
+            begins = _begins_entry(tokens, index, block) or (beside and _is_close(word, block.words))
             if index >= wrong and begins:
                 another = True
                 break
@@ -188,7 +187,7 @@ def _matching_brace(tokens: Tokens, opening: int, block: Block) -> int | None:
         if (
             tokens.begins_line(index)
             and tokens.column(index) <= indentation
-            and (_begins_entry(tokens, index, block) or _begins_outer(tokens, index, block))
+            and (_begins_entry(tokens, index, block) or is_outside(tokens, index, block))
         ):
             tokens.doubtful_before = index
             return None
@@ -199,15 +198,8 @@ def end_of_header(tokens: Tokens, wrong: int, start: int) -> int:
     """The offset behind the `{` that ends a header; `start` if there is none on the line."""
     for index in range(wrong, len(tokens)):
         word = tokens.word(index)
-        if word == "}" or tokens.begins_line(index) or _is_entry_word(tokens, index):
+        if word == "}" or tokens.begins_line(index) or word in _ENTRY_WORDS:
             return start
         if word == "{":
             return tokens.ends[index]
     return start
-
-
-def _is_entry_word(tokens: Tokens, index: int) -> bool:
-    return tokens.word(index) in _ENTRY_WORDS
-
-
-_ENTRY_WORDS = frozenset(word for block in BLOCKS.values() for word in block.words)

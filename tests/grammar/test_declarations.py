@@ -367,7 +367,7 @@ def test_scenario_and_property() -> None:
       activity Check takes 20ms  // not now
       at 0ms robot1 receives vision.state.Ball { visible = true  pose = { x = -1.5 } }
       by 3s  robot1 in (ScanForBall
-                        || Other)
+                        or Other)
     }"""
     scenario = declared(text)
     assert isinstance(scenario, tree.Scenario)
@@ -375,7 +375,7 @@ def test_scenario_and_property() -> None:
         "robot1 : player",
         "activity Check takes 20ms",
         "at 0ms robot1 receives vision.state.Ball { visible = true pose = { x = - 1.5 } }",
-        "by 3s robot1 in ( ScanForBall || Other )",
+        "by 3s robot1 in ( ScanForBall or Other )",
     ]
     assert all(name.span.text == name.text for statement in scenario.statements for name in statement)
     guarded = declared('property "guarded" { always some g in (shift or TakeOver) }')
