@@ -131,9 +131,9 @@ def test_imported_messages_stay_in_their_files(tmp_path: Path) -> None:
     read = protoc(tmp_path / "out", found.system)
     assert read == file_descriptor(found.system)
     assert list(read.dependency) == ["cell.proto"]
-    assert set(proto_files(found.system)) == {"cell.proto", "other.proto", "cell_system.proto"}
+    assert set(proto_files(found.system)) == {"cell.proto", "other.proto", "Cell_system.proto"}
     files = descriptor_pb2.FileDescriptorSet.FromString(descriptor_set(found.system)).file
-    assert [file.name for file in files] == ["cell.proto", "other.proto", "cell_system.proto"]
+    assert [file.name for file in files] == ["cell.proto", "other.proto", "Cell_system.proto"]
 
 
 WORDS = st.sampled_from(
