@@ -36,13 +36,25 @@ def all_activities(iacs: Iterable[Statechart], described: Mapping[str, Activity]
 
 
 def check_described(
-    written: Iterable[tree.Activity], used: Iterable[str], is_damaged: Damaged
+    written: Iterable[tree.Activity],
+    used: Iterable[str],
+    formulas: Iterable[tree.NamedFormula],
+    is_damaged: Damaged,
 ) -> Iterator[Diagnostic]:
-    """E204 for a description of an activity that no formula has."""
+    """E204 for a description of an activity that no formula has, or of a formula."""
     used = set(used)
+    named = {item.name.text: item.name.span for item in formulas}
     for item in written:
-        if item.name.text not in used and not is_damaged(item.span):
-            yield unknown("E204", "no formula has the activity", item.name, used)
+        name = item.name
+        if name.text in used or is_damaged(item.span):
+            continue
+        if name.text in named:
+            related = (Related(named[name.text], "the formula"),)
+            hint = "describe the activities that it consists of"
+            message = f"`{name}` is a formula, not an activity"
+            yield Diagnostic("E204", message, name.span, related, hint=hint)
+        else:
+            yield unknown("E204", "no formula has the activity", name, used)
 
 
 def close_names(

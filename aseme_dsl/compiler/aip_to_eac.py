@@ -55,6 +55,7 @@ def read_protocol(
     `is_damaged` tells whether syntax errors left something out of a declaration.
     """
     found: list[Diagnostic] = []
+    missing: list[Missing] = []
     controls, problems = _controls(written, is_damaged)
     found += problems
     parts: dict[str, Part] = {}
@@ -101,7 +102,8 @@ def read_protocol(
                 for item in labelled[name]
             )
             parts[name] = replace(parts[name], labelled=relative)
-    missing: list[Missing] = []
+    if not participants and not is_damaged(written.span):
+        missing.append(_no_participants(written))
     for participant in participants:
         name = participant.name.text
         lines = lines_of.get(name)
@@ -125,6 +127,14 @@ def aip_to_eac(protocol: Protocol, world: World) -> Statechart | None:
         return None
     parts = {(protocol.name, name): part for name, part in protocol.parts.items()}
     return chart_of(protocol.name, "EAC", protocol.outline, parts, world, protocol.written.name.span)
+
+
+def _no_participants(written: tree.Aip) -> Missing:
+    hint = "say who takes part: `participant center { process = … }`"
+    note = Diagnostic(
+        "N701", f"the protocol {written.name} has no participants yet", written.name.span, hint=hint
+    )
+    return Missing(note, "// Who takes part? participant … { process = … }", written.span)
 
 
 def _no_process(written: tree.Aip, participant: tree.Participant) -> Diagnostic:

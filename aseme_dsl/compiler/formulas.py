@@ -93,6 +93,7 @@ def check(
         if empty and name not in in_cycle:
             may_be_empty.add(name)
     for item in formulas.named.values():
+        found += _verbs(item)
         found += _mixed_operators(item.formula)
         found += _too_few_instances(item.formula)
     return not cycles, tuple(found)
@@ -257,6 +258,22 @@ def _empty_loop(formulas: Formulas, loop: Formula) -> Diagnostic:
         related,
         hint=hint,
     )
+
+
+VERBS = ("enter", "skip", "repeat", "leave", "start", "finish")
+"""What a control line begins with."""
+
+
+def _verbs(item: tree.NamedFormula) -> Iterator[Diagnostic]:
+    places = [(node.name, node.span) for node in names(item.formula)]
+    for name, span in [(item.name.text, item.name.span), *places]:
+        if name in VERBS:
+            yield Diagnostic(
+                "E202",
+                f"`{name}` is a verb of `control`, which could not name it",
+                span,
+                hint=f"call it `{name.capitalize()}`",
+            )
 
 
 def _mixed_operators(formula: Formula) -> Iterator[Diagnostic]:

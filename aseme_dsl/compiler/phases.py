@@ -99,7 +99,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     used = used_activities((*_built(iacs), *_built(eacs)))
     formulas = _formulas(blocks)
     if len(charts) == len(eacs) + len(iacs):
-        found += check_described(_described_in(blocks), used, is_damaged)
+        found += check_described(_described_in(blocks), used, formulas, is_damaged)
     found += close_names(used, described, formulas)
     capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
     cases = use_cases(suc, [*protocols, *(item.name.text for item in formulas), *used, *capabilities])

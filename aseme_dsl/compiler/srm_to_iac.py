@@ -22,6 +22,7 @@ from aseme_dsl.compiler.scopes import TypedRole
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
+from aseme_dsl.source import Span
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +73,8 @@ def read_role(
         for item in plays
         if (item.protocol, item.participant) in parts
     }
+    played |= _by_own_name(plays, played, formulas)
+    branches = {name: branches[item.name] for name, item in played.items() if item.name in branches}
     empty = frozenset(
         alias for alias, branch in branches.items() if formula_tables.may_be_empty(branch.formulas)
     )
@@ -84,7 +87,7 @@ def read_role(
     found += problems
     outline, labelled = None, tuple[LabelledLine, ...]()
     # A played participant whose process could not be read would stand as an activity: no chart then.
-    if expandable and len(branches) == len(written.plays):
+    if expandable and len(plays) == len(written.plays) and len(branches) == len(played):
         branch_sizes = {alias: sizes(b.formulas, {})[b.formulas.root] for alias, b in branches.items()}
         problem = too_large(formulas, branch_sizes, largest, written.name.span)
         if problem is not None:
@@ -155,7 +158,7 @@ def _plays(
         bindings: dict[str, str] = {}
         if part is not None:
             parts[protocol.name, part.participant] = part
-            bindings, problems = _bindings(item, part, formulas)
+            bindings, problems = _bindings(item, part, formulas, _played_names(written))
             found += problems
         plays[name.text] = Plays(
             item.protocol.text, item.participant.text, name.text, tuple(bindings.items()), item.span
@@ -192,7 +195,7 @@ def _restated(formula: tree.NamedFormula, plays: tree.Plays, participant: tree.P
 
 
 def _bindings(
-    written: tree.Plays, part: Part, formulas: Formulas | None
+    written: tree.Plays, part: Part, formulas: Formulas | None, played: Mapping[str, Span]
 ) -> tuple[dict[str, str], tuple[Diagnostic, ...]]:
     """The protocol's activities and what the role does instead (E206)."""
     activities = {
@@ -225,13 +228,37 @@ def _bindings(
                     hint=f"bind it to an activity, or say in the protocol what `{abstract}` consists of",
                 )
             )
+        elif own in played:
+            found.append(
+                Diagnostic(
+                    "E206",
+                    f"`{own}` is a participant: a protocol's activity can only be bound to an activity",
+                    item.own.span,
+                    (Related(played[own], "played here"),),
+                )
+            )
         else:
             bindings[abstract] = own
     return bindings, tuple(found)
 
 
+def _by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: Formulas) -> dict[str, Plays]:
+    """Participants that have another name in the role and may be called by their own as well."""
+    found: dict[str, list[Plays]] = {}
+    for item in plays:
+        if item.participant not in played and item.participant not in formulas.named:
+            found.setdefault(item.participant, []).append(item)
+    return {name: items[0] for name, items in found.items() if len(items) == 1}
+
+
+def _played_names(written: tree.Srm) -> dict[str, Span]:
+    return {(item.alias or item.participant).text: item.span for item in written.plays}
+
+
 def _not_played(written: tree.Srm, formulas: Formulas, plays: Sequence[Plays]) -> Iterable[Missing]:
     used = {node.name for item in formulas.named.values() for node in names(item.formula)}
+    by_own_name = _by_own_name(plays, {item.name: item for item in plays}, formulas)
+    used.update(item.name for name, item in by_own_name.items() if name in used)
     for item in plays:
         if item.name not in used and item.name not in formulas.named:
             message = (

@@ -29,15 +29,6 @@ def read_aip(
         least = 1
         if item.multiplicity is not None:
             least, most = item.multiplicity.least, item.multiplicity.most
-            if most is not None and (most < least or most < 1):
-                found += (
-                    Diagnostic(
-                        "E215",
-                        f"`{item.name}` takes part at least {least} and at most {most} times",
-                        item.multiplicity.span,
-                        hint="write `[1..*]`, `[2..4]` or `[3]`",
-                    ),
-                )
         participants.append(
             Participant(
                 item.name.text,

@@ -11,6 +11,7 @@ from aseme_dsl.amola.original_names import labels_as_original
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler import analyse
 from tests.conftest import Snapshot
+from tests.support.compiling import role_chart
 from tests.support.show import show
 
 ACCEPTANCE = Path(__file__).resolve().parents[2] / "acceptance"
@@ -58,3 +59,25 @@ def test_names_on_request_as_the_original_tools_spell_them() -> None:
     player = labels_as_original(next(chart for chart in charts("kouretes") if chart.name == "player"))
     assert player.node("0.2.1.2").name == "Sensors_forever_"
     assert player.node("0.2.5.2").name == "_open_group_initialize_sequence_activate_close_group_"
+
+
+ORIGINALS = {
+    "R = Init . DoNothing+": (8, 6),
+    "R = (play | NoPlay)+\nplay = Change . Go+": (16, 14),
+    "R = A~ || B~ || C~ || D~ || E~ || F~": (40, 26),
+    """R = Init . (playing | nonPlaying)+
+       nonPlaying = NoPlay . [Go+]
+       playing = Scan+ | Approach+ | Kick | follow
+       follow = Stare+ . [Special]""": (48, 46),
+    """R = (NonPlaying | Playing)+
+       NonPlaying = NoPlay . [Go+]
+       Playing = [Localize+] . [Go+] . MakeAction
+       MakeAction = Scan+ | Approach+ | Kick+ | Follow
+       Follow = Stare+ . [Special]""": (66, 64),
+}
+
+
+@pytest.mark.parametrize("formulas", ORIGINALS)
+def test_charts_that_the_original_tools_built_have_their_sizes(formulas: str) -> None:
+    chart = role_chart(formulas)
+    assert (len(chart.nodes), len(chart.transitions)) == ORIGINALS[formulas]

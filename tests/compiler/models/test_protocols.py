@@ -261,3 +261,18 @@ def test_the_branches_of_attack_are_in_the_player_as_in_the_protocol() -> None:
     got, expected = branch(player, center_for), branch(protocol, "0.2.2.2")
     assert got != expected  # one activity is bound
     assert str(got).replace("WalkTowardsOpponentGoal", "WalkTowardsGoal") == str(expected)
+
+
+def test_a_participant_with_another_name_may_be_called_by_its_own_too() -> None:
+    text = """system S
+aip attack { participant center { process = Walk }  participant wing { process = Run } }
+srm player {
+  plays attack.center as striker
+  plays attack.wing as left
+  plays attack.wing as right
+  liveness { player = striker . center . left . wing }
+}
+"""
+    chart = system(text).iacs[0]
+    assert branch_labels(chart) == ["0.2", "0.3", "0.4"]
+    assert inside(chart, "0")[4] == "0.5 BASIC wing"  # which of the two would it be?
