@@ -256,6 +256,10 @@ class Trace:
 def _way(plan: Plan, numbers: tuple[int, ...]) -> Record:
     """A transition taken, or the parts of a compound one."""
     parts = [plan.transitions[number] for number in numbers]
-    way = {"transitions": list(numbers), "source": parts[0].source, "target": parts[-1].target}
-    texts = [part.text for part in parts if part.text]
-    return {**way, "text": " ; ".join(texts)} if texts else way
+    text = " ; ".join(part.text for part in parts if part.text)
+    return {
+        "transitions": list(numbers),
+        "source": parts[0].source,
+        "target": parts[-1].target,
+        "text": text,
+    }

@@ -85,7 +85,7 @@ def test_a_step_says_which_transitions_it_took_and_what_functions_gave(tmp_path:
     run = run_of(tmp_path)
     calls = [step for step in run.of("step") if step.get("functions")]
     assert calls[0]["functions"][0]["function"] == "twice(int)"
-    taken = [way for step in run.of("step") for way in step["taken"] if "twice" in way.get("text", "")]
+    taken = [way for step in run.of("step") for way in step["taken"] if "twice" in way["text"]]
     plan = run.team.agents[0].plan
     assert plan.transitions[taken[0]["transitions"][0]].source == taken[0]["source"]
 
