@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from aseme_dsl.amola.liveness import Formula, Operator
 from aseme_dsl.amola.statechart import NodeType
 from aseme_dsl.compiler.flow import check_flow, check_reach
+from tests.compiler.models.test_protocols import branch, branch_labels
 from tests.support import derivatives, walking
 from tests.support.compiling import role_chart, system
 
@@ -116,3 +117,24 @@ def test_a_chart_keeps_the_rules_of_the_papers_tools(formula: tuple[str, bool]) 
 )
 def test_words_that_a_person_can_check(text: str, begun: set[str], ended: set[str]) -> None:
     assert walking.words(role_chart(f"R = {text}"), 2) == (begun, ended)
+
+
+@given(formulas(3), formulas(2))
+@settings(max_examples=40)
+def test_a_branch_is_the_protocols_whatever_its_process(
+    process: tuple[str, bool], helper: tuple[str, bool]
+) -> None:
+    text = f"""system T
+aip p {{
+  participant a {{ var n : int = 0  process = core . help
+    core = {process[0]}  help = {helper[0]} }}
+  participant b {{ process = X }}
+  control a {{ leave help : [n > 0] / n = n + 1 }}
+}}
+srm R {{ plays p.a  plays p.b  liveness {{ R = Y . part || (a | b)  part = a . a . b }} }}
+"""
+    found = system(text, largest=100_000)
+    expected = branch(found.eacs[0], "0.2.1.2")
+    places = [label for label in branch_labels(found.iacs[0]) if found.iacs[0].node(label).name == "a"]
+    assert len(places) == 3
+    assert [branch(found.iacs[0], label) for label in places] == [expected] * 3
