@@ -29,7 +29,8 @@ class RunConfiguration:
     """Called with `seed=…`; gives the `aseme_dsl.runtime.body.World` whose bodies the agents have. A world
     with a true attribute `over` ends the run."""
     progress: str | None = None
-    """Called with the world, often; gives a sequence of all there is to tell so far. What is new is shown."""
+    """Called with the world, ten times a second; gives all there is to tell so far, as a sequence of lines.
+    What is new is shown."""
     summary: str | None = None
     """Called with the world at the end; gives the closing words."""
     duration: int | None = None

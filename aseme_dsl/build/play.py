@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 BACKEND = "monas"
 """The backend whose output is played here."""
 
+LOOK_NS = 100_000_000
+"""How often the project is asked what there is to tell, in the run's own time."""
 PLAY_NS = 60_000_000_000
 """How long is played in virtual time if nothing else is said."""
 
@@ -222,11 +224,15 @@ class _Watch:
         self._tell = tell
         self._tick = tick
         self._told = 0
+        self._next = 0
 
     def __call__(self, team: Team) -> str | None:
+        now = team.driver.clock.now()
         if self._tick is not None:
-            self._tick(team.driver.clock.now())
-        self.look()
+            self._tick(now)
+        if now >= self._next:
+            self._next = now + LOOK_NS
+            self.look()
         return "the world is over" if getattr(self._world, "over", False) is True else None
 
     def look(self) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import IO, TYPE_CHECKING, Any
 
 import click
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 _STATUS_SECONDS = 0.1
 """How often the time is renewed on a terminal."""
+_LONG_NAME = 40
 _QUIET_AFTER = 20
 """So many different faults are shown; of the others there is only the number."""
 
@@ -84,8 +85,8 @@ class Telling:
                 self._say(record, f"{record['activity']}: {record['text']}")
         elif kind == "step":
             if self._transitions:
-                for taken in record["taken"]:
-                    self._took(record, taken)
+                for taken in record.get("taken", ()):
+                    self._took(record, taken["transitions"])
         elif kind in ("fault", "error"):
             self._wrong(record, "fault" if kind == "fault" else "failure", record["reason"], record.get("at"))
 
@@ -108,19 +109,18 @@ class Telling:
             self._doing[record["agent"], region] = activity
             self._say(record, activity)
 
-    def _took(self, record: Mapping[str, Any], taken: Mapping[str, str]) -> None:
-        ends = " -> ".join(self._state(record["agent"], taken[end]) for end in ("source", "target"))
-        self._say(record, f"{ends}  {taken['text']}".rstrip())
+    def _took(self, record: Mapping[str, Any], numbers: Sequence[int]) -> None:
+        """A transition, or the parts of a compound one."""
+        plan = self._plan(record["agent"])
+        parts = [plan.transitions[number] for number in numbers]
+        ends = [_state(plan, label) for label in (parts[0].source, parts[-1].target)]
+        text = " ; ".join(part.text for part in parts if part.text)
+        self._say(record, f"{' -> '.join(ends)}  {text}".rstrip())
 
     def _plan(self, agent: str) -> Plan:
         """The plan of an agent; one that plays alone may be called anything."""
         role = self._alone or self._roles.get(agent, agent)
         return self._plans.get(role) or next(iter(self._plans.values()))
-
-    def _state(self, agent: str, label: str) -> str:
-        """A state as people know it: its label, and its name if it has another."""
-        state = self._plan(agent).by_label.get(label)
-        return label if state is None or state.name == label else f"{label} {state.name}"
 
     def _region(self, agent: str, label: str) -> str:
         """The innermost region around a state, of the agent's plan."""
@@ -156,6 +156,14 @@ class Telling:
         if self._status:
             self._status = False
             self._stream.write("\r\x1b[K")
+
+
+def _state(plan: Plan, label: str) -> str:
+    """A state as people know it: its label, and its name if it has another; a long term is cut."""
+    name = plan.by_label[label].name
+    if len(name) > _LONG_NAME:
+        name = f"{name[:_LONG_NAME]} …"
+    return label if name == label else f"{label} {name}"
 
 
 def _time(moment: int) -> str:
