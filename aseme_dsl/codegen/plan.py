@@ -7,7 +7,7 @@ from typing import Any
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.aip import Participant
-from aseme_dsl.amola.messages import DOUBLE, DURATION, INT
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Topic
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable
 from aseme_dsl.amola.system import System
@@ -148,7 +148,42 @@ def _variable(system: System, variable: Variable) -> str:
     return _call("Variable", [variable.name, str(variable.type), initial], [("scope", variable.scope, None)])
 
 
-def _activity(activity: Activity) -> str:
+def _topics_reached(system: System, name: str, reach: str) -> list[Topic]:
+    """The topics that a subscription means: the one it names and, by its reach, those above or below it."""
+    parents = {topic.name: topic.under for topic in system.topics}
+
+    def is_above(upper: str, lower: str) -> bool:
+        seen: set[str] = set()
+        topic = parents.get(lower)
+        while topic is not None and topic not in seen:
+            if topic == upper:
+                return True
+            seen.add(topic)
+            topic = parents.get(topic)
+        return False
+
+    return [
+        topic
+        for topic in system.topics
+        if topic.name == name
+        or (reach in ("above", "around") and is_above(topic.name, name))
+        or (reach in ("below", "around") and is_above(name, topic.name))
+    ]
+
+
+def _read(system: System, activity: Activity) -> tuple[str, ...]:
+    """The channels that an activity reads, whole topics spelled out."""
+    found: list[str] = []
+    for read in activity.reads:
+        if read.channel is not None:
+            found.append(str(read.channel))
+        else:
+            topics = _topics_reached(system, read.topic, read.reach)
+            found += [str(rules.channel) for topic in topics for rules in topic.channels]
+    return tuple(dict.fromkeys(found))
+
+
+def _activity(system: System, activity: Activity) -> str:
     return _call(
         "ActivityInfo",
         [activity.name],
@@ -156,7 +191,7 @@ def _activity(activity: Activity) -> str:
             ("kind", activity.kind, "thread"),
             ("every", activity.every, None),
             ("takes", activity.takes, None),
-            ("reads", tuple(str(read.channel) for read in activity.reads if read.channel), ()),
+            ("reads", _read(system, activity), ()),
             ("writes", tuple(str(channel) for channel in activity.writes), ()),
             ("variables", activity.writes_variables, ()),
         ],
@@ -202,7 +237,7 @@ def plan_sections(system: System, chart: Statechart) -> list[tuple[str, list[str
                 for region in chart.regions
             ],
         ),
-        ("activities", [_activity(activity) for activity in activities]),
+        ("activities", [_activity(system, activity) for activity in activities]),
         (
             "channels",
             [
