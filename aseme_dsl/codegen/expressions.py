@@ -78,62 +78,40 @@ def enum_name(enum: str, constant: str) -> str:
 
 def holds(value: Value, names: Names, known: Known = NOTHING) -> tuple[str, Known]:
     """The Python condition under which `value` is true, and what is known where it is."""
-    match value:
-        case Named(expression=inner):
-            return holds(inner, names, known)
-        case Not(operand=operand):
-            return fails(operand, names, known)
-        case Logic(operator="&&", operands=parts):
-            return _both(parts, holds, names, known)
-        case Logic(operands=parts):
-            return _either(parts, holds, names, known)
-        case Has(message=message):
-            return f"b.{_slot(message, names)} is not None", known
-        case Literal(value=constant):
-            return ("True" if constant else "False"), known
-    piece = evaluate(value, names, known)
-    return _conjunction(piece, piece.code), piece.known
+    return _is(True, value, names, known)
 
 
 def fails(value: Value, names: Names, known: Known = NOTHING) -> tuple[str, Known]:
     """The Python condition under which `value` is false, and what is known where it is."""
+    return _is(False, value, names, known)
+
+
+def _is(truth: bool, value: Value, names: Names, known: Known) -> tuple[str, Known]:
     match value:
         case Named(expression=inner):
-            return fails(inner, names, known)
+            return _is(truth, inner, names, known)
         case Not(operand=operand):
-            return holds(operand, names, known)
-        case Logic(operator="||", operands=parts):
-            return _both(parts, fails, names, known)
-        case Logic(operands=parts):
-            return _either(parts, fails, names, known)
+            return _is(not truth, operand, names, known)
+        case Logic(operator=operator, operands=parts):
+            every = (operator == "&&") is truth  # a && b fails where one of them does
+            codes = []
+            for part in parts:
+                code, after = _is(truth, part, names, known)
+                codes.append(f"({code})" if not every and " and " in code else code)
+                known = after if every else known
+            return (" and ".join(codes) if every else f"({' or '.join(codes)})"), known
         case Has(message=message):
-            return f"b.{_slot(message, names)} is None", known
+            return f"b.{_slot(message, names)} is {'not ' if truth else ''}None", known
         case Literal(value=constant):
-            return ("False" if constant else "True"), known
+            return str(bool(constant) is truth), known
     piece = evaluate(value, names, known)
-    match value:
-        case Compare(operator="=="):
-            code = piece.code.replace(" == ", " != ", 1) if piece.code.count(" == ") == 1 else None
-        case _:
-            code = None
-    return _conjunction(piece, code or f"not {_wrapped(piece.code)}"), piece.known
+    return " and ".join((*piece.needs, piece.code if truth else _negated(value, piece.code))), piece.known
 
 
-def _both(parts: tuple[Value, ...], how, names: Names, known: Known) -> tuple[str, Known]:  # type: ignore[no-untyped-def]
-    codes = []
-    for part in parts:
-        code, known = how(part, names, known)
-        codes.append(code)
-    return " and ".join(codes), known
-
-
-def _either(parts: tuple[Value, ...], how, names: Names, known: Known) -> tuple[str, Known]:  # type: ignore[no-untyped-def]
-    codes = [f"({code})" if " and " in code else code for code, _ in (how(p, names, known) for p in parts)]
-    return f"({' or '.join(codes)})", known
-
-
-def _conjunction(piece: Piece, code: str) -> str:
-    return " and ".join((*piece.needs, code))
+def _negated(value: Value, code: str) -> str:
+    if isinstance(value, Compare) and value.operator == "==" and code.count(" == ") == 1:
+        return code.replace(" == ", " != ")
+    return f"not {_wrapped(code)}"
 
 
 def _wrapped(code: str) -> str:
