@@ -30,7 +30,7 @@ class RunConfiguration:
     with a true attribute `over` ends the run."""
     progress: str | None = None
     """Called with the world, ten times a second; gives all there is to tell so far, as a sequence of lines.
-    What is new is shown."""
+    What is new is shown. A second argument, if it takes one, is what each agent is doing (`play.doing`)."""
     summary: str | None = None
     """Called with the world at the end; gives the closing words."""
     duration: int | None = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from aseme_dsl.runtime.loading import Loaded
+    from aseme_dsl.runtime.plan import State
     from aseme_dsl.runtime.scripted import Scripted
     from aseme_dsl.runtime.team import RunResult, Team
     from aseme_dsl.runtime.trace import Listener
@@ -197,7 +199,7 @@ def play(
             place = problem.filename or trace
             raise PlayError(f"{place} cannot be written: {problem.strerror or problem}") from problem
         result = team.run()
-        watch.look()
+        watch.look(team)
         summary = ""
         if project and project.summary and world is not None:
             summary = str(_call(project.summary, world))
@@ -221,6 +223,7 @@ class _Watch:
     ) -> None:
         self._world = world
         self._progress = _function(progress) if progress else None
+        self._wants_doing = self._progress is not None and _takes_two(self._progress)
         self._tell = tell
         self._tick = tick
         self._told = 0
@@ -232,17 +235,45 @@ class _Watch:
             self._tick(now)
         if now >= self._next:
             self._next = now + LOOK_NS
-            self.look()
+            self.look(team)
         return "the world is over" if getattr(self._world, "over", False) is True else None
 
-    def look(self) -> None:
+    def look(self, team: Team) -> None:
         """Tell what is new."""
         if self._progress is not None:
+            further = (doing(team),) if self._wants_doing else ()
             with _users_own(self._progress):
-                lines = list(self._progress(self._world))
+                lines = list(self._progress(self._world, *further))
             for line in lines[self._told :]:
                 self._tell(str(line))
             self._told = max(self._told, len(lines))
+
+
+def doing(team: Team) -> dict[str, tuple[tuple[str, ...], ...]]:
+    """The active states of each agent, region by region in document order, by name.
+
+    Of each region the names of the states that are active in one another: from the role's to the activity's,
+    or to the innermost that has a name of its own.
+    """
+    return {
+        agent.name: tuple(_names(agent.plan.by_label, label) for label in agent.chart.configuration())
+        for agent in team.agents
+    }
+
+
+def _names(states: Mapping[str, State], label: str) -> tuple[str, ...]:
+    parts = label.split(".")
+    around = [".".join(parts[:end]) for end in range(1, len(parts) + 1)]
+    return tuple(states[item].name for item in around if states[item].name != item)
+
+
+def _takes_two(function: Callable[..., Any]) -> bool:
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):  # written in C
+        return False
+    kinds = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    return sum(parameter.kind in kinds for parameter in parameters) > 1
 
 
 def _bodies(given: Mapping[str, str], loaded: Loaded, plan: str | None, agent: str | None) -> dict[str, Any]:

@@ -1,0 +1,48 @@
+"""AssignRoles: who is nearest to the ball becomes center, who is farthest from it center_for."""
+
+from monas.Kouretes.messages import Assignment, Pass
+
+from aseme_dsl.field.geometry import Point, distance
+from aseme_dsl.runtime import Context
+
+from .knowledge import PLAYERS, SECOND, mate_place
+
+RENEWED = 0.35
+"""An assignment is void if it is not repeated; it is repeated after so many seconds."""
+NEARER = 50.0
+"""A robot takes over from the center if it is nearer by this, cm: else they would change all the time."""
+
+
+class AssignRoles:
+    def execute(self, context: Context) -> None:
+        last = context.read("team.state.Assignment", Assignment) or Assignment()
+        if context.read("team.signal.Pass", Pass) is not None:
+            for _ in range(11):  # while a pass is under way, everybody keeps to his part
+                context.publish("team.state.Assignment", last)
+                context.wait(RENEWED)
+        wanted = self.wanted(context, last)
+        if wanted is None:
+            return
+        if last.center not in (0, wanted.center):
+            # The center may not hear that it is one no more. It knows when its assignment has become void.
+            context.publish("team.state.Assignment", Assignment(0, wanted.center_for))
+            context.wait(1.4)
+        context.publish("team.state.Assignment", wanted)
+
+    def wanted(self, context: Context, last: Assignment) -> Assignment | None:
+        told = context.latest("mates.state.BallPlace")
+        if told is None or context.now - told.time > 1.5 * SECOND:
+            return None
+        ball = Point(told.message.x, told.message.y)
+        away = {
+            number: distance(place, ball) - (NEARER if number == last.center else 0.0)
+            for number in range(1, len(PLAYERS) + 1)
+            if (place := mate_place(context, number)) is not None
+        }
+        if not away:
+            return None
+        center = min(away, key=away.__getitem__)
+        if last.center_for in away and last.center_for != center:
+            return Assignment(center, last.center_for)
+        farthest = max(away, key=away.__getitem__)
+        return Assignment(center, farthest if farthest != center else 0)

@@ -1,0 +1,23 @@
+"""HeadHandler: points the head at the ball, or to and fro in search of it."""
+
+from monas.Kouretes.messages import Ball, Gaze
+
+from aseme_dsl.field import skills
+from aseme_dsl.field.command import Command
+from aseme_dsl.field.geometry import clamp
+from aseme_dsl.field.robot import HEAD_LIMIT
+from aseme_dsl.runtime import Context
+
+from .knowledge import SECOND
+
+
+class HeadHandler:
+    def execute(self, context: Context) -> None:
+        gaze = context.read("head.state.Gaze", Gaze)
+        ball = context.read("vision.state.Ball", Ball)
+        at_ball = gaze is not None and gaze.at_ball and ball is not None and ball.visible
+        if at_ball and context.body.sense().ball is None:
+            # It is not where it should be: look there and elsewhere by turns.
+            at_ball = context.now % (2 * SECOND) < SECOND
+        angle = clamp(ball.bearing, HEAD_LIMIT) if at_ball else skills.scan(context.now)
+        context.body.act(Command(head=angle))

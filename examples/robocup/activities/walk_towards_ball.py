@@ -1,0 +1,17 @@
+"""WalkTowardsBall: until the ball lies at the feet and the opponents' goal behind it."""
+
+from aseme_dsl.field import skills
+from aseme_dsl.field.field import OPPONENTS_GOAL
+from aseme_dsl.runtime import Context
+
+from .knowledge import ball_place, lined_up, own_pose, walk
+
+
+class WalkTowardsBall:
+    def execute(self, context: Context) -> None:
+        while not lined_up(context, OPPONENTS_GOAL):
+            ball = ball_place(context)
+            if ball is None:
+                return
+            walk(context, skills.line_up(own_pose(context), ball, OPPONENTS_GOAL))
+            context.wait(0.05)
