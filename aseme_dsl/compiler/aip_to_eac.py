@@ -19,11 +19,11 @@ from aseme_dsl.compiler.control import (
 )
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.formula_to_statechart import Outline, expand_protocol, too_large
+from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.scopes import TypedParticipant
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
-from aseme_dsl.source import Span
 
 PROCESS = "process"
 """The name of a participant's own formula."""
@@ -47,6 +47,20 @@ class Protocol:
         return self.written.name.text
 
 
+@dataclass(frozen=True, slots=True)
+class _Reading:
+    """A participant on the way: its formulas with their control blocks and lines."""
+
+    written: tree.Participant
+    formulas: Formulas
+    controls: Sequence[tuple[tree.Control, str]]
+    lines: Lines
+
+    @property
+    def name(self) -> str:
+        return self.written.name.text
+
+
 def read_protocol(
     written: tree.Aip, typed: Mapping[str, TypedParticipant], largest: int, is_damaged: Damaged
 ) -> tuple[Protocol, tuple[Diagnostic, ...]]:
@@ -54,71 +68,94 @@ def read_protocol(
 
     `is_damaged` tells whether syntax errors left something out of a declaration.
     """
-    found: list[Diagnostic] = []
-    missing: list[Missing] = []
     controls, problems = _controls(written, is_damaged)
-    found += problems
+    found = list(problems)
+    readings: list[_Reading] = []
     parts: dict[str, Part] = {}
-    lines_of: dict[str, Lines] = {}
     participants = participants_of(written)
     for participant in participants:
         name = participant.name.text
-        formulas, problems = formula_tables.table(f"{written.name}.{name}", participant.formulas, PROCESS)
-        found += problems
-        if formulas is None:
-            if not is_damaged(participant.span):
-                found.append(_no_process(written, participant))
-            continue
-        expandable, problems = formula_tables.check(formulas)
-        found += _kept(problems, is_damaged, participant.span)
         own = [(control, formula) for control, part, formula in controls if part == name]
-        lines_of[name], problems = read_lines(formulas, own, typed[name].scope)
-        found += problems
-        too_many = too_large(formulas, {}, largest, participant.name.span) if expandable else None
-        if too_many is not None:
-            found.append(too_many)
-        part = Part(
-            written.name.text,
-            name,
-            formulas,
-            typed[name].variables,
-            Lines(lines_of[name].by_way),
-            (),
-            participant.name.span,
+        reading, is_sound, problems = _participant(
+            written, participant, own, typed[name], largest, is_damaged
         )
-        if expandable and too_many is None:
-            parts[name] = part
+        found += problems
+        if reading is None:
+            continue
+        readings.append(reading)
+        if is_sound:
+            lines = Lines(reading.lines.by_way)
+            parts[name] = Part(
+                written.name.text,
+                name,
+                reading.formulas,
+                typed[name].variables,
+                lines,
+                (),
+                participant.name.span,
+            )
     outline = None
     labelled: dict[str, tuple[LabelledLine, ...]] = {}
-    if len(parts) == len(participants) and parts:
+    if parts and len(parts) == len(participants):
         ends = [(name, part.branch(), part.span) for name, part in parts.items()]
         outline = expand_protocol(written.name.text, ends, written.name.span)
-        for label, branch in outline.branches.items():
-            name = branch.participant
-            labelled[name], problems = check_labels(outline, lines_of[name].labelled, label)
+        labels = {branch.participant: label for label, branch in outline.branches.items()}
+        for reading in readings:
+            label = labels[reading.name]
+            labelled[reading.name], problems = check_labels(outline, reading.lines.labelled, label)
             found += problems
-            relative = tuple(
-                RelativeLine(item.source.text[len(label) :], item.target.text[len(label) :], item.line)
-                for item in labelled[name]
-            )
-            parts[name] = replace(parts[name], labelled=relative)
+            relative = _relative(labelled[reading.name], label)
+            parts[reading.name] = replace(parts[reading.name], labelled=relative)
+    missing: list[Missing] = []
     if not participants and not is_damaged(written.span):
         missing.append(_no_participants(written))
-    for participant in participants:
-        name = participant.name.text
-        lines = lines_of.get(name)
-        formulas, _ = formula_tables.table(f"{written.name}.{name}", participant.formulas, PROCESS)
-        if lines is None or formulas is None:
-            continue
+    for reading in readings:
+        lines = reading.lines
         if outline is not None:
-            lines = including_labels(lines, outline, labelled[name])
-        unsure = {formula for control, part, formula in controls if part == name and is_damaged(control.span)}
-        if is_damaged(participant.span):
-            unsure |= set(formulas.named)
-        names = {formula: name if formula == PROCESS else formula for formula in formulas.named}
-        found += check_formulas(formulas, names, lines, frozenset(unsure))
-        missing += undecided_formulas(formulas, names, lines, written.span, frozenset(unsure))
+            lines = including_labels(lines, outline, labelled[reading.name])
+        unsure = {formula for control, formula in reading.controls if is_damaged(control.span)}
+        if is_damaged(reading.written.span):
+            unsure |= set(reading.formulas.named)
+        names = {name: reading.name if name == PROCESS else name for name in reading.formulas.named}
+        found += check_formulas(reading.formulas, names, lines, frozenset(unsure))
+        missing += undecided_formulas(reading.formulas, names, lines, written.span, frozenset(unsure))
     return Protocol(written, parts, outline, tuple(missing)), tuple(found)
+
+
+def _participant(
+    written: tree.Aip,
+    participant: tree.Participant,
+    controls: Sequence[tuple[tree.Control, str]],
+    typed: TypedParticipant,
+    largest: int,
+    is_damaged: Damaged,
+) -> tuple[_Reading | None, bool, tuple[Diagnostic, ...]]:
+    """What a participant says of itself, and whether its process can be expanded."""
+    owner = f"{written.name}.{participant.name}"
+    formulas, problems = formula_tables.table(owner, participant.formulas, PROCESS)
+    found = list(problems)
+    damaged = is_damaged(participant.span)
+    if formulas is None:
+        if not damaged:
+            found.append(_no_process(written, participant))
+        return None, False, tuple(found)
+    is_sound, problems = formula_tables.check(formulas)
+    # A formula that could not be read may be the one that uses another.
+    found += [item for item in problems if not (damaged and item.code == "E302")]
+    lines, problems = read_lines(formulas, controls, typed.scope)
+    found += problems
+    too_many = too_large(formulas, {}, largest, participant.name.span) if is_sound else None
+    if too_many is not None:
+        found.append(too_many)
+    reading = _Reading(participant, formulas, controls, lines)
+    return reading, is_sound and too_many is None, tuple(found)
+
+
+def _relative(labelled: Iterable[LabelledLine], label: str) -> tuple[RelativeLine, ...]:
+    return tuple(
+        RelativeLine(item.source.text[len(label) :], item.target.text[len(label) :], item.line)
+        for item in labelled
+    )
 
 
 def aip_to_eac(protocol: Protocol, world: World) -> Statechart | None:
@@ -207,7 +244,4 @@ def _ambiguous_control(
     )
 
 
-def _kept(problems: Iterable[Diagnostic], is_damaged: Damaged, span: Span) -> Iterable[Diagnostic]:
-    """Without E302 where a formula that could not be read may be the one that uses it."""
-    damaged = is_damaged(span)
-    return [item for item in problems if not (damaged and item.code == "E302")]
+__all__ = ["PROCESS", "Protocol", "aip_to_eac", "read_protocol"]

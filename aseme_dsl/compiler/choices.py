@@ -11,7 +11,7 @@ from aseme_dsl.compiler.control import Line, Lines
 from aseme_dsl.compiler.formula_to_statechart import Way
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.missing import Missing
-from aseme_dsl.compiler.terms import Terms, spelling, terms_of
+from aseme_dsl.compiler.terms import Terms, listed, spelling, terms_of
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
@@ -123,7 +123,7 @@ def check_choice(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
         yield Diagnostic(
             "E405",
             "nothing decides this choice: none of "
-            + _listed(f"`{item.name}`" for item in alternatives)
+            + listed(item.name for item in alternatives)
             + " has a condition",
             alternatives[0].place,
             _places(alternatives),
@@ -267,13 +267,6 @@ def control_skeleton(control: str, groups: Iterable[Sequence[Alternative]]) -> s
             lines.append(f"  {item.name.ljust(width)} : [true]  // when?")
         lines.append(f"  {alternatives[-1].name.ljust(width)} : else")
     return "\n".join([f"control {control} {{", *lines, "}"])
-
-
-def _listed(names: Iterable[str]) -> str:
-    found = list(names)
-    if len(found) > 6:
-        return ", ".join(found[:6]) + f" and {len(found) - 6} more"
-    return ", ".join(found[:-1]) + " and " + found[-1]
 
 
 __all__ = [

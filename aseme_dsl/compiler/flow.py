@@ -17,6 +17,7 @@ from aseme_dsl.amola.expression import (
 )
 from aseme_dsl.amola.messages import Comm
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
+from aseme_dsl.compiler.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Related
 
 _POINTS = (NodeType.START, NodeType.CONDITION)
@@ -34,8 +35,8 @@ class _Edge:
 def check_flow(chart: Statechart) -> tuple[Diagnostic, ...]:
     """Waits for what never completes (W402) and cycles that never rest (W403, E412).
 
-    Words like "this region" name states by their names, never by labels, so that a formula that is expanded
-    in several places is reported once.
+    States are called by their names, not by their labels: what a formula does that is expanded in several
+    places is said once.
     """
     edges = _edges(chart)
     found = list(_endless_waits(chart, edges))
@@ -83,11 +84,7 @@ def _is_left(chart: Statechart, node: Node, left: set[str]) -> bool:
 
 
 def _called(node: Node) -> str:
-    return node.label if node.name == node.label else f"{node.label} `{_short(node.name)}`"
-
-
-def _short(name: str) -> str:
-    return name if len(name) <= 70 else name[:69] + "…"
+    return node.label if node.name == node.label else f"{node.label} `{cut(node.name)}`"
 
 
 def _edges(chart: Statechart) -> dict[str, list[_Edge]]:
@@ -159,13 +156,13 @@ def _endless_waits(chart: Statechart, edges: dict[str, list[_Edge]]) -> Iterator
 
 def _endless_wait(chart: Statechart, transition: Transition, target: Node) -> Diagnostic:
     source = chart.by_label[transition.source]
-    name = _short(source.name)
+    name = cut(source.name)
     if transition.source == transition.target:
         what = "it is never repeated"
     elif target.type is NodeType.END:
         what = "this is never taken"
     else:
-        what = f"`{_short(target.name)}` is never entered"
+        what = f"`{cut(target.name)}` is never entered"
     return Diagnostic(
         "W402",
         f"`{name}` never completes, so that {what}",
@@ -277,7 +274,7 @@ def _restless(chart: Statechart, circle: Sequence[_Edge]) -> Diagnostic:
             related,
             hint="let one of them lead to a state",
         )
-    names = " → ".join(f"`{_short(name)}`" for name in _names([*nodes, nodes[0]]))
+    names = " → ".join(f"`{cut(name)}`" for name in _names([*nodes, nodes[0]]))
     return Diagnostic(
         "W403",
         f"this cycle goes on without an activity, an event or time to wait for: {names}",

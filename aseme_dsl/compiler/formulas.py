@@ -65,10 +65,18 @@ def fold(formula: Formula, combine: Callable[[Formula, Sequence[_T]], _T]) -> _T
     return values[formula]
 
 
-def shown(formula: Formula, longest: int = 70) -> str:
-    """The formula as a message quotes it: in canonical spelling, cut where it is long."""
-    text = canonical(formula)
+QUOTED = 70
+"""How long a formula, a term or a name may be to be quoted in full."""
+
+
+def cut(text: str, longest: int = QUOTED) -> str:
+    """A text as a message quotes it: cut where it is long."""
     return text if len(text) <= longest else text[: longest - 1] + "…"
+
+
+def shown(formula: Formula, longest: int = QUOTED) -> str:
+    """The formula as a message quotes it: in canonical spelling, cut where it is long."""
+    return cut(canonical(formula), longest)
 
 
 def check(
@@ -250,7 +258,7 @@ def _empty_loop(formulas: Formulas, loop: Formula) -> Diagnostic:
     if body.operator in (Operator.OPTION, Operator.ZERO_OR_MORE):
         inside = canonical(body.operands[0])
         simpler = inside + ("~" if loop.operator is Operator.FOREVER else "*")
-        hint = f"write `{simpler}`" if len(simpler) <= 70 else hint
+        hint = f"write `{simpler}`" if len(simpler) <= QUOTED else hint
     return Diagnostic(
         "E303",
         f"the body of `{shown(loop)}` may be empty, so that the loop would never settle",
@@ -317,8 +325,10 @@ def _too_few_instances(formula: Formula) -> Iterator[Diagnostic]:
 
 
 __all__ = [
+    "QUOTED",
     "Formulas",
     "check",
+    "cut",
     "dependencies_first",
     "fold",
     "may_be_empty",

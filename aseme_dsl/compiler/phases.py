@@ -92,8 +92,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     charts = [chart for chart in (*eacs.values(), *iacs.values()) if chart is not None]
     for chart in charts:
         found += check_flow(chart)
-        if _is_drawn_by_hand(chart):
-            found += check_reach(chart)
+        found += check_reach(chart)
 
     # What is used but not declared, described but not used, expected but not written.
     used = used_activities((*_built(iacs), *_built(eacs)))
@@ -162,13 +161,6 @@ def _formulas(blocks: Blocks) -> list[tree.NamedFormula]:
 
 def _described_in(blocks: Blocks) -> Iterable[tree.Activity]:
     return (item for block in blocks.roles for item in block.activities)
-
-
-def _is_drawn_by_hand(chart: Statechart) -> bool:
-    """Whether somebody drew transitions, so that states may lack some; templates are complete."""
-    return any(
-        item.origin.kind == "statechart" or item.origin.name == "control" for item in chart.transitions
-    )
 
 
 def _without_consequences(found: Iterable[Diagnostic]) -> list[Diagnostic]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from aseme_dsl.amola.aip import Aip, NamedFormula, Participant
 from aseme_dsl.amola.suc import UseCase
@@ -10,6 +10,7 @@ from aseme_dsl.compiler.blocks import participants_of
 from aseme_dsl.compiler.clauses import read_clauses
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.missing import Missing
+from aseme_dsl.compiler.names import listed
 from aseme_dsl.compiler.scopes import TypedParticipant
 from aseme_dsl.compiler.usecases import UseCases, activity_name, folded, formula_line, helper_formulas
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -55,7 +56,7 @@ def suc_to_aip(cases: UseCases, written: Sequence[tree.Aip]) -> tuple[Missing, .
             skeleton = aip_skeleton(cases, case)
             note = Diagnostic(
                 "N701",
-                f"the protocol `{case.name}` of {_listed(case.participants)} is not written yet",
+                f"the protocol `{case.name}` of {listed(case.participants)} is not written yet",
                 case.span,
                 tuple(
                     Related(role.span, f"`{role.name}`")
@@ -90,11 +91,6 @@ def aip_skeleton(cases: UseCases, case: UseCase) -> str:
 def _term(cases: UseCases, case: UseCase) -> str:
     """A participant plays no other protocol: there it is an activity."""
     return activity_name(case.name) if cases.is_protocol(case) else cases.spelling(case)
-
-
-def _listed(names: Iterable[str]) -> str:
-    found = list(names)
-    return ", ".join(found[:-1]) + " and " + found[-1]
 
 
 __all__ = ["aip_skeleton", "read_aip", "suc_to_aip"]

@@ -248,11 +248,16 @@ def srm_skeleton(name: str, cases: UseCases, protocols: Sequence[tree.Aip]) -> s
         needed = written.plays(case, name)
         if needed is not None and not _only_inside_a_protocol(case, outer, written):
             plays.update(dict.fromkeys(needed.values()))
-    terms = [written.term(case, name) for case in outer] or [f"Do{name[0].upper()}{name[1:]}"]
-    if name in terms:  # a use case that is called like the role itself
-        terms = [activity_name(term) if term == name else term for term in terms]
-    formulas = [formula_line(name, terms)]
-    single = [case for case in outer if written.parts(case) is None and cases.spelling(case) != name]
+    parts: list[UseCase] = []
+    for case in outer:
+        if case.includes and written.term(case, name) == name:
+            # The role's own formula has the name of this use case: what it includes stands there.
+            parts += [cases.case(item) for item in case.includes]
+        else:
+            parts.append(case)
+    terms = [written.term(case, name) for case in parts] or [f"Do{name[0].upper()}{name[1:]}"]
+    formulas = [formula_line(name, [activity_name(term) if term == name else term for term in terms])]
+    single = [case for case in parts if written.parts(case) is None]
     formulas += helper_formulas(cases, single, lambda item: written.term(item, name))
     return "\n".join(
         [

@@ -7,15 +7,12 @@ from dataclasses import dataclass
 
 from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, term_key, ungrouped
 from aseme_dsl.compiler.formula_to_statechart import Way
-from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.formulas import QUOTED, Formulas, cut
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
 
 _LISTED = 8
 """How many candidates a hint names at most."""
-
-_QUOTED = 70
-"""How long a term may be to be quoted in full and to be compared with a misspelt one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +104,7 @@ def spelling(terms: Terms, term: Formula) -> str:
 
 def _named(term: Formula) -> str:
     """A term in a message: in parentheses where operators stand between its parts, cut where it is long."""
-    return _short(f"({canonical(term)})" if term.operator in INFIX else canonical(term))
+    return cut(f"({canonical(term)})" if term.operator in INFIX else canonical(term))
 
 
 _WITH_BODY = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER, Operator.OPTION)
@@ -138,7 +135,7 @@ def _find(terms: Terms, key: str, written: tree.Term) -> tuple[Formula | None, D
             f"`{name}` stands {len(places)} times in `{terms.title}`",
             written.span,
             related,
-            hint="say which one: " + _listed(f"{name}#{n}" for n in range(1, len(places) + 1)),
+            hint="say which one: " + listed(f"{name}#{n}" for n in range(1, len(places) + 1)),
         )
     if 1 <= written.occurrence <= len(places):
         return places[written.occurrence - 1], None
@@ -148,7 +145,7 @@ def _find(terms: Terms, key: str, written: tree.Term) -> tuple[Formula | None, D
         f"there is no `{name}#{written.occurrence}`: the term stands {count} in `{terms.title}`",
         written.span,
         tuple(Related(place.span, f"`{name}#{n}`") for n, place in enumerate(places, 1)),
-        hint="there " + ("is " if len(places) == 1 else "are ") + _listed(_numbered(terms, places)),
+        hint="there " + ("is " if len(places) == 1 else "are ") + listed(_numbered(terms, places)),
     )
 
 
@@ -162,8 +159,8 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
         if name != terms.formula and any(_spelt(node, key) for node in _terms(item.formula))
     ]
     near = (
-        closest(key, (place for place in terms.places if len(place) <= _QUOTED))
-        if len(key) <= _QUOTED
+        closest(key, (place for place in terms.places if len(place) <= QUOTED))
+        if len(key) <= QUOTED
         else None
     )
     if elsewhere:
@@ -172,7 +169,7 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
     elif near is not None:
         hint = f"did you mean `{_named(terms.places[near][0])}`?"
     else:
-        hint = f"its terms are {_listed(_named(places[0]) for places in terms.places.values())}"
+        hint = f"its terms are {listed(_named(places[0]) for places in terms.places.values())}"
     fix = near if not elsewhere and near is not None and "\n" not in written.span.text else None
     if fix is not None and written.occurrence is not None:
         fix = None
@@ -216,7 +213,7 @@ def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Ter
     elif len(has) == 1:
         hint = f"the only way of `{text}` is `{has[0]} {text}`"
     elif has:
-        hint = f"the ways of `{text}` are {_listed(f'{name} {text}' for name in has)}"
+        hint = f"the ways of `{text}` are {listed(f'{name} {text}' for name in has)}"
     else:
         hint = f"`{text}` is all of `{terms.title}`; the ways are those of its terms"
     related = (Related(term.span, f"`{text}` in `{terms.title}`"),)
@@ -232,15 +229,12 @@ def _numbered(terms: Terms, places: Iterable[Formula]) -> Iterator[str]:
     return (spelling(terms, place) for place in places)
 
 
-def _short(key: str) -> str:
-    return key if len(key) <= _QUOTED else key[: _QUOTED - 1] + "…"
-
-
-def _listed(names: Iterable[str]) -> str:
+def listed(names: Iterable[str]) -> str:
+    """`A`, `B` and `C`; of many names the first ones."""
     found = [f"`{name}`" for name in names]
     if len(found) > _LISTED:
         return ", ".join(found[:_LISTED]) + f" and {len(found) - _LISTED} more"
-    return ", ".join(found[:-1]) + (" and " if len(found) > 1 else "") + found[-1]
+    return " and ".join([", ".join(found[:-1]), found[-1]] if len(found) > 1 else found)
 
 
-__all__ = ["Terms", "spelling", "terms_of", "way", "ways"]
+__all__ = ["Terms", "listed", "spelling", "terms_of", "way", "ways"]

@@ -102,7 +102,7 @@ def test_a_chart_keeps_the_rules_of_the_papers_tools(formula: tuple[str, bool]) 
         assert chart.node(item.source).type is not NodeType.END
         assert chart.node(item.target).type is not NodeType.START
         assert chart.node(item.source).parent == chart.node(item.target).parent
-    assert [item.code for item in check_reach(chart) if item.code != "W600"] == []
+    assert list(check_reach(chart)) == []
     assert [item.code for item in check_flow(chart) if item.code != "W402"] == []
 
 

@@ -123,3 +123,15 @@ suc {
     assert {item.code for item in complete.diagnostics} <= {"N704"}
     used = {node.name for chart in complete.system.statecharts for node in chart.nodes}
     assert {"Kick", "Block", "Run", "Pull", "Push", "Rest", "Guard", "train", "lift"} <= used
+
+
+def test_a_use_case_that_is_called_like_its_role_is_not_lost() -> None:
+    text = """system S
+sag { actor guard { goal guard } }
+suc { usecase guard includes watch, walk_round }
+"""
+    (note,) = analysis(text).diagnostics
+    assert note.code == "N703" and note.hint is not None
+    found = analysis(text + note.hint.split("\n", 1)[1])
+    assert found.diagnostics == () and found.system is not None
+    assert found.system.srms[0].activities == ("Watch", "WalkRound")
