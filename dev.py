@@ -35,9 +35,15 @@ CHECKS = [
     ("mypy", ["-m", "mypy"]),
     ("documentation", ["-m", "sphinx", "-W", "--keep-going", "-q", "-E", "docs", "docs/_build/html"]),
     # Last, because its closing line is the result that people and CI look for.
-    ("pytest", ["-m", "pytest"]),
+    ("pytest", ["-m", "pytest", "-n", "auto"]),
 ]
 """What `test` runs, in this order; its further arguments go to the last one."""
+
+LONG = [
+    ("a large file", ["benchmarks/large_file.py"], {}),
+    ("random charts", ["-m", "pytest", "tests/oracle"], {"ORACLE_EXAMPLES": "5000"}),
+]
+"""What `long` runs: too heavy for every change, to be run before a release."""
 
 
 class SetupError(Exception):
@@ -167,9 +173,9 @@ def install(requirement: str) -> None:
         )
 
 
-def in_environment(arguments: list[str]) -> int:
+def in_environment(arguments: list[str], variables: dict[str, str] | None = None) -> int:
     """Run the environment's Python from the root and return its exit code."""
-    environment = dict(os.environ)
+    environment = dict(os.environ, **(variables or {}))
     environment.pop("PYTHONHOME", None)
     environment["VIRTUAL_ENV"] = str(VENV)
     # What a check starts by name (asemec, ruff) is the environment's own.
@@ -196,6 +202,21 @@ def test(further: list[str]) -> int:
     return 0
 
 
+def long(further: list[str]) -> int:
+    """Set up what a developer needs, and run what takes minutes."""
+    set_up("dev")
+    for name, arguments, variables in LONG:
+        say(f"== {name}")
+        code = in_environment([*arguments, *further], variables)
+        if code != 0:
+            say(f"dev.py: {name} failed (exit code {code})", to=sys.stderr)
+            return code
+    return 0
+
+
+COMMANDS = {"play": play, "test": test, "long": long}
+
+
 def say(text: str, to: TextIO | None = None) -> None:
     """Print at once, so that our lines and those of what we start keep their order."""
     print(text, file=to or sys.stdout, flush=True)
@@ -208,14 +229,18 @@ def main(arguments: list[str]) -> int:
         description="Set up this checkout in .venv (reused while the dependencies are the same) and use it.",
         epilog="Example: python3 dev.py test tests/test_packaging.py -x",
     )
-    parser.add_argument("command", choices=["play", "test"], help="play the example, or run every check")
+    parser.add_argument(
+        "command",
+        choices=list(COMMANDS),
+        help="play the example; run every check; run benchmarks and long random tests",
+    )
     parser.add_argument(
         "further", nargs=argparse.REMAINDER, help="more arguments for asemec run (play) or pytest (test)"
     )
     options = parser.parse_args(arguments)
     try:
         check_python((sys.version_info[0], sys.version_info[1]), sys.executable)
-        return play(options.further) if options.command == "play" else test(options.further)
+        return COMMANDS[options.command](options.further)
     except SetupError as error:
         say(f"dev.py: {error}", to=sys.stderr)
         return 1

@@ -168,9 +168,9 @@ def record(monkeypatch: pytest.MonkeyPatch) -> Recorder:
     def start(codes: dict[str, int]) -> list[list[str]]:
         started: list[list[str]] = []
 
-        def in_environment(arguments: list[str]) -> int:
+        def in_environment(arguments: list[str], variables: dict[str, str] | None = None) -> int:
             started.append(arguments)
-            return codes.get(arguments[1], 0)
+            return codes.get(arguments[-1] if len(arguments) == 1 else arguments[1], 0)
 
         monkeypatch.setattr(dev, "set_up", lambda extra: None)
         monkeypatch.setattr(dev, "in_environment", in_environment)
@@ -183,7 +183,7 @@ def test_all_checks_run_in_order_and_pytest_closes(record: Recorder) -> None:
     started = record({})
     assert dev.main(["test", "tests/amola", "-x"]) == 0
     assert [arguments[1] for arguments in started] == ["ruff", "ruff", "mypy", "sphinx", "pytest"]
-    assert started[-1][2:] == ["tests/amola", "-x"]
+    assert started[-1][-2:] == ["tests/amola", "-x"]
 
 
 def test_the_first_failing_check_ends_it(record: Recorder, capsys: pytest.CaptureFixture[str]) -> None:
@@ -191,6 +191,12 @@ def test_the_first_failing_check_ends_it(record: Recorder, capsys: pytest.Captur
     assert dev.main(["test"]) == 3
     assert started[-1][1] == "mypy"
     assert "mypy failed (exit code 3)" in capsys.readouterr().err
+
+
+def test_the_long_lane_measures_and_plays_many_random_charts(record: Recorder) -> None:
+    started = record({})
+    assert dev.main(["long"]) == 0
+    assert started == [["benchmarks/large_file.py"], ["-m", "pytest", "tests/oracle"]]
 
 
 def test_play_passes_its_arguments_and_its_exit_code_on(record: Recorder) -> None:
