@@ -15,7 +15,7 @@ from aseme_dsl.runtime.body import Body
 from aseme_dsl.runtime.bus import Bus
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.conversation import Conversations
-from aseme_dsl.runtime.execution import Execution, Executions
+from aseme_dsl.runtime.execution import Execution, Executions, frames_of, reason_of
 from aseme_dsl.runtime.inputs import (
     Arrived,
     Cancel,
@@ -208,7 +208,14 @@ class Agent:
         ahead: list[Arrived] = []
         if not self.driver.clock.virtual:
             chart.pending = lambda: self._ahead(ahead)
-        outcome = chart.step(now, [item.input for item in inputs])
+        try:
+            outcome = chart.step(now, [item.input for item in inputs])
+        except Exception as error:  # nothing in a document can do that; the other agents play on
+            self.trace.step(
+                now, self.name, self.plan, self.steps, _identities(inputs), ahead, Outcome(), None
+            )
+            self.fail(f"the step raised {reason_of(error)}", frames_of(error, own=True))
+            return
         self.recent.extend(outcome.taken)
         configuration = chart.configuration() if self.trace.active else ()
         changed = configuration != self._configuration
@@ -218,7 +225,7 @@ class Agent:
             self.name,
             self.plan,
             self.steps,
-            [item.identity for item in inputs],
+            _identities(inputs),
             ahead,
             outcome,
             configuration if changed else None,
@@ -270,14 +277,15 @@ class Agent:
         self.failed_at = at
         self.trace.failure(now, self.name, reason, at)
 
-    def fail(self, reason: str) -> None:
+    def fail(self, reason: str, frames: list[dict[str, Any]] | None = None) -> None:
         """Stop the agent for a reason that its chart does not know. Called while the agent is guarded."""
         if self.over:
             return
         self.chart.failure = reason
         if self.recent:
             self.failed_at = self.plan.transitions[self.recent[-1][0]].at
-        self.trace.failure(self.driver.clock.now(), self.name, reason, self.failed_at)
+        now = self.driver.clock.now()
+        self.trace.failure(now, self.name, reason, self.failed_at, traceback=frames)
         self._end()
 
     def stop(self) -> None:
@@ -440,6 +448,10 @@ class Agent:
             known = ", ".join(" ".join(pair) for pair in info.sends) or "nothing"
             raise LookupError(f"{info.participant} sends {known}, not {performative} {message}")
         self.conversations.check_receiver(self, branch, to)
+
+
+def _identities(inputs: Iterable[Posted]) -> list[Identity]:
+    return [item.identity for item in inputs]
 
 
 def _nothing(effect: object) -> None:

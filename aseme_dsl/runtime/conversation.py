@@ -158,6 +158,9 @@ class Conversations:
                 identity,
             )
             self._tell_sent(acl)
+            if not receivers:
+                text = f"{performative} {message} reaches nobody: no other agent plays {part}"
+                self._trace.fault(self._driver.clock.now(), agent.name, text)
             for name in receivers:
                 self._deliver(self._agents[name], acl)
 

@@ -538,11 +538,11 @@ def reason_of(error: BaseException) -> str:
     return f"{type(error).__name__}: {text}" if text else type(error).__name__
 
 
-def frames_of(error: BaseException) -> list[dict[str, Any]] | None:
-    """Where an exception was raised, outermost first, without the frames of the runtime itself."""
+def frames_of(error: BaseException, own: bool = False) -> list[dict[str, Any]] | None:
+    """Where an exception was raised, outermost first; the runtime's own frames only if it is asked to."""
     frames = [
         {"file": Path(frame.filename).name, "line": frame.lineno, "function": frame.name}
         for frame in traceback.extract_tb(error.__traceback__)
-        if not frame.filename.startswith(_RUNTIME)
+        if own or not frame.filename.startswith(_RUNTIME)
     ]
     return frames or getattr(error, "frames", None)

@@ -115,6 +115,7 @@ class Team:
         self._path = tuple(path)
         self._until = until
         self._stop = stop
+        self._has_run = False
         self._messages = dict(messages or {})
         find: ActivityFinder = activities if callable(activities) else dict(activities).get
         with importing(self._path):
@@ -195,8 +196,12 @@ class Team:
     def run(self) -> RunResult:
         """Run to the end; activities that still run then are cancelled, and the trace is closed.
 
-        Ctrl-C and SIGTERM end the run cleanly where this is the main thread; a second one at once.
+        Ctrl-C and SIGTERM end the run cleanly where this is the main thread; a second one at once. Raises
+        TeamError if the team has run already.
         """
+        if self._has_run:
+            raise TeamError("a team runs once; make another one")
+        self._has_run = True
         driver = self.driver
         plans = {agent.name: agent.plan for agent in self.agents}
         self.trace.header(self.system, plans, self.seed, driver.clock.virtual)
@@ -204,14 +209,23 @@ class Team:
             with importing(self._path), _interruptible(driver.stop):
                 self._prepare()
                 driver.run()
-        finally:
+            self._end(driver.reason)
+        except BaseException:
+            self._end("error")
+            raise
+        now = driver.clock.now()
+        results = tuple(self._result(agent) for agent in self.agents)
+        return RunResult(driver.reason, now, results, self.trace.error)
+
+    def _end(self, reason: str) -> None:
+        """Keep what is to be kept, write the last line, close the trace."""
+        try:
             self.bus.save()
-            results = tuple(self._result(agent) for agent in self.agents)
-            now = driver.clock.now()
+            results = [self._result(agent) for agent in self.agents]
             self.trace.write(
                 "finish",
-                now,
-                reason=driver.reason or "error",
+                self.driver.clock.now(),
+                reason=reason,
                 agents=[
                     {
                         "name": result.name,
@@ -222,8 +236,8 @@ class Team:
                     for result in results
                 ],
             )
+        finally:
             self.trace.close()
-        return RunResult(driver.reason, now, results, self.trace.error)
 
     def _prepare(self) -> None:
         driver = self.driver
@@ -241,7 +255,7 @@ class Team:
                 agent.begin()
         for radio in self._radios:
             radio.begin(self.world.step_ns if self.world is not None else None)
-        if self.world is not None and not driver.clock.virtual:
+        if self.world is not None and (self._stop is not None or not driver.clock.virtual):
             self._move_world()
 
     def _giving(self, item: Scripted) -> Callable[[], None]:
@@ -267,10 +281,10 @@ class Team:
         self.bus.save()
 
     def _move_world(self) -> None:
-        """Let a simulated world go with the real time, step by step."""
+        """Let a simulated world go on step by step: with real time, or because it may end the run."""
         assert self.world is not None
         self.world.advance(self.driver.clock.now())
-        self.driver.at(self.world.now_ns + self.world.step_ns, self._move_world, background=True)
+        self.driver.at(self.world.now_ns + self.world.step_ns, self._move_world)
 
     def _complain(self, text: str) -> None:
         self.trace.fault(self.driver.clock.now(), "", text)

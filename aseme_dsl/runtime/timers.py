@@ -9,16 +9,12 @@ from heapq import heappop, heappush
 class Timer:
     """A call that is due at `moment`. A timer of the `background` keeps no run alive."""
 
-    __slots__ = ("background", "call", "moment", "order")
+    __slots__ = ("background", "call", "moment")
 
-    def __init__(self, moment: int, order: int, call: Callable[[], None], background: bool) -> None:
+    def __init__(self, moment: int, call: Callable[[], None], background: bool) -> None:
         self.moment = moment
-        self.order = order
         self.call: Callable[[], None] | None = call
         self.background = background
-
-    def __lt__(self, other: Timer) -> bool:
-        return (self.moment, self.order) < (other.moment, other.order)
 
     def cancel(self) -> None:
         """Forget the call."""
@@ -31,28 +27,28 @@ class Timers:
     __slots__ = ("_heap", "_made")
 
     def __init__(self) -> None:
-        self._heap: list[Timer] = []
+        self._heap: list[tuple[int, int, Timer]] = []
         self._made = 0
 
     def add(self, moment: int, call: Callable[[], None], background: bool = False) -> Timer:
         """A new timer."""
         self._made += 1
-        timer = Timer(moment, self._made, call, background)
-        heappush(self._heap, timer)
+        timer = Timer(moment, call, background)
+        heappush(self._heap, (moment, self._made, timer))
         return timer
 
     def next(self) -> int | None:
         """The moment of the earliest timer, or None."""
         heap = self._heap
-        while heap and heap[0].call is None:
+        while heap and heap[0][2].call is None:
             heappop(heap)
-        return heap[0].moment if heap else None
+        return heap[0][0] if heap else None
 
     def take(self, now: int) -> Timer | None:
         """The earliest timer that is due by `now`, which is taken out, or None."""
         moment = self.next()
-        return heappop(self._heap) if moment is not None and moment <= now else None
+        return heappop(self._heap)[2] if moment is not None and moment <= now else None
 
     def only_background(self) -> bool:
         """Whether no timer waits but those of the background."""
-        return all(timer.background or timer.call is None for timer in self._heap)
+        return all(timer.background or timer.call is None for _, _, timer in self._heap)

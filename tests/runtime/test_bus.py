@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+import sys
+import threading
+import time
 from pathlib import Path
 from typing import Any
 
 from aseme_dsl.runtime import Context
-from tests.runtime.playing import MS, SECOND, play
+from tests.runtime.playing import MS, SECOND, make, play
 from tests.support.generated import Generated, generate
 
 
@@ -311,3 +314,93 @@ def test_messages_reach_others_in_real_time() -> None:
         "from ann n=1",
         "from ann n=2",
     ]
+
+
+def test_read_messages_shows_what_has_arrived_since_the_step_began(tmp_path: Path) -> None:
+    """ "`read_messages` renews the executing region's snapshot for the later rounds of the step" """
+    (tmp_path / "holding.py").write_text(
+        "import threading\n"
+        "inside, go = threading.Event(), threading.Event()\n"
+        "def hold(n):\n    inside.set()\n    go.wait(30)\n    return n\n"
+    )
+    generated = generate("""
+    system S
+    message M { int n }
+    topic t { state M }
+    function hold(int n) : int = "holding:hold"
+    srm R {
+      liveness { R = A . (B | C) }
+      activities { A takes 1ms  B takes 1ms  C takes 1ms }
+      control R {
+        enter (B | C) : / hold(1) ; read_messages
+        enter B : [t.state.M.n == 5]
+        enter C : else
+      }
+    }
+    """)
+    team, records = make(generated, {}, clock="real", until=60 * SECOND, path=[tmp_path])
+
+    def give() -> None:
+        while "holding" not in sys.modules:
+            time.sleep(0.001)
+        holding = sys.modules["holding"]
+        holding.inside.wait(30)
+        team.bus.give(team.agents[0], "t.state.M", generated.message("M", n=5))
+        holding.go.set()
+
+    giver = threading.Thread(target=give)
+    giver.start()
+    result = team.run()
+    giver.join()
+    del sys.modules["holding"]
+    assert result.reason == "finished"
+    assert [r["activity"] for r in records if r.get("what") == "start"] == ["A", "B"]
+    (step,) = [r for r in records if r.get("ahead")]
+    assert step["ahead"] == [["input", 1]]
+    assert sum(["input", 1] in r.get("inputs", []) for r in records) == 1
+
+
+def test_nothing_is_lost_between_threads_in_real_time() -> None:
+    """Many threads publish to many agents; every signal is an input of exactly one step of each reader."""
+    count = 150
+    generated = generate("""
+    system S
+    message M { int n }
+    topic t { signal M queued from R }
+    srm R {
+      liveness { R = Say || Say2 || Hear }
+      activities { Say writes t.signal.M  Say2 writes t.signal.M  Hear reads t.signal.M }
+    }
+    team T { a, b, c : R }
+    """)
+
+    entered = threading.Barrier(9)  # a region that is not entered yet does not hear
+
+    class Say:
+        def execute(self, context: Context) -> None:
+            entered.wait(60)
+            for n in range(count):
+                context.publish("t.signal.M", generated.message("M", n=n))
+
+    class Hear:
+        def execute(self, context: Context) -> None:
+            entered.wait(60)
+            heard = 0
+            while heard < 6 * count:
+                if context.take("t.signal.M") is None:
+                    context.wait(0.001)
+                else:
+                    heard += 1
+
+    run = play(generated, {"Say": Say, "Say2": Say, "Hear": Hear}, clock="real", until=120 * SECOND)
+    assert run.result.reason == "finished"
+    for agent in ("a", "b", "c"):
+        assert len(run.received(agent, "t.signal.M")) == 6 * count
+        for sender in ("a", "b", "c"):  # in the order in which they were published
+            numbers = [
+                identity[1]
+                for step in run.of("step", agent=agent)
+                for identity in step["inputs"]
+                if identity[0] == sender != agent
+            ]
+            assert numbers == sorted(numbers)
