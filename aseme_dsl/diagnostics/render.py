@@ -61,7 +61,9 @@ def _block(item: Diagnostic, colour: bool) -> str:
         lines.append(f"   {related.span}: {related.message}")
         lines += _excerpt(related.span, "-", "", "34", colour)
     if item.hint:
-        lines.append(f"   {_paint('hint', '32', colour)}: {item.hint}")
+        first, *more = item.hint.splitlines()
+        lines.append(f"   {_paint('hint', '32', colour)}: {first}")
+        lines += [f"         {line}".rstrip() for line in more]
     return "\n".join(lines) + "\n"
 
 

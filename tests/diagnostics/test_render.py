@@ -1,0 +1,115 @@
+"""How a problem looks on a terminal and as JSON."""
+
+from __future__ import annotations
+
+import pytest
+
+from aseme_dsl.diagnostics import (
+    CODES,
+    Diagnostic,
+    Related,
+    closest,
+    has_errors,
+    in_order,
+    render_json,
+    render_text,
+)
+from aseme_dsl.source import Source, Span
+
+SOURCE = Source("team.aseme", "srm player {\n\tleiveness { 球 = A }\n}\n")
+
+
+def span(text: str, source: Source = SOURCE) -> Span:
+    start = source.text.index(text)
+    return Span(source, start, start + len(text))
+
+
+def test_the_place_is_underlined_below_tabs_and_wide_characters() -> None:
+    problem = Diagnostic(
+        "E100",
+        "expected `liveness`",
+        span("leiveness"),
+        (Related(span("player"), "in this role"),),
+        "`liveness`",
+    )
+    wide = Diagnostic("E105", "a name is made of ASCII letters", span("球"))
+    assert render_text([problem, wide]) == (
+        "team.aseme:2:2: error[E100]: expected `liveness`\n"
+        " 2 |     leiveness { 球 = A }\n"
+        "   |     ^^^^^^^^^\n"
+        "   team.aseme:1:5: in this role\n"
+        " 1 | srm player {\n"
+        "   |     ------\n"
+        "   hint: `liveness`\n"
+        "\n"
+        "team.aseme:2:14: error[E105]: a name is made of ASCII letters\n"
+        " 2 |     leiveness { 球 = A }\n"
+        "   |                 ^^\n"
+    )
+
+
+def test_every_line_of_a_hint_is_indented() -> None:
+    problem = Diagnostic("N701", "not written yet", span("player"), hint="start from\naip attack {\n}")
+    assert render_text([problem]).splitlines()[-3:] == [
+        "   hint: start from",
+        "         aip attack {",
+        "         }",
+    ]
+
+
+def test_a_very_long_line_is_cut_around_the_place() -> None:
+    source = Source("long.aseme", "x" * 5000 + "HERE" + "y" * 5000)
+    lines = render_text([Diagnostic("E100", "no", span("HERE", source))]).splitlines()
+    assert max(map(len, lines)) < 220
+    column = lines[2].index("^")
+    assert lines[1][column : column + 4] == "HERE"
+
+
+def test_a_file_that_cannot_be_read_has_no_line() -> None:
+    problem = Diagnostic("E001", "no such file", None, path="nowhere.aseme")
+    assert render_text([problem]) == "nowhere.aseme: error[E001]: no such file\n"
+
+
+def test_colour_is_only_added() -> None:
+    problem = Diagnostic("W300", "mixed", span("A"))
+    coloured = render_text([problem], colour=True)
+    assert "\x1b[33;1mwarning[W300]\x1b[0m" in coloured
+
+
+def test_json_has_the_range() -> None:
+    (item,) = render_json([Diagnostic("E100", "no", span("A"), fix="B")])
+    assert item["severity"] == "error"
+    assert item["fix"] == "B"
+    assert item["place"] == {"file": "team.aseme", "line": 2, "column": 18, "end_line": 2, "end_column": 19}
+
+
+def test_problems_are_in_the_order_of_the_text_and_once() -> None:
+    first = Diagnostic("E100", "one", span("player"))
+    second = Diagnostic("W300", "two", span("A"))
+    assert in_order([second, first, second]) == (first, second)
+    assert has_errors([second, first])
+    assert not has_errors([second])
+
+
+def test_an_unknown_code_is_our_mistake() -> None:
+    with pytest.raises(ValueError, match="unknown diagnostic code"):
+        Diagnostic("E999", "no", None)
+
+
+def test_every_code_has_a_severity_that_its_letter_says() -> None:
+    letters = {"E": "error", "W": "warning", "N": "note"}
+    assert all(letters[code[0]] == item.severity for code, item in CODES.items())
+
+
+@pytest.mark.parametrize(
+    ("name", "known", "expected"),
+    [
+        ("wordl", ["world", "vision"], "world"),
+        ("walktowardsball", ["WalkTowardsBall", "KickBall"], "WalkTowardsBall"),
+        ("kick_ball", ["KickBall"], "KickBall"),
+        ("zzz", ["world"], None),
+        ("world", [], None),
+    ],
+)
+def test_did_you_mean(name: str, known: list[str], expected: str | None) -> None:
+    assert closest(name, known) == expected
