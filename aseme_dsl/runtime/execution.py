@@ -362,7 +362,7 @@ class Executions:
         if info.takes is None and info.name not in self._late_codeless:
             self._late_codeless.add(info.name)
             text = f"activity {info.name} has neither code nor `takes`: it lasts {shown(WITHOUT_CODE)}"
-            self.agent.trace.fault(now, self.agent.name, text, code="W201", activity=info.name)
+            self.agent.trace.remark(now, self.agent.name, text, code="W201", activity=info.name)
         lasts = WITHOUT_CODE if info.takes is None else info.takes
         execution.timer = self.agent.driver.at(
             now + lasts, lambda: self.agent.errand(lambda: self.returned(execution, None))
@@ -499,14 +499,13 @@ class Executions:
                 self.agent.check_send(execution.branch, performative, type(message).__name__, to)
 
     def undeclared(self, execution: Execution, what: str) -> None:
-        """Note, once, that an activity does what it does not declare."""
+        """Note, once in a run, that an activity does what it does not declare."""
         key = (execution.activity, what)
         if key not in self._noted:
             self._noted.add(key)
             text = f"activity {execution.activity} {what}, which it does not declare"
-            self.agent.trace.fault(
-                self.agent.driver.clock.now(), self.agent.name, text, activity=execution.activity
-            )
+            now = self.agent.driver.clock.now()
+            self.agent.trace.remark(now, self.agent.name, text, activity=execution.activity)
 
     def _trace(self, what: str, effect: Start | Cancel, **members: Any) -> None:
         agent = self.agent

@@ -65,6 +65,7 @@ class Trace:
         self.path = path
         self.error: str | None = None
         self._listeners = tuple(listeners)
+        self._remarks: set[str] = set()
         self._lock = threading.Lock()
         self._file: TextIO | None = None
         self._flushed = time.monotonic()
@@ -243,6 +244,14 @@ class Trace:
                 token=effect.token,
                 **members,
             )
+
+    def remark(self, moment: int, agent: str, reason: str, **members: Any) -> None:
+        """A fault that is the same for every agent: it is told once in a run."""
+        with self._lock:
+            known = reason in self._remarks
+            self._remarks.add(reason)
+        if not known:
+            self.fault(moment, agent, reason, **members)
 
     def fault(self, moment: int, agent: str, reason: str, at: str = "", **members: Any) -> None:
         """Something could not be done; the agent goes on."""
