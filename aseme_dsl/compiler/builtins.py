@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Comm, Function, Type
+from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, Comm, Function, Type
+from aseme_dsl.grammar.formula import RESERVED
 from aseme_dsl.source import Source, Span
 
 NOWHERE = Span(Source("<built in>", ""), 0, 0)
@@ -63,5 +64,9 @@ OTHER_SPELLINGS = {
 
 
 def reserved(name: str) -> str | None:
-    """Why nothing that expressions name can have this name, or None; the parser refuses words and types."""
+    """Why nothing that expressions name (variable, let, topic, field, type …) can be called `name`, or None."""
+    if name in BUILT_IN:
+        return f"`{name}` is a type"
+    if name in RESERVED:
+        return f"`{name}` is a word of the language"
     return f"`{name}` is an action" if name in ACTIONS else None

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 
-from aseme_dsl.amola.messages import BUILT_IN, EnumType, Field, Kind, Message, ProtoFile
+from aseme_dsl.amola.messages import EnumType, Field, Kind, Message, ProtoFile
 from aseme_dsl.amola.python_names import taken_as_constant, taken_as_member, taken_as_type
+from aseme_dsl.compiler.builtins import reserved
 from aseme_dsl.compiler.collector import Collector, type_named
 from aseme_dsl.compiler.names import declared_twice
 from aseme_dsl.diagnostics import Related
@@ -45,8 +46,8 @@ def imported_types(
 
 def _declare_type(collector: Collector, what: str, name: tree.Name) -> bool:
     """Enter the name of an enum or message; whether it is the first of that name."""
-    if name.text not in BUILT_IN and taken_as_type(name.text):
-        reason = f"`{name.text}` means something else in the generated Python"
+    reason = _refusal(name.text, taken_as_type)
+    if reason is not None:
         collector.report("E202", f"{what} cannot be called `{name.text}`", name.span, reason)
         collector.wrong.add(name.text)
     if name.text in collector.types:
@@ -54,6 +55,12 @@ def _declare_type(collector: Collector, what: str, name: tree.Name) -> bool:
         return False
     collector.types[name.text] = name.span
     return True
+
+
+def _refusal(name: str, taken: Callable[[str], bool]) -> str | None:
+    """Why neither the language nor the generated Python, where it would be `taken`, can have `name`."""
+    other = f"`{name}` means something else in the generated Python" if taken(name) else None
+    return reserved(name) or other
 
 
 def enums(collector: Collector) -> tuple[EnumType, ...]:
@@ -77,8 +84,8 @@ def _constants(collector: Collector, enum: tree.Enum) -> tuple[tuple[str, int], 
         name, number = item.name, item.number
         if number is None:
             number = found[-1][1] + 1 if found else 0
-        if name.text not in BUILT_IN and taken_as_constant(name.text):
-            reason = f"`{name.text}` means something else in the generated Python"
+        reason = _refusal(name.text, taken_as_constant)
+        if reason is not None:
             collector.report("E202", f"a constant cannot be called `{name.text}`", name.span, reason)
         if name.text in names:
             collector.diagnostics.append(declared_twice("the constant", name, names[name.text]))
@@ -178,10 +185,8 @@ def _fields(
 def _check_member_name(
     collector: Collector, name: tree.Name, enum_names: Collection[str], messages: set[str]
 ) -> None:
-    reason = None
-    if name.text not in BUILT_IN and taken_as_member(name.text):
-        reason = f"`{name.text}` means something else in the generated Python"
-    elif name.text in messages or name.text in enum_names:
+    reason = _refusal(name.text, taken_as_member)
+    if reason is None and (name.text in messages or name.text in enum_names):
         reason = f"`{name.text}` is a type"
     if reason is not None:
         hint = f"{reason}; `{name.text.lower()}_` is free" if name.text.lower() == name.text else reason

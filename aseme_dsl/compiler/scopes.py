@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.aip import AgentMessage, DeclaredVariable
 from aseme_dsl.amola.expression import Literal
-from aseme_dsl.amola.messages import BOOL, BUILT_IN, BYTES, DOUBLE, STRING, Kind, Type
+from aseme_dsl.amola.messages import BOOL, BYTES, DOUBLE, STRING, Kind, Type
 from aseme_dsl.amola.python_names import taken_as_member
 from aseme_dsl.compiler.builtins import OTHER_SPELLINGS, PERFORMATIVES, reserved
 from aseme_dsl.compiler.names import declared_twice, unknown, unknown_performative
@@ -103,7 +103,7 @@ def type_variables(
     for item in variables:
         name = item.name
         reason = reserved(name.text)
-        if reason is None and name.text not in BUILT_IN and taken_as_member(name.text):
+        if reason is None and taken_as_member(name.text):
             reason = f"`{name}` means something else in the generated Python"
         if reason is not None:
             diagnostics.append(

@@ -27,7 +27,7 @@ def topics(collector: Collector, symbols: Symbols) -> tuple[Topic, ...]:
     publishers = symbols.agents | _publishers(collector) if limited else frozenset()
     for item in declared:
         name = item.name.text
-        reason = reserved(name)
+        reason = f"`{name}` is a communication class" if name in COMM_TYPES else reserved(name)
         if reason is not None:
             collector.report("E202", f"a topic cannot be called `{name}`", item.name.span, reason)
         if name in found:
