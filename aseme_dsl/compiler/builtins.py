@@ -64,7 +64,7 @@ OTHER_SPELLINGS = {
 
 
 def reserved(name: str) -> str | None:
-    """Why nothing that expressions name (variable, let, topic, field, type …) can be called `name`, or None."""
+    """Why nothing that expressions name (a variable, topic, field, …) can be called `name`, or None."""
     if name in BUILT_IN:
         return f"`{name}` is a type"
     if name in RESERVED:
