@@ -228,7 +228,7 @@ class FlatChart:
 
     @cached_property
     def variable_regions(self) -> dict[str, tuple[int, ...]]:
-        """The regions whose expressions read, write or renew each variable."""
+        """The regions whose expressions read, write or renew each variable, and one around inner ones."""
         found: dict[str, set[int]] = {variable.name: set() for variable in self.chart.variables}
         for variable in self.chart.variables:
             if variable.scope is not None:
@@ -237,7 +237,37 @@ class FlatChart:
             region = self.region_number[transition.source]
             for name in _variables(transition.expression):
                 found[name].add(region)
+        for variable in self.chart.variables:
+            # a region that is entered again starts with the copy around it, so there must be one
+            if variable.scope is None and any(self._is_entered_again(n) for n in found[variable.name]):
+                found[variable.name].add(0)
         return {name: tuple(sorted(regions)) for name, regions in found.items()}
+
+    def _is_entered_again(self, region: int) -> bool:
+        """Whether a region may be entered after it was left: its AND can be reached from itself."""
+        and_state = self.chart.node(self.regions[region].label).parent
+        if and_state is None:
+            return False
+        seen = {and_state}
+        stack = [and_state]
+        while stack:
+            active = stack.pop()
+            for source in (active, *(around.label for around in self.chart.ancestors(active))):
+                for transition in self.chart.outgoing(source):
+                    entered = [transition.target]
+                    while entered:
+                        state = entered.pop()
+                        if state == and_state:
+                            return True
+                        start = self.chart.start_of(state)
+                        if start is not None:
+                            entered.append(start.label)
+                        elif self.chart.node(state).type is NodeType.AND:
+                            entered += [inner.label for inner in self.chart.children(state)]
+                        elif state not in seen:
+                            seen.add(state)
+                            stack.append(state)
+        return False
 
     @cached_property
     def retention(self) -> dict[str, int]:

@@ -561,17 +561,21 @@ class _Generator:
             other = self.chart.scope_of(transition)
             scope = min(scope, other, key=len)
         self._leave_leaf(method, depth, region, scope, leaf, complete is not False)
-        looked_at: dict[tuple[str, str | None], None] = {}
+        conditions = [t.expression.condition for t in transitions if t.expression.condition is not None]
+        looked_at = dict.fromkeys(found for item in conditions for found in signals(walk(item)))
+        still_seen = set(looked_at)  # until an action puts messages on the board
         for number, transition in zip(taken, transitions, strict=True):
-            expression = transition.expression
-            if expression.condition is not None:
-                looked_at |= dict.fromkeys(signals(walk(expression.condition)))
-            for action in expression.actions:
+            for action in transition.expression.actions:
                 for channel, host in signals(_read_by(action)):
-                    if (channel, host) not in looked_at:
+                    if (channel, host) not in still_seen:
                         method.add(depth, f"b.ask({channel!r}, {host!r})")
+                        still_seen.add((channel, host))
                         looked_at[channel, host] = None
                 self._action(method, depth, region, number, source, action)
+                if isinstance(action, ReadMessages):
+                    still_seen.clear()
+                elif isinstance(action, Publish):
+                    still_seen = {seen for seen in still_seen if seen[0] != str(action.channel)}
         self._enter(method, depth, region, scope, target)
         for channel, host in looked_at:
             method.add(depth, f"b.spend({channel!r}, {host!r})")
