@@ -373,3 +373,20 @@ def test_what_was_read_ahead_does_not_come_twice(play: Play) -> None:
     assert run.active == ["C"]
     assert run.step(late).active == ["C"]
     assert run.step(run.heard("t.signal.M")).active == ["D"]
+
+
+def test_an_own_signal_that_an_action_reads_is_consumed(play: Play) -> None:
+    """ "or an action reads one, that channel is "asked" in that region"; "consumed (the one that was seen)" """
+    run = play("""
+        srm R {
+          var v : int = 0
+          liveness { R = A . B . C }
+          control R {
+            enter B : [!has(t.signal.M)] / t.signal.M.x = 5; write_messages.t.signal.M; v = t.signal.M.x
+            enter C : when [has(t.signal.M)]
+          }
+        }
+    """).step()
+    run.step(run.done("A"))
+    assert run.active == ["B"]
+    assert run.variable("v") == 5

@@ -103,6 +103,24 @@ def test_a_region_entered_later_starts_with_a_copy(play: Play) -> None:
     assert run.active == ["B", "C"]
 
 
+def test_a_region_entered_again_in_the_same_step_starts_with_the_copy_around_it(play: Play) -> None:
+    """ "elsewhere from the next step"; "they start with a copy" """
+    run = play("""
+        srm R {
+          var v : int = 0
+          var seen : int = 9
+          liveness { R = (first || D)~  first = A . B }
+          control R { repeat (first || D) : when [t.signal.M.on] }
+          control first { enter A : / seen = v  enter B : / v = 3 }
+        }
+    """).step()
+    run.step(run.done("A"), run.heard("t.signal.M", on=True))
+    assert run.active == ["A", "D"]
+    assert (run.variable("v"), run.variable("seen")) == (3, 0)
+    run.step(run.heard("t.signal.M", on=True))
+    assert run.variable("seen") == 3
+
+
 def test_a_step_that_does_not_settle_is_reported(play: Play) -> None:
     """ "A step that does not settle within a bound … [is] a reported error that names the cycle" """
     run = play("""

@@ -6,14 +6,10 @@ transition expression, messages of every class, variables, timers, functions tha
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
-from hypothesis import strategies as st
-
-T = TypeVar("T")
-Draw = Callable[[st.SearchStrategy[Any]], Any]
+from tests.oracle.choices import Choices
 
 MS = 1_000_000
 PRELUDE = """\
@@ -58,34 +54,10 @@ FILLED: dict[str, dict[str, tuple[str, ...]]] = {
 }
 HOSTS = ("ann", "bob", "me")
 EVENTS = ("go", "hop", "stop")
-TIMERS = ("pace", "limit")
+TIMERS = ("pace", "pace", "limit")
 COLOURS = ("RED", "GREEN", "BLUE")
 SENT = (("cfp", "Note"), ("inform", "Note"), ("refuse", "M"))
 RECEIVED = (("propose", "Note"), ("inform", "Note"), ("inform", "M"))
-
-
-class Choices:
-    """Draws by weight; whatever is listed first is what a failing example shrinks to."""
-
-    def __init__(self, draw: Draw) -> None:
-        self._draw = draw
-
-    def number(self, least: int, most: int) -> int:
-        return int(self._draw(st.integers(least, most)))
-
-    def one_of(self, options: Sequence[T]) -> T:
-        return options[self.number(0, len(options) - 1)]
-
-    def one_in(self, count: int) -> bool:
-        return self.number(0, count - 1) == count - 1
-
-    def weighted(self, **weights: int) -> str:
-        place = self.number(0, sum(weights.values()) - 1)
-        for name, weight in weights.items():
-            if place < weight:
-                return name
-            place -= weight
-        raise AssertionError
 
 
 # ---- formulas ----------------------------------------------------------------------------------
@@ -163,7 +135,7 @@ def formula(choices: Choices, names: Names, depth: int) -> Formula:
 def _formula(choices: Choices, names: Names, depth: int, free: list[str]) -> Formula:
     if depth == 0:
         return _name(choices, names, free)
-    operator = choices.weighted(name=2, seq=5, alt=3, par=3, plus=2, forever=2, opt=2, star=2, inst=1)
+    operator = choices.weighted(name=2, seq=5, alt=3, par=4, plus=2, forever=4, opt=2, star=2, inst=1)
     if operator == "name":
         return _name(choices, names, free)
     if operator in ("seq", "alt", "par"):
@@ -281,6 +253,8 @@ class Words:
     choices: Choices
     variables: dict[str, str]
     lets: dict[str, str]
+    channels: tuple[str, ...]
+    """Few of them in many texts, so that one transition meets what another one did."""
     is_participant: bool = False
 
     # ---- values -------------------------------------------------------------------------
@@ -330,7 +304,7 @@ class Words:
             case "duration":
                 match pick.weighted(age=4, sum=2, scaled=2, part=1):
                     case "age":
-                        return f"age({self._host()}{pick.one_of((*STATES, *DATA))})"
+                        return self._age()
                     case "sum":
                         operator = pick.one_of(("+", "-"))
                         left, right = (self.value("duration", depth - 1) for _ in range(2))
@@ -343,7 +317,7 @@ class Words:
     def _bool(self, depth: int) -> str:
         pick = self.choices
         match pick.weighted(
-            member=4, compare=6, both=3, either=3, no=2, has=3, expired=2, function=2, same=1
+            member=4, compare=8, both=3, either=3, no=2, has=3, expired=4, function=2, same=1
         ):
             case "member":
                 return self._member("bool", depth)
@@ -356,7 +330,7 @@ class Words:
             case "no":
                 return f"(!{self.value('bool', depth - 1)})"
             case "has":
-                return f"has({self._host()}{pick.one_of(CHANNELS)})"
+                return f"has({self._host()}{pick.one_of(self.channels)})"
             case "expired":
                 return f"expired({pick.one_of(TIMERS)})"
             case "function":
@@ -368,12 +342,12 @@ class Words:
 
     def _comparison(self, depth: int) -> str:
         pick = self.choices
-        kind = pick.weighted(int=5, double=2, string=1, Colour=2, duration=4)
+        kind = pick.weighted(int=5, double=3, string=1, Colour=2, duration=5)
         operator = pick.one_of(("==", "!=", "<", "<=", ">", ">="))
         if kind == "Colour":
             operator = pick.one_of(("==", "!="))
         if kind == "duration" and pick.one_in(2):
-            sides = [f"age({self._host()}{pick.one_of((*STATES, *DATA))})", self._duration()]
+            sides = [self._age(), self._duration()]
             if pick.one_in(3):
                 sides.reverse()
             return f"{sides[0]} {operator} {sides[1]}"
@@ -404,20 +378,27 @@ class Words:
 
     def _member(self, kind: str, depth: int) -> str:
         pick = self.choices
-        channels = [c for c in CHANNELS if kind in MEMBERS[c.split(".")[2]]]
-        channel = pick.one_of(channels)
+        channel = pick.one_of(self._with_member(kind, CHANNELS))
         if channel in DATA and depth > 0 and pick.one_in(3):
             return self._at(kind)
         return f"{self._host()}{channel}.{pick.one_of(MEMBERS[channel.split('.')[2]][kind])}"
 
     def _at(self, kind: str) -> str:
-        channels = [c for c in DATA if kind in MEMBERS[c.split(".")[2]]]
-        channel = self.choices.one_of(channels)
+        channel = self.choices.one_of(self._with_member(kind, DATA))
         member = self.choices.one_of(MEMBERS[channel.split(".")[2]][kind])
         return f"at({self._host()}{channel}.{member}, -{self._duration()})"
 
     def _message(self, name: str) -> str:
         return self._host() + self.choices.one_of([c for c in CHANNELS if c.endswith("." + name)])
+
+    def _age(self) -> str:
+        timed = (*STATES, *DATA)
+        return f"age({self._host()}{self.choices.one_of([c for c in self.channels if c in timed] or timed)})"
+
+    def _with_member(self, kind: str, among: Sequence[str]) -> list[str]:
+        """The channels that have a member of a type: of those that the text prefers, where there are any."""
+        found = [channel for channel in among if kind in MEMBERS[channel.split(".")[2]]]
+        return [channel for channel in found if channel in self.channels] or found
 
     def _host(self) -> str:
         return self.choices.one_of(HOSTS) + "." if self.choices.one_in(5) else ""
@@ -449,13 +430,13 @@ class Words:
                     text += f" [{self.value('bool', 2)}]"
             case "otherwise":
                 text = "else"
-        if pick.one_in(3):
+        if pick.one_in(2):
             text += " / " + "; ".join(self._action() for _ in range(pick.number(1, 3)))
         return text, kind == "otherwise"
 
     def _event(self) -> str:
         pick = self.choices
-        match pick.weighted(raised=4, after=3, error=1, received=6 if self.is_participant else 0):
+        match pick.weighted(raised=4, after=3, error=2, received=8 if self.is_participant else 0):
             case "raised":
                 return pick.one_of(EVENTS)
             case "after":
@@ -468,18 +449,18 @@ class Words:
     def _action(self) -> str:
         pick = self.choices
         send = 4 if self.is_participant else 0
-        match pick.weighted(assign=6, fill=4, publish=4, timer=3, read=2, call=1, send=send):
+        match pick.weighted(assign=7, fill=4, publish=4, timer=4, read=2, call=1, send=send):
             case "assign":
                 name = pick.one_of(list(self.variables))
                 return f"{name} = {self._assigned(self.variables[name])}"
             case "fill":
-                channel = pick.one_of(CHANNELS)
+                channel = pick.one_of(self.channels)
                 members = FILLED[channel.split(".")[2]]
                 kind = pick.one_of(list(members))
                 target = f"{self._host()}{channel}.{pick.one_of(members[kind])}"
                 return f"{target} = {self._assigned(kind)}"
             case "publish":
-                return f"write_messages.{pick.one_of(CHANNELS)}"
+                return f"write_messages.{pick.one_of(self.channels)}"
             case "timer":
                 return f"start_timer({pick.one_of(TIMERS)}, {self._length()})"
             case "read":
@@ -560,24 +541,33 @@ def _formulas(
     return found
 
 
+def _some(choices: Choices, variables: dict[str, tuple[str, str]]) -> dict[str, tuple[str, str]]:
+    """A few of the variables: where there are few, the same one is written and read."""
+    names = [choices.one_of(list(variables)) for _ in range(choices.number(1, 4))]
+    return {name: declared for name, declared in variables.items() if name in names}
+
+
 def _variables(variables: dict[str, tuple[str, str]]) -> list[str]:
     return [f"  var {name} : {kind} = {initial}" for name, (kind, initial) in variables.items()]
 
 
-def _protocol(choices: Choices, lets: dict[str, str]) -> tuple[str, bool]:
+def _protocol(outer: Words) -> tuple[str, bool]:
     """A protocol with the participant `a` that the role plays, and whether its process may be empty."""
+    choices = outer.choices
     names = Names({}, [], "P")
     helpers = ["aid"] if choices.one_in(2) else []
     formulas = _formulas(choices, names, "process", helpers, 2)
-    own, kinds = _lets(Words(choices, {name: of for name, (of, _) in OWN_VARIABLES.items()}, lets), "own")
-    variables = {name: kind for name, (kind, _) in OWN_VARIABLES.items()}
-    words = Words(choices, variables, lets | kinds, is_participant=True)
+    variables = _some(choices, OWN_VARIABLES)
+    types = {name: kind for name, (kind, _) in variables.items()}
+    words = replace(outer, variables=types, is_participant=True)
+    own, kinds = _lets(words, "own")
+    words = replace(words, lets=outer.lets | kinds)
     sends, receives = (", ".join(f"{p} {m}" for p, m in listed) for listed in (SENT, RECEIVED))
     text = [
         "aip p {",
         "  participant a {",
         '  engage "Always."',
-        *_variables(OWN_VARIABLES),
+        *_variables(variables),
         *(f"  {let}" for let in own),
         f"  sends {sends}",
         f"  receives {receives}",
@@ -591,34 +581,99 @@ def _protocol(choices: Choices, lets: dict[str, str]) -> tuple[str, bool]:
     return "\n".join(line for line in text if line), formulas[0][1].nullable
 
 
-@st.composite
-def texts(draw: Draw) -> str:
-    """A text with a role `R`."""
-    choices = Choices(draw)
-    top, lets = _lets(Words(choices, {}, {}), "top")
-    names = Names({}, [], "A")
+@dataclass(frozen=True)
+class Node:
+    """A state of a `statechart` block; `region` is the label of the region that it is in."""
+
+    label: str
+    kind: str
+    region: str
+
+
+def _nodes(choices: Choices, label: str, region: str, depth: int) -> list[Node]:
+    """The states inside the OR state `label`, each before what is in it."""
+    found = [Node(f"{label}.1", "START", region)]
+    for number in range(2, choices.number(3, 5)):
+        inside = f"{label}.{number}"
+        kind = choices.weighted(BASIC=5, CONDITION=2, OR=3, AND=2) if depth else "BASIC"
+        found.append(Node(inside, kind, region))
+        if kind == "OR":
+            found += _nodes(choices, inside, region, depth - 1)
+        elif kind == "AND":
+            for part in range(1, choices.number(2, 3) + 1):
+                found.append(Node(f"{inside}.{part}", "OR", ""))
+                found += _nodes(choices, f"{inside}.{part}", f"{inside}.{part}", depth - 1)
+    if not choices.one_in(3):
+        last = found[-1].label.removeprefix(label + ".").partition(".")[0]
+        found.append(Node(f"{label}.{int(last) + 1}", "END", region))
+    return found
+
+
+def _statechart(words: Words) -> list[str]:
+    """The states and transitions of a block, transitions between any two states of a region."""
+    choices = words.choices
+    nodes = _nodes(choices, "0", "0", 2)
+    texts = ["  state 0 OR"]
+    for number, node in enumerate(nodes):
+        texts.append(f"  state {node.label} {node.kind}" + (f" A{number}" if node.kind == "BASIC" else ""))
+    for number, node in enumerate(nodes):
+        if node.kind == "END" or not node.region:
+            continue
+        targets = [other for other in nodes if other.region == node.region and other.kind != "START"]
+        if node.kind == "CONDITION":  # a cycle of choices would be refused
+            targets = [
+                other for other in targets if other.kind != "CONDITION" or other in nodes[number + 1 :]
+            ]
+        if not targets:
+            continue
+        count = choices.number(2, 3) if node.kind == "CONDITION" else choices.number(1, 2)
+        otherwise = True
+        for _ in range(count):
+            text, is_else = words.transition(decided=node.kind == "CONDITION", otherwise=otherwise)
+            otherwise = otherwise and not is_else
+            texts.append(f"  {node.label} -> {choices.one_of(targets).label} : {text}")
+    return texts
+
+
+def text(choices: Choices) -> str:
+    """A text with a role `R`, from formulas or given state by state."""
+    channels = tuple(choices.one_of(CHANNELS) for _ in range(choices.number(1, 3)))
+    common = Words(choices, {}, {}, CHANNELS if choices.one_in(3) else channels)
+    top, lets = _lets(common, "top")
+    common = replace(common, lets=lets)
+    variables = _some(choices, VARIABLES)
+    words = replace(common, variables={name: kind for name, (kind, _) in variables.items()})
+    own, kinds = _lets(words, "own")
+    words = replace(words, lets=lets | kinds)
+    beginning = [*_variables(variables), *(f"  {let}" for let in own)]
     parts = [PRELUDE, *top]
-    plays = ""
-    if choices.one_in(3):
-        protocol, nullable = _protocol(choices, lets)
-        parts.append(protocol)
+    if choices.one_in(4):
+        parts += ["statechart R {", *beginning, *_statechart(words), "}"]
+    else:
+        parts += _role(words, common, beginning)
+    return "\n".join(part for part in parts if part) + "\n"
+
+
+def _role(words: Words, common: Words, beginning: list[str]) -> list[str]:
+    """The role `R` by formulas, with the protocol that it plays, if it plays one."""
+    choices = words.choices
+    names = Names({}, [], "A")
+    protocol = plays = ""
+    if choices.one_in(2):
+        protocol, nullable = _protocol(common)
         names.helpers["a"] = nullable
         names.unused.append("a")
-        plays = "  plays p.a"
+        plays = "  plays p.a" + (" with P1 = A1" if choices.one_in(4) and "P1" in protocol else "")
     helpers = [f"helper{number}" for number in range(choices.number(0, 3))]
     formulas = _formulas(choices, names, "R", helpers, choices.number(1, 3))
-    variables = {name: kind for name, (kind, _) in VARIABLES.items()}
-    own, kinds = _lets(Words(choices, variables, lets), "own")
-    words = Words(choices, variables, lets | kinds)
-    parts += [
+    return [
+        protocol,
         "srm R {",
         plays,
-        *_variables(VARIABLES),
-        *(f"  {let}" for let in own),
+        *beginning,
         "  liveness {",
         *(f"    {name} = {made.text()}" for name, made in formulas),
         "  }",
         *(control(words, made, name) for name, made in formulas),
         "}",
     ]
-    return "\n".join(part for part in parts if part) + "\n"

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from hypothesis import strategies as st
-
 from aseme_dsl.runtime.inputs import (
     Arrived,
     Cancel,
@@ -23,11 +21,13 @@ from aseme_dsl.runtime.inputs import (
     Start,
     Written,
 )
-from tests.oracle.charts import CHANNELS, EVENTS, HOSTS, MS, RECEIVED, VARIABLES, Choices, Draw
+from tests.oracle.charts import CHANNELS, EVENTS, HOSTS, MS, RECEIVED
+from tests.oracle.choices import Choices
 from tests.oracle.interpreter import Reference
 from tests.support.generated import Generated
 
 Operation = tuple[Any, ...]
+KINDS = ("bool", "int", "double", "string", "Colour", "duration")
 
 
 @dataclass(frozen=True)
@@ -39,10 +39,8 @@ class Moment:
     late: tuple[Operation, ...] = ()
 
 
-@st.composite
-def moments(draw: Draw) -> list[Moment]:
+def moments(choices: Choices) -> list[Moment]:
     """A sequence of steps. What an operation means depends on the chart: `("done", 1)` is one that runs."""
-    choices = Choices(draw)
     found = [Moment(0, ())]
     for _ in range(choices.number(1, 20)):
         wait = choices.one_of((0, None, MS, 5 * MS, 10 * MS, 20 * MS, 1))
@@ -53,34 +51,29 @@ def moments(draw: Draw) -> list[Moment]:
 
 
 def _operation(choices: Choices) -> Operation:
-    match choices.weighted(done=12, arrival=12, event=5, back=4, mail=4, write=2, stale=2, crash=1):
+    match choices.weighted(done=12, arrival=12, event=6, back=5, mail=6, write=2, stale=2, crash=1):
         case "done":
             return ("done", choices.number(0, 3))
         case "arrival":
             return _arrival(choices)
         case "event":
-            return ("event", choices.one_of(EVENTS))
+            return ("event", choices.number(0, 2))
         case "back":
             return ("back",)
         case "mail":
             return ("mail", *choices.one_of(RECEIVED), choices.number(0, 2))
         case "write":
-            name = choices.one_of(list(VARIABLES))
-            return ("write", name, _value(choices, VARIABLES[name][0]))
+            return ("write", choices.number(0, 9), tuple(_value(choices, kind) for kind in KINDS))
         case "stale":
             return ("stale", choices.number(0, 9))
     return ("crash", choices.number(0, 3))
 
 
 def _arrival(choices: Choices) -> Operation:
-    channel = choices.one_of(CHANNELS)
-    if channel.endswith("M"):
-        kinds = {"x": "int", "on": "bool", "d": "double", "s": "string", "colour": "Colour", "inner": "Inner"}
-    else:
-        kinds = {"text": "string", "n": "int"}
+    kinds = {"x": "int", "on": "bool", "d": "double", "s": "string", "colour": "Colour", "inner": "Inner"}
     members = {name: _value(choices, kind) for name, kind in kinds.items()}
     age = choices.one_of((0, 0, MS, 5 * MS, 10 * MS, 30 * MS))
-    return ("arrival", channel, choices.one_of(HOSTS), age, tuple(members.items()))
+    return ("arrival", choices.number(0, 6), choices.one_of(HOSTS), age, members)
 
 
 def _value(choices: Choices, kind: str) -> Any:
@@ -194,10 +187,15 @@ class Game:
                     return []
                 label, token = self.old[number % len(self.old)]
                 return [Completed(label, token) if number < 5 else Crashed(label, token, "too late")]
-            case ("event", name):
-                return [Happened(name)]
-            case ("write", name, value):
-                return [Written(name, self.built(value))]
+            case ("event", number):
+                ways = self.plan.transitions
+                names = sorted({e[1] for way in ways for e in way.events if e[0] == "raised"}) or EVENTS
+                return [Happened(names[number % len(names)])]
+            case ("write", number, values):
+                if not self.plan.variables:
+                    return []
+                variable = self.plan.variables[number % len(self.plan.variables)]
+                return [Written(variable.name, self.built(values[KINDS.index(variable.type)]))]
             case ("mail", performative, message, number):
                 if not self.plan.branches:
                     return []
@@ -208,8 +206,12 @@ class Game:
                 back = [self.arrived(p.channel, p.message, "me", 0, p.region) for p in self.published]
                 self.published.clear()
                 return list(back)
-            case ("arrival", channel, sender, age, members):
-                values = {name: self.built(value) for name, value in members}
+            case ("arrival", number, sender, age, members):
+                channels = [info.name for info in self.plan.channels] or CHANNELS
+                channel = channels[number % len(channels)]
+                values = {name: self.built(value) for name, value in members.items()}
+                if channel.endswith("Note"):
+                    values = {"text": values["s"], "n": values["x"]}
                 message = self.made.message(channel.split(".")[2], **values)
                 return [self.arrived(channel, message, sender, age, None)]
         raise ValueError(operation)

@@ -1,6 +1,7 @@
 """The generated code and the interpreter agree on every step of random charts with random inputs.
 
-`ORACLE_EXAMPLES=2000 pytest tests/oracle/test_agreement.py` looks at more charts than the usual run does.
+The examples are the same in every run. `ORACLE_EXAMPLES=5000 pytest tests/oracle/test_agreement.py` looks at
+more of them, `ORACLE_FIRST=1000000` at others.
 """
 
 from __future__ import annotations
@@ -8,31 +9,50 @@ from __future__ import annotations
 import os
 import shutil
 import sys
+from collections.abc import Iterator
 
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 from aseme_dsl.runtime import chart
 from tests.oracle import interpreter
-from tests.oracle.charts import texts
-from tests.oracle.playing import Game, Moment, moments
+from tests.oracle.charts import text
+from tests.oracle.choices import Choices, simplest
+from tests.oracle.playing import Game, moments
 from tests.support.generated import Generated, generate
 
-EXAMPLES = int(os.environ.get("ORACLE_EXAMPLES", "150"))
+EXAMPLES = int(os.environ.get("ORACLE_EXAMPLES", "200"))
+FIRST = int(os.environ.get("ORACLE_FIRST", "0"))
 GAMES = 3
 """How many sequences of inputs are played with one chart."""
 
+GROUPS = 10
 ROUNDS = 60
 """The bound of a step here: charts that do not settle are many, and a thousand rounds of them are slow."""
 
+ATTEMPTS = 300
 
-@pytest.fixture(autouse=True, scope="module")
-def bound() -> None:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(chart, "ROUNDS", ROUNDS)
-        patch.setattr(interpreter, "ROUNDS", ROUNDS)
-        yield
+
+@pytest.fixture(autouse=True)
+def bound(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(chart, "ROUNDS", ROUNDS)
+    monkeypatch.setattr(interpreter, "ROUNDS", ROUNDS)
+
+
+def play(choices: Choices) -> Iterator[Game]:
+    """A random text, compiled, and some games with it.
+
+    Raises:
+        AssertionError: the text does not compile, or the two engines differ.
+    """
+    written = text(choices)
+    made = generate(written)
+    try:
+        for _ in range(GAMES):
+            game = Game(made, written)
+            game.play(moments(choices))
+            yield game
+    finally:
+        forget(made)
 
 
 def forget(made: Generated) -> None:
@@ -43,15 +63,29 @@ def forget(made: Generated) -> None:
     shutil.rmtree(made.folder)
 
 
-@settings(
-    max_examples=EXAMPLES,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.large_base_example],
-)
-@given(texts(), st.lists(moments(), min_size=1, max_size=GAMES))
-def test_generated_code_agrees_with_the_interpreter(text: str, games: list[list[Moment]]) -> None:
-    made = generate(text)
+def difference(made: list[int]) -> str | None:
+    """What goes wrong with these decisions, or None."""
     try:
-        for sequence in games:
-            Game(made, text).play(sequence)
-    finally:
-        forget(made)
+        for _ in play(Choices(replay=made)):
+            pass
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+    return None
+
+
+@pytest.mark.parametrize("group", range(GROUPS))
+def test_generated_code_agrees_with_the_interpreter(group: int) -> None:
+    for seed in range(FIRST + group, FIRST + EXAMPLES, GROUPS):
+        choices = Choices(seed)
+        try:
+            for _ in play(choices):
+                pass
+        except Exception as error:
+            kind = type(error)
+
+            def fails(made: list[int], kind: type[Exception] = kind) -> bool:
+                found = difference(made)
+                return found is not None and found.startswith(kind.__name__)
+
+            made = simplest(choices.made, fails, ATTEMPTS)
+            pytest.fail(f"example {seed}, made as simple as possible:\n{difference(made)}")
