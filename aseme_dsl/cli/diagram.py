@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -17,6 +18,9 @@ from aseme_dsl.cli.shared import (
     print_json,
     print_written,
 )
+
+OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp")
+"""Formats that one may expect, and that no folder is called after."""
 
 
 @click.command(
@@ -88,9 +92,14 @@ def command(
     suffix = Path(output).suffix[1:]
     format_ = format_ or (suffix if suffix in FORMATS else "svg")
     to_file = output == "-" or suffix == format_
+    if suffix.lower() in OTHER_PICTURES and not Path(output).is_dir():
+        raise click.UsageError(f"{output} cannot be written: a drawing is svg, png, pdf or dot.")
     try:
         system = with_labels(compiled.system, labels or compiled.configuration.labels or "plain")
         chosen = choose(system, models, options)
+        if to_file and len(chosen) != 1 and layout is None:
+            nested = choose(system, models, replace(options, layout=Layout.NESTED))
+            chosen = nested if len(nested) == 1 else chosen
         if to_file and len(chosen) != 1:
             names = ", ".join(item.name for item in chosen) or "none"
             raise click.UsageError(f"{output} takes one drawing, and these are {len(chosen)}: {names}.")

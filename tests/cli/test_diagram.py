@@ -59,6 +59,23 @@ def test_one_file_takes_one_drawing(here: Here, folder: Path) -> None:
     assert not (folder / "all.svg").exists()
 
 
+def test_a_statechart_in_one_file_is_drawn_nested(here: Here, folder: Path) -> None:
+    # As the example of `--help` has it.
+    done = here("diagram", "good.aseme", "iac.robot", "--at", "0.2", "--depth", "2", "-o", "robot.dot")
+    assert done.code == 0, done.err
+    assert "subgraph" in (folder / "robot.dot").read_text()
+    assert here("diagram", "good.aseme", "iac.robot", "--layout", "tree", "-o", "robot.dot").code == 0
+    assert "subgraph" not in (folder / "robot.dot").read_text()
+
+
+@pytest.mark.parametrize("name", ["robot.gif", "robot.jpeg", "robot.ps"])
+def test_a_picture_that_cannot_be_written_is_no_folder(here: Here, folder: Path, name: str) -> None:
+    done = here("diagram", "good.aseme", "srm", "-o", name)
+    assert done.code == 2
+    assert "svg, png, pdf or dot" in done.err
+    assert not (folder / name).exists()
+
+
 def test_a_named_file_is_overwritten_and_others_are_not(here: Here, folder: Path) -> None:
     (folder / "one.svg").write_text("old")
     assert here("diagram", "good.aseme", "srm", "-o", "one.svg").code == 0
