@@ -376,7 +376,7 @@ def test_what_was_read_ahead_does_not_come_twice(play: Play) -> None:
 
 
 def test_an_own_signal_that_an_action_reads_is_consumed(play: Play) -> None:
-    """ "or an action reads one, that channel is "asked" in that region"; "consumed (the one that was seen)" """
+    """ "or an action reads one, that channel is "asked""; "(the one that was seen)" """
     run = play("""
         srm R {
           var v : int = 0

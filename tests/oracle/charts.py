@@ -647,7 +647,7 @@ def text(choices: Choices) -> str:
     words = replace(words, lets=lets | kinds)
     beginning = [*_variables(variables), *(f"  {let}" for let in own)]
     parts = [PRELUDE, *top]
-    if choices.one_in(4):
+    if choices.one_in(3):
         parts += ["statechart R {", *beginning, *_statechart(words), "}"]
     else:
         parts += _role(words, common, beginning)
@@ -659,7 +659,7 @@ def _role(words: Words, common: Words, beginning: list[str]) -> list[str]:
     choices = words.choices
     names = Names({}, [], "A")
     protocol = plays = ""
-    if choices.one_in(2):
+    if not choices.one_in(3):
         protocol, nullable = _protocol(common)
         names.helpers["a"] = nullable
         names.unused.append("a")

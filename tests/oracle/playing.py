@@ -61,7 +61,7 @@ def _operation(choices: Choices) -> Operation:
         case "back":
             return ("back",)
         case "mail":
-            return ("mail", *choices.one_of(RECEIVED), choices.number(0, 2))
+            return ("mail", choices.number(0, 3), choices.number(0, 2))
         case "write":
             return ("write", choices.number(0, 9), tuple(_value(choices, kind) for kind in KINDS))
         case "stale":
@@ -196,10 +196,13 @@ class Game:
                     return []
                 variable = self.plan.variables[number % len(self.plan.variables)]
                 return [Written(variable.name, self.built(values[KINDS.index(variable.type)]))]
-            case ("mail", performative, message, number):
+            case ("mail", kind, number):
                 if not self.plan.branches:
                     return []
                 branch = self.plan.branches[number % len(self.plan.branches)].label
+                awaited = [e[1:3] for way in self.plan.transitions for e in way.events if e[0] == "received"]
+                kinds = list(dict.fromkeys(awaited)) or RECEIVED
+                performative, message = kinds[kind % len(kinds)]
                 content = self.made.message(message)
                 return [Mail(branch, performative, message, content, "other", "ann", self.identity("ann"))]
             case ("back",):
