@@ -6,7 +6,7 @@ import os
 import re
 import stat
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -296,6 +296,11 @@ def _content(loader: _Loader, place: _Place, item: tree.Import | None) -> str | 
             return _too_large(place.shown, item, found.st_size, loader.largest)
         content = Path(place.key).read_bytes()
     except FileNotFoundError:
+        library = Path(place.key).name.removesuffix(".aseme")
+        if item is not None and library in _library():
+            hint = f"the library is written `import {library}`"
+            missing = fail("E004", f"there is no file {place.shown}", hint)
+            return replace(missing, fix=library)
         code = "E001" if item is None else "E004"
         return fail(code, f"there is no file {place.shown}", _neighbour(place))
     except (OSError, ValueError) as problem:  # ValueError: a path with a NUL character

@@ -127,6 +127,13 @@ def test_a_library_that_is_not_there(tmp_path: Path) -> None:
     assert (neighbour.code, neighbour.fix) == ("E004", '"words.aseme"')
 
 
+@pytest.mark.parametrize("written", ["soccer", "soccer.aseme"])
+def test_a_library_in_quotes(tmp_path: Path, written: str) -> None:
+    write(tmp_path, main=f'import "{written}"')
+    found = only(load(tmp_path / "main.aseme"))
+    assert (found.code, found.hint, found.fix) == ("E004", "the library is written `import soccer`", "soccer")
+
+
 @pytest.mark.parametrize(
     ("content", "code", "words"),
     [
