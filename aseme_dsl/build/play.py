@@ -34,6 +34,10 @@ class PlayError(Exception):
     """Nothing can be played as it was asked for; the text says why."""
 
 
+class NoSuchPlan(PlayError):
+    """The plan that was asked for is not there, or is not the only one of that name."""
+
+
 @dataclass(frozen=True, slots=True)
 class Request:
     """How to play; what is None is as the project says, or as usual.
@@ -109,19 +113,19 @@ def select(systems: Sequence[Loaded], plan: str | None) -> tuple[Loaded, str | N
     """The system that has a plan (`player`, or `Kouretes.player`), and the plan's own name.
 
     Raises:
-        PlayError: none has it, or several have; or without `plan` there are several systems.
+        NoSuchPlan: none has it, or several have; or without `plan` there are several systems.
     """
     known = {f"{item.name}.{name}": item for item in systems for name in item.charts}
     if plan is None:
         if len(systems) > 1:
-            raise PlayError(f"there are several systems: choose a plan of {', '.join(known)}")
+            raise NoSuchPlan(f"there are several systems: choose a plan of {', '.join(known)}")
         return systems[0], None
     found = [name for name in known if plan in (name, name.partition(".")[2])]
     if len(found) != 1:
         near = closest(plan, [*known, *(name.partition(".")[2] for name in known)])
         hint = f"did you mean {near}? " if near and not found else ""
         what = "several plans are" if found else "no plan is"
-        raise PlayError(f"{what} called {plan}; {hint}there are {', '.join(found or known)}")
+        raise NoSuchPlan(f"{what} called {plan}; {hint}there are {', '.join(found or known)}")
     return known[found[0]], found[0].partition(".")[2]
 
 

@@ -147,7 +147,7 @@ def command(
     """Play; 1 if the file has errors, it cannot be played, or an agent fails."""
     from aseme_dsl.build.build import activities_folder, choose
     from aseme_dsl.build.configuration import find_configuration
-    from aseme_dsl.build.play import PlayError, Request, carried, is_output, load, play, select
+    from aseme_dsl.build.play import NoSuchPlan, PlayError, Request, carried, is_output, load, play, select
     from aseme_dsl.cli.telling import Telling
 
     report: Report | None = None
@@ -189,12 +189,14 @@ def command(
             configuration,
             request,
             tell=telling.line,
-            listeners=(telling.record,),
+            listeners=(telling,),
             tick=telling.tick,
         )
     except PlayError as problem:
         if as_json:
             print_json({"result": None, "problem": str(problem), **diagnostics_json(())})
+        if isinstance(problem, NoSuchPlan):
+            raise click.UsageError(f"{problem}.") from problem
         raise click.ClickException(str(problem)) from problem
     telling.end()
     return _print(played, loaded, report, folder, telling, as_json)

@@ -211,16 +211,17 @@ class TestPlans:
             (folder / "both" / system / "monas" / system).rename(folder / "robot" / "monas" / system)
         assert len(here("run", "robot", "--list").out.splitlines()) == 2
         done = here("run", "robot", "--for", "1s")
-        assert done.code == 1
+        assert done.code == 2
         assert "choose a plan of Runner.robot, Walker.robot" in done.err
         assert "several plans are called robot" in here("run", "robot", "--plan", "robot").err
         assert here("run", "robot", "--plan", "Runner.robot", "--for", "1s").code == 0
 
     def test_a_plan_that_is_not_there(self, here: Here, folder: Path) -> None:
         done = here("run", "good.aseme", "--plan", "robbot")
-        assert done.code == 1
+        assert done.code == 2
         assert "no plan is called robbot; did you mean robot?" in done.err
-        assert here("run", "good.aseme", "--plan", "robbot", "--json").json["result"] is None
+        told = here("run", "good.aseme", "--plan", "robbot", "--json")
+        assert (told.code, told.json["result"]) == (2, None)
 
     def test_without_a_team_the_only_role_plays(self, here: Here, folder: Path) -> None:
         (folder / "good.aseme").write_text(GOOD.partition("team")[0])
