@@ -72,7 +72,15 @@ class Telling:
             self._stream.write(f"\r\x1b[K{_time(moment)}")
             self._stream.flush()
 
-    def record(self, record: Mapping[str, Any]) -> None:
+    def wants(self, kind: str, what: str | None) -> bool:
+        """Whether there may be something to show in such a line of the trace."""
+        if kind == "activity":
+            return what == "crash" or (what == "start" and self._activities)
+        if kind == "step":
+            return self._transitions
+        return kind in ("fault", "error") or (kind == "log" and self._activities)
+
+    def __call__(self, record: Mapping[str, Any]) -> None:
         """A line of the trace."""
         kind = record["kind"]
         if kind == "activity":

@@ -38,6 +38,8 @@ FORMAT = 1
 
 Record = dict[str, Any]
 Listener = Callable[[Record], None]
+"""Is shown the lines: all, or if it has a method `wants(kind, what)` those of which that says so. It is asked
+once for each kind; `what` is that of an activity's line, else None."""
 
 _encode = json.JSONEncoder(ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode
 _text = cache(_encode)
@@ -65,6 +67,8 @@ class Trace:
         self.path = path
         self.error: str | None = None
         self._listeners = tuple(listeners)
+        self._listening: dict[tuple[str, str | None], tuple[Listener, ...]] = {}
+        self._ways: dict[tuple[int, tuple[int, ...]], str] = {}
         self._remarks: set[str] = set()
         self._lock = threading.Lock()
         self._file: TextIO | None = None
@@ -77,17 +81,35 @@ class Trace:
 
     def write(self, kind: str, moment: int, **members: Any) -> None:
         """Write a line. Members that are None or empty tuples are left out."""
-        if not self.active:
+        listening = self._who_wants(kind, members.get("what"))
+        if self._file is None and not listening:
             return
         record: Record = {"kind": kind, "time": moment}
         for name, value in members.items():
             if value is not None and value != ():
                 record[name] = value
         with self._lock:
-            for listener in self._listeners:
+            for listener in listening:
                 listener(record)
             if self._file is not None:
                 self._put(self._file, _encode(record))
+
+    def _who_wants(self, kind: str, what: str | None = None) -> tuple[Listener, ...]:
+        """The listeners that are shown such a line."""
+        found = self._listening.get((kind, what))
+        if found is None:
+            found = tuple(item for item in self._listeners if getattr(item, "wants", _always)(kind, what))
+            self._listening[kind, what] = found
+        return found
+
+    def _is_only_written(self, kind: str, what: str | None = None) -> bool:
+        """Whether such a line goes nowhere but into the file: then it may be put together by hand."""
+        return self._file is not None and not self._who_wants(kind, what)
+
+    def _put_line(self, line: str) -> None:
+        with self._lock:
+            if self._file is not None:
+                self._put(self._file, line)
 
     def _put(self, file: TextIO, line: str) -> None:
         try:
@@ -162,7 +184,23 @@ class Trace:
         via: str | None = None,
     ) -> None:
         """A message was published and goes to the agents `to` (by radio: to whoever hears it)."""
-        if self.active:
+        if self._is_only_written("message"):
+            line = (
+                f'{{"kind":"message","time":{moment},"agent":{_text(identity[0])},"sequence":{identity[1]}'
+                f',"channel":{_text(channel)},"message":{_encode(to_json(message))}'
+            )
+            told = (
+                ("host", host),
+                ("region", region),
+                ("activity", activity),
+                ("sender", sender),
+                ("via", via),
+            )
+            for name, value in told:
+                if value is not None:
+                    line += f',"{name}":{_text(value)}'
+            self._put_line(f'{line},"to":[{",".join(map(_text, to))}]}}')
+        elif self.active:
             self.write(
                 "message",
                 moment,
@@ -195,34 +233,59 @@ class Trace:
         """
         if not self.active:
             return
-        self.write(
-            "step",
-            moment,
-            agent=agent,
-            step=number,
-            inputs=[list(identity) for identity in inputs],
-            ahead=[list(item.identity) for item in ahead] or None,
-            taken=[_way(plan, numbers) for numbers in outcome.taken],
-            functions=[
-                {"function": effect.function, "value": to_json(effect.value)}
-                for effect in outcome.effects
-                if isinstance(effect, FunctionResult)
-            ]
-            or None,
-            mail=[list(effect.identity) for effect in outcome.effects if isinstance(effect, MailTaken)]
-            or None,
-            configuration=None if configuration is None else list(configuration),
-            again=outcome.again or None,
-            finished=outcome.finished or None,
-        )
+        further: Record = {}
+        functions = [
+            {"function": effect.function, "value": to_json(effect.value)}
+            for effect in outcome.effects
+            if isinstance(effect, FunctionResult)
+        ]
+        if functions:
+            further["functions"] = functions
+        mail = [list(effect.identity) for effect in outcome.effects if isinstance(effect, MailTaken)]
+        if mail:
+            further["mail"] = mail
+        if configuration is not None:
+            further["configuration"] = list(configuration)
+        if outcome.again:
+            further["again"] = True
+        if outcome.finished:
+            further["finished"] = True
+        seen = [list(item.identity) for item in ahead]
+        if self._is_only_written("step"):
+            line = (
+                f'{{"kind":"step","time":{moment},"agent":{_text(agent)},"step":{number}'
+                f',"inputs":{_encode(list(inputs))}'
+            )
+            if seen:
+                line += f',"ahead":{_encode(seen)}'
+            line += f',"taken":[{",".join([self._way_text(plan, numbers) for numbers in outcome.taken])}]'
+            self._put_line(f"{line},{_encode(further)[1:]}" if further else line + "}")
+        else:
+            self.write(
+                "step",
+                moment,
+                agent=agent,
+                step=number,
+                inputs=[list(identity) for identity in inputs],
+                ahead=seen or None,
+                taken=[_way(plan, numbers) for numbers in outcome.taken],
+                **further,
+            )
         for effect in outcome.effects:
             if isinstance(effect, Fault):
                 at = plan.transitions[effect.transition].at
                 self.fault(moment, agent, effect.reason, at, transition=effect.transition)
 
+    def _way_text(self, plan: Plan, numbers: tuple[int, ...]) -> str:
+        """`_way` as it is written; it is the same each time."""
+        found = self._ways.get((id(plan), numbers))
+        if found is None:
+            found = self._ways[id(plan), numbers] = _encode(_way(plan, numbers))
+        return found
+
     def activity(self, what: str, moment: int, agent: str, effect: Start | Cancel, **members: Any) -> None:
         """Something in the life of an activity: start, wait, missed, end, crash, cancel, late, overrun."""
-        if not self._listeners and self._file is not None and members.keys() <= _NUMBERS:
+        if members.keys() <= _NUMBERS and self._is_only_written("activity", what):
             # Most lines of a trace are these; put together by hand they cost a quarter.
             line = (
                 f'{{"kind":"activity","time":{moment},"agent":{_text(agent)},"what":"{what}"'
@@ -230,9 +293,7 @@ class Trace:
             )
             for name, value in members.items():
                 line += f',"{name}":{value}'
-            with self._lock:
-                if self._file is not None:
-                    self._put(self._file, line + "}")
+            self._put_line(line + "}")
         elif self.active:
             self.write(
                 "activity",
@@ -260,6 +321,10 @@ class Trace:
     def failure(self, moment: int, agent: str, reason: str, at: str = "", **members: Any) -> None:
         """The agent stops."""
         self.write("error", moment, agent=agent, reason=reason, at=at or None, **members)
+
+
+def _always(kind: str, what: str | None) -> bool:
+    return True
 
 
 def _way(plan: Plan, numbers: tuple[int, ...]) -> Record:
