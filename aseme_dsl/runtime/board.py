@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, ClassVar
 
-from aseme_dsl.runtime.inputs import Arrived
+from aseme_dsl.runtime.inputs import Arrived, Identity
 
 NEVER = sys.maxsize
 """A moment that does not come."""
@@ -21,7 +21,7 @@ class Board:
     (slot, host or None), `TIMED` the slots that have a companion `…_time` with the time of measurement.
     """
 
-    __slots__ = ("_data", "_seen", "_signals", "_states", "asked", "drafts", "timers")
+    __slots__ = ("_data", "_seen", "_signals", "_states", "ahead", "asked", "drafts", "timers")
 
     CHANNELS: ClassVar[frozenset[str]] = frozenset()
     QUEUED: ClassVar[frozenset[str]] = frozenset()
@@ -34,6 +34,8 @@ class Board:
         self._data: dict[str, tuple[Arrived, ...]] = {}
         self._signals: dict[str, list[Arrived]] = {}
         self._seen: dict[tuple[str, str | None], Arrived] = {}
+        self.ahead: set[Identity] = set()
+        """What `read_messages` has put here before it comes as an input."""
         self.asked: list[Arrived] = []
         self.timers: dict[str, int] = {}
         self.drafts: dict[tuple[str, str | None], dict[tuple[str, ...], Any]] = {}
@@ -90,7 +92,7 @@ class Board:
         kept: list[Arrived] = []
         before: set[str] = set()
         for entry in reversed(history):
-            if entry.time > oldest:
+            if entry.time >= oldest:
                 kept.append(entry)
             elif entry.sender not in before:
                 before.add(entry.sender)

@@ -19,7 +19,6 @@ from aseme_dsl.runtime.inputs import (
     Fault,
     FunctionResult,
     Happened,
-    Identity,
     Input,
     Joined,
     Left,
@@ -80,7 +79,6 @@ class Chart:
     """
 
     __slots__ = (
-        "_ahead",
         "_faults",
         "_functions",
         "_seen_events",
@@ -124,7 +122,6 @@ class Chart:
         self.mail: dict[str, list[Mail]] = {info.label: [] for info in self.PLAN.branches}
         self.writes: list[tuple[int, str, Any]] = []
         self.pending: Callable[[], Iterable[Arrived]] = tuple
-        self._ahead: set[tuple[int, Identity]] = set()
         self._faults: set[int] = set()
         self._functions: dict[str, tuple[Callable[..., Any], tuple[type, ...]]] = {}
         self.outcome = Outcome()
@@ -210,13 +207,12 @@ class Chart:
                 boards = self.boards()
                 for region in self.READERS.get(item.channel, ()):
                     board = boards[region]
-                    if (
-                        board is not None
-                        and item.written_by != self.REGIONS[region]
-                        and (region, item.identity) not in self._ahead
-                    ):
+                    if board is None or item.written_by == self.REGIONS[region]:
+                        continue
+                    if item.identity in board.ahead:
+                        board.ahead.discard(item.identity)
+                    else:
                         board.put(item, self.now)
-                    self._ahead.discard((region, item.identity))
             case Completed(label, token):
                 leaf, owner, number = self.RUNNING[label]
                 runs = getattr(self, leaf) == number and label not in self.failed
@@ -359,11 +355,10 @@ class Chart:
     def read_messages(self, region: int, board: Board) -> None:
         """Let the region see what has arrived since the step began."""
         for item in self.pending():
-            key = (region, item.identity)
             if (
                 item.channel in board.CHANNELS
                 and item.written_by != self.REGIONS[region]
-                and key not in self._ahead
+                and item.identity not in board.ahead
             ):
-                self._ahead.add(key)
+                board.ahead.add(item.identity)
                 board.put(item, self.now)
