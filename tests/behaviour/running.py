@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from enum import IntEnum
 from typing import Any, Protocol
 
@@ -60,9 +60,11 @@ class Run:
     # ---- inputs -----------------------------------------------------------------------------
 
     def step(self, *inputs: Input, ms: float = 0) -> Run:
-        """One step, `ms` after the last one."""
-        self.now += round(ms * MS)
-        self.last = self.chart.step(self.now, inputs)
+        """One step, `ms` after the last one; what was heard is as old then as `heard` says."""
+        wait = round(ms * MS)
+        self.now += wait
+        dated = [replace(i, time=i.time + wait) if isinstance(i, Arrived) else i for i in inputs]
+        self.last = self.chart.step(self.now, dated)
         for start in self.last.of(Start):
             self.tokens[start.label] = start.token
         return self

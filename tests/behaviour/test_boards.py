@@ -390,3 +390,51 @@ def test_an_own_signal_that_an_action_reads_is_consumed(play: Play) -> None:
     run.step(run.done("A"))
     assert run.active == ["B"]
     assert run.variable("v") == 5
+
+
+def test_what_a_region_read_ahead_comes_to_the_region_entered_after_it(play: Play) -> None:
+    """ "an arrived message is put on the board of every active region that reads its channel" """
+    run = play("""
+        srm R {
+          liveness { R = (first || C)~  first = A . B . D }
+          control R { repeat (first || C) : when [q.signal.M.on] }
+          control first { enter B : / read_messages  enter D : [has(t.signal.M)] }
+        }
+    """).step()
+    late = run.heard("t.signal.M")
+    run.chart.pending = lambda: (late,)
+    run.step(run.done("A"), run.heard("q.signal.M", on=True))
+    assert run.active == ["A", "C"]
+    run.chart.pending = tuple
+    run.step(late, run.done("A"))
+    assert run.step(run.done("B")).active == ["D", "C"]
+
+
+def test_the_mean_has_every_value_of_its_window(play: Play) -> None:
+    """ "mean over values with time ≥ now - w" """
+    run = play("""
+        srm R {
+          var v : double = 0
+          liveness { R = A~ }
+          control R { repeat A : go / v = mean(t.data.M.x, 10ms) }
+        }
+    """).step()
+    run.step(run.heard("t.data.M", x=1), run.heard("t.data.M", x=3))
+    run.step(run.heard("t.data.M", x=8), run.event("go"), ms=10)
+    assert run.variable("v") == 4
+
+
+def test_looking_back_at_one_sender(play: Play) -> None:
+    """ "`at(x, -d)` = newest value whose time ≤ now - d" """
+    run = play("""
+        srm R {
+          var v : int = 0
+          liveness { R = A~ }
+          control R { repeat A : go / v = at(ann.t.data.M.x, -10ms) }
+        }
+    """).step()
+    run.step(run.heard("t.data.M", "ann", x=1), ms=1)
+    run.step(run.heard("t.data.M", "bob", x=2), ms=1)
+    run.step(run.heard("t.data.M", "bob", x=3), ms=20)
+    run.step(run.event("go"))
+    assert run.variable("v") == 1
