@@ -14,8 +14,16 @@ author = "the aseme-dsl authors"
 copyright = f"2026, {author}"
 version = release = aseme_dsl.__version__
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "aseme_lexer"]
-exclude_patterns = ["_build", "_ext"]
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "aseme_lexer",
+    "diagnostic_codes",
+    "file_names",
+    "trace_lines",
+]
+exclude_patterns = ["_build", "_ext", "_static"]
 source_suffix = {".md": "markdown"}
 
 myst_enable_extensions = ["colon_fence", "deflist", "fieldlist"]
@@ -26,3 +34,5 @@ autodoc_typehints = "description"
 
 html_theme = "furo"
 html_title = f"aseme-dsl {version}"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]

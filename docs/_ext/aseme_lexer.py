@@ -11,13 +11,15 @@ from sphinx.application import Sphinx
 # Words that begin a block, an entry or a clause. Most of them are free to be names elsewhere; for
 # colours the difference does not matter.
 DECLARATIONS = (
-    "actor aip clause control enum engage enter finish function goal import include includes language let "
-    "leave liveness message outcome participant process repeat role sag skip srm start statechart suc "
-    "system team topic usecase var"
+    "activities actor aip capability clause control engage enter enum finish function functionality goal "
+    "import include includes language leave let liveness message outcome participant plays process "
+    "property receives repeat role sag scenario sends skip srm start statechart suc system team topic "
+    "usecase var"
 ).split()
 CLAUSES = (
-    "after agent at before by data depends else end leads most on once or and not one optional plays radio "
-    "realises repeated send signal state to uses when with"
+    "above activity after and around as at before below by data depends else every for from in leads most "
+    "not on once one optional or persist queued radio reads realises repeated send signal state takes to "
+    "under uses when with within writes START END OR AND BASIC CONDITION"
 ).split()
 TYPES = (
     "abstract bool bytes double duration external float human int int32 int64 legacy string uint32 uint64"
@@ -44,7 +46,7 @@ class AsemeLexer(RegexLexer):
             (words(TYPES, prefix=r"\b", suffix=r"\b"), Keyword.Type),
             (r"[A-Za-z_][A-Za-z0-9_]*(?=\s*\()", Name.Function),
             (r"[A-Za-z_][A-Za-z0-9_]*", Name),
-            (r"->|[<>=!]=|&&|\|\||[-+*/%<>=!~|@?ω]", Operator),
+            (r"->|[<>=!]=|&&|\|\||[-+*/%<>=!~|@?#ω]", Operator),
             (r"[][(){}.,:;]", Punctuation),
         ]
     }

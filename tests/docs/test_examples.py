@@ -1,0 +1,31 @@
+"""Every example of the documentation and of the README is run, page by page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.cli.program import COMMANDS
+from tests.docs.pages import ROOT, Page
+
+PAGES = sorted(
+    path
+    for path in [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
+    if not {"_build", "_ext"} & set(path.relative_to(ROOT).parts)
+)
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_the_examples_of_a_page_do_what_it_says(
+    path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pytestconfig: pytest.Config
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    Page(path, tmp_path, update=pytestconfig.getoption("--snapshot-update")).run()
+
+
+def test_every_command_has_its_help_in_the_reference() -> None:
+    text = (ROOT / "docs" / "commands.md").read_text("utf-8")
+    assert [name for name in COMMANDS if f"$ asemec {name} --help\n" not in text] == []
