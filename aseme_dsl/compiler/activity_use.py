@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.names import unknown
 from aseme_dsl.compiler.usecases import folded
@@ -99,6 +99,22 @@ def close_names(
             )
 
 
+def unplayed(iacs: Iterable[Statechart], aips: Iterable[tree.Aip]) -> Iterator[Diagnostic]:
+    """W202 for an activity of a role that is called like a participant which the role does not play."""
+    participants = {part.name.text: (aip, part) for aip in aips for part in aip.participants}
+    for chart in iacs:
+        for name, node in used_activities([chart]).items():
+            if name in participants and node.origin.kind is OriginKind.FORMULA:
+                aip, part = participants[name]
+                yield Diagnostic(
+                    "W202",
+                    f"`{name}` is an activity here, for {chart.name} does not play the participant",
+                    node.span,
+                    (Related(part.name.span, f"the participant of {aip.name}"),),
+                    hint=f"write `plays {aip.name}.{name}` in srm {chart.name}",
+                )
+
+
 def _shapes(name: str) -> Sequence[str]:
     """The name itself and all that lack one of its letters: close names share one of these."""
     if len(name) < _LONG:
@@ -124,4 +140,4 @@ def _is_close(one: str, other: str) -> bool:
     return swapped or (len(left) <= 1 and len(right) <= 1)
 
 
-__all__ = ["all_activities", "check_described", "close_names", "used_activities"]
+__all__ = ["all_activities", "check_described", "close_names", "unplayed", "used_activities"]

@@ -13,12 +13,13 @@ from aseme_dsl.amola.expression import (
     StartTimer,
     TransitionExpression,
     VariableValue,
+    values_of,
     walk,
 )
 from aseme_dsl.amola.messages import Comm
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
 from aseme_dsl.compiler.formulas import cut
-from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics import Diagnostic, Related, closest
 
 _POINTS = (NodeType.START, NodeType.CONDITION)
 
@@ -69,6 +70,28 @@ def check_reach(chart: Statechart) -> Iterator[Diagnostic]:
                 yield Diagnostic("W600", f"no transition leads to {_called(child)}", child.span)
             elif child.type is not NodeType.END and not _is_left(chart, child, left):
                 yield Diagnostic("W601", f"no transition leads out of {_called(child)}", child.span)
+
+
+def check_timers(chart: Statechart) -> Iterator[Diagnostic]:
+    """W501 for a timer that a region asks for and does not start: it belongs to the region that starts it."""
+    started: dict[str, set[str]] = {}
+    for transition in chart.transitions:
+        for action in transition.expression.actions:
+            if isinstance(action, StartTimer):
+                started.setdefault(action.timer, set()).add(chart.region_of(transition.source))
+    for transition in chart.transitions:
+        region = chart.region_of(transition.source)
+        for value in values_of(transition.expression):
+            if isinstance(value, Expired) and region not in started.get(value.timer, ()):
+                hint = f"start it on the way there: / start_timer({value.timer}, 1s)"
+                if value.timer in started:
+                    hint = (
+                        "a timer belongs to the region that starts it; this is another one of the same role"
+                    )
+                elif near := closest(value.timer, started):
+                    hint = f"did you mean `{near}`?"
+                message = f"the timer `{value.timer}` is never started here, so it never expires"
+                yield Diagnostic("W501", message, value.span, hint=hint)
 
 
 def _is_left(chart: Statechart, node: Node, left: set[str]) -> bool:
@@ -288,4 +311,4 @@ def _names(nodes: Iterable[Node]) -> Iterator[str]:
     return (node.name if node.type in (NodeType.OR, NodeType.AND, NodeType.BASIC) else "·" for node in nodes)
 
 
-__all__ = ["check_flow", "check_reach"]
+__all__ = ["check_flow", "check_reach", "check_timers"]

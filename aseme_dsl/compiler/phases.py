@@ -11,12 +11,18 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import Analysis, Options
 from aseme_dsl.compiler.activities import merge_activities, type_activity
-from aseme_dsl.compiler.activity_use import all_activities, check_described, close_names, used_activities
+from aseme_dsl.compiler.activity_use import (
+    all_activities,
+    check_described,
+    close_names,
+    unplayed,
+    used_activities,
+)
 from aseme_dsl.compiler.aip_to_eac import aip_to_eac, read_protocol
 from aseme_dsl.compiler.blocks import Blocks, blocks_of
 from aseme_dsl.compiler.chart import World
 from aseme_dsl.compiler.damage import damage
-from aseme_dsl.compiler.flow import check_flow, check_reach
+from aseme_dsl.compiler.flow import check_flow, check_reach, check_timers
 from aseme_dsl.compiler.load import Loaded, load
 from aseme_dsl.compiler.resolve import resolve
 from aseme_dsl.compiler.sag_to_suc import read_sag, sag_to_suc
@@ -100,6 +106,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     if len(charts) == len(eacs) + len(iacs):
         found += check_described(_described_in(blocks), used, formulas, is_damaged)
     found += close_names(used, described, formulas)
+    found += unplayed(_built(iacs), blocks.aips)
     capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
     cases = use_cases(suc, [*protocols, *(item.name.text for item in formulas), *used, *capabilities])
     missing = [*suc_to_aip(cases, blocks.aips)]
@@ -112,6 +119,9 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     found += [item.note for item in missing]
     if symbols.system is None:
         found += _no_system(loaded)
+
+    if not has_errors(found):  # else the line that starts a timer may be what is missing
+        found += [problem for chart in charts for problem in check_timers(chart)]
 
     diagnostics = in_order(_without_consequences(found))
     if has_errors(diagnostics) or symbols.system is None:

@@ -67,6 +67,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E217": ("error", "topics that are below each other"),
     "W200": ("warning", "a name that is close to a declared one"),
     "W201": ("warning", "an activity without code and without a duration"),
+    "W202": ("warning", "a participant that the role does not play"),
     # Formulas (E3xx)
     "E300": ("error", "a recursive formula"),
     "E301": ("error", "two formulas of one name"),

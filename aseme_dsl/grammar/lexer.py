@@ -279,11 +279,16 @@ class _Cleaner:
     def _word(self, text: str, start: int) -> None:
         if text.isascii() or text == "ω":
             return
+        if (
+            text[-1] == "ω" and text[:-1].isascii()
+        ):  # as the papers write it; names are ASCII, so it ends here
+            self.replaced.append((start, text[:-1] + "~"))
+            return
         end = start + len(text)
         meant = "".join(c if c.isascii() else "_" for c in text)
         hint = "names consist of the letters A to Z and a to z, digits and '_'"
         fix = None
-        if text[-1] in "ωΩ" and text[:-1].isascii():
+        if text[-1] == "Ω" and text[:-1].isascii():
             meant = text[:-1] + "~"
             hint = f"{shown(text)} is one name; write {shown(meant)} for {text[:-1]} forever"
             fix = meant

@@ -26,6 +26,7 @@ from tests.grammar.reading import declared, formula, mistakes, nodes
         ("([(A)])", "([(A)])"),
         ("A ~ * +", "A~*+"),
         ("A ω | B^ω|C~", "A~ | B~ | C~"),
+        ("Aω || (B | C)ω || [D]ω", "A~ || (B | C)~ || [D]~"),
         ("A[3]", "A[3]"),
         ("A [ 12 ]", "A[12]"),
         ("|A~|3", "A~[3]"),
