@@ -5,6 +5,8 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import reduce
+from operator import add
 from typing import Any, ClassVar
 
 from aseme_dsl.runtime.inputs import Arrived, Identity
@@ -141,7 +143,8 @@ class Board:
         path = member.split(".")
         found = (_member(item.message, path) for item in self.history(channel, host) if item.time >= since)
         values = [value for value in found if value is not None]
-        return sum(values) / len(values) if values else None
+        # `sum` adds floats differently from one version of Python to another
+        return reduce(add, values) / len(values) if values else None
 
     def expired(self, timer: str, now: int) -> bool:
         """Whether a timer was started and has run out."""
