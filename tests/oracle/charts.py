@@ -310,7 +310,8 @@ class Words:
                         left, right = (self.value("duration", depth - 1) for _ in range(2))
                         return f"({left} {operator} {right})"
                     case "scaled":
-                        return f"({self.value('int', depth - 1)} * {self.value('duration', depth - 1)})"
+                        factor = pick.one_of(("int", "double"))
+                        return f"({self.value(factor, depth - 1)} * {self.value('duration', depth - 1)})"
                 return f"({self.value('duration', depth - 1)} / {self.value('int', depth - 1)})"
         return self._plain(kind, depth)
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import reduce
 from importlib import import_module
-from math import floor
+from operator import add
 from typing import Any
 
 from aseme_dsl.runtime.inputs import (
@@ -713,7 +714,7 @@ class Reference:
                     history = sorted(of_sender(region.data.get(channel, []), host), key=lambda m: m.time)
                     values = [member(m.message, path) for m in history if m.time >= self.now - found]
                     there = [value for value in values if value is not ABSENT]
-                    found = sum(there) / len(there) if there else ABSENT
+                    found = reduce(add, there) / len(there) if there else ABSENT
             case ("!" | "&&" | "||", *_):
                 # "As a plain value, a logic expression is True if it holds, False if it fails, else absent."
                 found = True if self.holds(term, region) else False if self.fails(term, region) else ABSENT
@@ -738,7 +739,7 @@ class Reference:
                 return constant
             case ("duration", inner):
                 # "Time is an `int` of nanoseconds everywhere"
-                return floor(self.compute(inner))
+                return int(self.compute(inner))
             case ("neg", inner):
                 return -self.compute(inner)
             case ("builtin", name, *arguments):

@@ -20,7 +20,7 @@ from tests.oracle.choices import Choices, simplest
 from tests.oracle.playing import Game, moments
 from tests.support.generated import Generated, generate
 
-EXAMPLES = int(os.environ.get("ORACLE_EXAMPLES", "300"))
+EXAMPLES = int(os.environ.get("ORACLE_EXAMPLES", "200"))
 FIRST = int(os.environ.get("ORACLE_FIRST", "0"))
 GAMES = 3
 """How many sequences of inputs are played with one chart."""
