@@ -183,7 +183,8 @@ class Page:
             got = self._command(command)
             if not agrees(output, got):
                 if not self.update or "..." in "\n".join(output):
-                    raise Wrong(f"`{command}` says something else\n{difference(output, got)}")
+                    again = "pytest tests/docs --snapshot-update writes it here, except where `...` stands"
+                    raise Wrong(f"`{command}` says something else\n{difference(output, got)}\n{again}")
                 output = got
             now += [*f"$ {command}".split("\n"), *output]
         if now != clean(example.text):
