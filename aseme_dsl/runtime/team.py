@@ -121,6 +121,14 @@ class Team:
         with importing(self._path):
             self._check_activities({chart.PLAN.name: chart for _, chart in members}.values(), find)
         self._script = self._checked(tuple(script), members)
+        there = world.bodies if world is not None else bodies or {}
+        with_radio = [
+            name
+            for name, chart in members
+            if name in there and any(info.radio is not None for info in chart.PLAN.channels)
+        ]
+        if with_radio and schema is None:
+            raise TeamError(f"{with_radio[0]} has a radio, but the messages have no schema for it")
         self.trace = Trace(trace, listeners)
         self.driver = self._driver(clock)
         self.bus = Bus(self.driver, self.trace, state_directory)
@@ -135,16 +143,14 @@ class Team:
                 self.conversations,
                 self.trace,
                 seed,
-                (bodies or {}).get(name) if world is None else world.bodies.get(name),
+                there.get(name),
             )
             for name, chart in members
         )
         self._radios: list[Radio] = []
         for agent in self.agents:
             radio = None
-            if agent.body is not None and any(info.radio is not None for info in agent.plan.channels):
-                if schema is None:
-                    raise TeamError(f"{agent.name} has a radio, but the messages have no schema for it")
+            if schema is not None and agent.name in with_radio:
                 radio = Radio(agent, self.bus, schema, names)
                 self._radios.append(radio)
             self.bus.join(agent, radio)

@@ -75,7 +75,8 @@ class Trace:
         self._flushed = time.monotonic()
         if path is not None:
             self._part = path.with_name(path.name + ".part")
-            self._file = self._part.open("w", encoding="utf-8", newline="\n")
+            # A text may hold half a surrogate pair; written with a backslash it is JSON's own escape.
+            self._file = self._part.open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
         self.active = self._file is not None or bool(self._listeners)
         """Whether anybody reads what is written: who has a costly line to write asks first."""
 

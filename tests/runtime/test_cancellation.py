@@ -252,16 +252,23 @@ def test_an_activity_that_waits_while_it_is_cancelled_at_the_end_of_a_run_comes_
 def test_a_real_run_reports_an_activity_that_does_not_end(monkeypatch: pytest.MonkeyPatch) -> None:
     import threading
 
-    release = threading.Event()
+    release, begun = threading.Event(), threading.Event()
     monkeypatch.setattr("aseme_dsl.runtime.real.GRACE", 0.1)
 
     class Work:
         def execute(self, context: Context) -> None:
+            begun.set()
+            context.raise_event("begun")
             release.wait()
 
-    run = play("system S srm R { liveness { R = Work } }", {"Work": Work}, until=50 * MS, clock="real")
+    run = play(
+        "system S srm R { liveness { R = Work } }",
+        {"Work": Work},
+        clock="real",
+        stop=lambda team: "begun" if begun.is_set() else None,
+    )
     release.set()
-    assert run.result.reason == "time"
+    assert run.result.reason == "begun"
     assert any("has not ended" in fault["reason"] for fault in run.of("fault"))
 
 

@@ -105,6 +105,19 @@ def test_a_trace_has_its_name_only_when_it_is_complete(tmp_path: Path) -> None:
     assert not path.with_name("run.jsonl.part").exists()
 
 
+def test_any_text_can_be_traced(tmp_path: Path) -> None:
+    texts = ['"', "\\", "\n", "ω😀", "\ud800", "\x00"]
+
+    class A:
+        def execute(self, context: Context) -> None:
+            for text in texts:
+                context.log(text)
+
+    path = tmp_path / "run.jsonl"
+    assert play("system S srm R { liveness { R = A } }", {"A": A}, trace=path).result.trace_error is None
+    assert [line["text"] for line in lines_of(path) if line["kind"] == "log"] == texts
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is always full")
 def test_a_full_disk_ends_the_trace_and_not_the_run(tmp_path: Path) -> None:
     path = tmp_path / "run.jsonl"
