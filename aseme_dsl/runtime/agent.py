@@ -389,12 +389,7 @@ class Agent:
             return None
         waiting = self.chart.mail[branch]
         for item in waiting:
-            if (
-                performative in (None, item.performative)
-                and message in (None, item.message)
-                and sender in (None, item.sender)
-                and identity in (None, item.identity)
-            ):
+            if c.matches(item, performative, message, sender) and identity in (None, item.identity):
                 waiting.remove(item)
                 self.trace.write(
                     "taken",

@@ -93,6 +93,7 @@ class Port(Protocol):
     def take(self, channel: str, host: str | None) -> Arrived | None: ...
     def variable(self, name: str) -> Any: ...
     def receive(self, performative: str | None, message: str | None, sender: str | None) -> Mail | None: ...
+    def received(self) -> tuple[Mail, ...]: ...
     def do(self, doing: Doing) -> None: ...
 
 
@@ -248,6 +249,28 @@ class Context:
         It waits for nothing: an activity that wants to, waits in between.
         """
         return self._port.receive(performative, message, sender)
+
+    def received(
+        self, performative: str | None = None, message: str | None = None, sender: str | None = None
+    ) -> Mail | None:
+        """The last agent message of this kind that this participant has taken in its conversation, or None.
+
+        So an activity sees what the transition into its state has taken. Of each kind and sender the last one
+        is kept, until the participant is left.
+        """
+        for mail in reversed(self._port.received()):
+            if matches(mail, performative, message, sender):
+                return mail
+        return None
+
+
+def matches(mail: Mail, performative: str | None, message: str | None, sender: str | None) -> bool:
+    """Whether an agent message is of a kind and from a sender, where they are given."""
+    return (
+        performative in (None, mail.performative)
+        and message in (None, mail.message)
+        and sender in (None, mail.sender)
+    )
 
 
 def _is_signal(channel: str) -> bool:

@@ -91,7 +91,9 @@ class _Branch:
 
     info: BranchInfo
     conversation: str | None = None
-    waiting: list[Identity] = field(default_factory=list)
+    waiting: list[Mail] = field(default_factory=list)
+    taken: dict[tuple[str, str, str], Mail] = field(default_factory=dict)
+    """The last one taken of each kind and sender, the newest at the end."""
 
 
 @dataclass(slots=True)
@@ -260,7 +262,6 @@ class Conversations:
         return (acl.performative, acl.message) in info.receives
 
     def _post(self, agent: Agent, place: _Branch, acl: AclMessage) -> None:
-        place.waiting.append(acl.identity)
         mail = Mail(
             place.info.label,
             acl.performative,
@@ -270,6 +271,7 @@ class Conversations:
             acl.sender,
             acl.identity,
         )
+        place.waiting.append(mail)
         agent.post(acl.identity, mail, conversation=acl.conversation)
 
     def _unexpected(self, agent: Agent, acl: AclMessage, reason: str) -> None:
@@ -331,7 +333,9 @@ class Conversations:
             name = place.conversation
             conversation = self._conversations[name]
             conversation.past.add((agent.name, place.info.participant))
-            self._told("leave", agent, place, name, untaken=[list(i) for i in place.waiting] or None)
+            self._told(
+                "leave", agent, place, name, untaken=[list(mail.identity) for mail in place.waiting] or None
+            )
             self._close(name)
 
     def _close(self, name: str) -> None:
@@ -347,8 +351,20 @@ class Conversations:
         """A transition or an activity took a message."""
         with self._lock:
             place = self._branches[agent.name].get(branch)
-            if place is not None and identity in place.waiting:
-                place.waiting.remove(identity)
+            if place is None:
+                return
+            mail = next((item for item in place.waiting if item.identity == identity), None)
+            if mail is not None:
+                place.waiting.remove(mail)
+                kind = (mail.performative, mail.message, mail.sender)
+                place.taken.pop(kind, None)
+                place.taken[kind] = mail
+
+    def taken_by(self, agent: Agent, branch: str) -> tuple[Mail, ...]:
+        """What a participation has taken: the last of each kind and sender, the newest at the end."""
+        with self._lock:
+            place = self._branches[agent.name].get(branch)
+            return () if place is None else tuple(place.taken.values())
 
     def arrives(self, agent: Agent, mail: Mail, conversation: str | None) -> bool:
         """Whether mail that was under way still finds its participant; tells and answers if it does not."""

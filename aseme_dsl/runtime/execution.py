@@ -174,6 +174,13 @@ class Execution:
         with agent.driver.guard(agent):
             return agent.take_mail(self, performative, message, sender)
 
+    def received(self) -> tuple[Mail, ...]:
+        if self.branch is None:
+            raise LookupError(f"{self.activity} is not part of a protocol's participant here")
+        if self.cancelled:  # another participation may have begun
+            return ()
+        return self.owner.agent.conversations.taken_by(self.owner.agent, self.branch)
+
     def do(self, doing: c.Doing) -> None:
         self.owner.check(self, doing)
         if self.cancelled:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.board import Board
 from aseme_dsl.runtime.body import Body
-from aseme_dsl.runtime.context import Context, Doing
+from aseme_dsl.runtime.context import Context, Doing, matches
 from aseme_dsl.runtime.inputs import Arrived, Identity, Mail
 
 if TYPE_CHECKING:
@@ -45,7 +45,9 @@ class Snapshot:
     board: Board
     variables: dict[str, Any]
     mail: tuple[Mail, ...] | None
-    """None outside a protocol's participant."""
+    """What waits; None outside a protocol's participant."""
+    received: tuple[Mail, ...]
+    """What was taken."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +94,7 @@ class SnapshotPort:
         self._wait = wait
         self._is_cancelled = is_cancelled
         self._mail = list(snapshot.mail or ())
+        self._received = list(snapshot.received)
         self._chance: random.Random | None = None
 
     @property
@@ -155,15 +158,17 @@ class SnapshotPort:
         if self._snapshot.mail is None:
             raise LookupError(f"{self.activity} is not part of a protocol's participant here")
         for item in self._mail:
-            if (
-                performative in (None, item.performative)
-                and message in (None, item.message)
-                and sender in (None, item.sender)
-            ):
+            if matches(item, performative, message, sender):
                 self._mail.remove(item)
+                self._received.append(item)
                 self._tell(TookMail(item.identity))
                 return item
         return None
+
+    def received(self) -> tuple[Mail, ...]:
+        if self._snapshot.mail is None:
+            raise LookupError(f"{self.activity} is not part of a protocol's participant here")
+        return tuple(self._received)
 
     def do(self, doing: Doing) -> None:
         self._tell(doing)
@@ -195,6 +200,7 @@ def snapshot_of(execution: Execution) -> Snapshot:
         board,
         variables,
         mail,
+        () if execution.branch is None else execution.received(),
     )
 
 

@@ -80,6 +80,8 @@ def net(robot: str = "contractor", able: str = "carrier1 carrier3") -> Played:
 
     class Evaluate:
         def execute(self, context: Context) -> None:
+            task = context.received("cfp", "Task", "desk")
+            assert task is not None and task.content.n == 7
             context.set("able", context.agent in able.split())
             context.prepare(generated.message("Bid", cost=float(context.agent[-1])))
 
@@ -94,6 +96,7 @@ def net(robot: str = "contractor", able: str = "carrier1 carrier3") -> Played:
             context.set("bids", len(bids))
             if bids:
                 best = max(bids, key=lambda mail: mail.content.cost)
+                assert context.received("propose") == bids[-1]
                 context.send("accept_proposal", generated.message("Award", task="7"), best.sender)
                 for mail in bids:
                     if mail is not best:
