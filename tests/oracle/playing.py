@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterator
+from dataclasses import dataclass, field, fields, is_dataclass
+from enum import Enum
+from itertools import cycle
 from typing import Any
 
 from aseme_dsl.runtime.inputs import (
@@ -21,13 +24,12 @@ from aseme_dsl.runtime.inputs import (
     Start,
     Written,
 )
-from tests.oracle.charts import CHANNELS, EVENTS, HOSTS, MS, RECEIVED
+from tests.oracle.charts import EVENTS, HOSTS, MS
 from tests.oracle.choices import Choices
 from tests.oracle.interpreter import Reference
 from tests.support.generated import Generated
 
 Operation = tuple[Any, ...]
-KINDS = ("bool", "int", "double", "string", "Colour", "duration")
 
 
 @dataclass(frozen=True)
@@ -63,34 +65,49 @@ def _operation(choices: Choices) -> Operation:
         case "mail":
             return ("mail", choices.number(0, 3), choices.number(0, 2))
         case "write":
-            return ("write", choices.number(0, 9), tuple(_value(choices, kind) for kind in KINDS))
+            return ("write", choices.number(0, 9), choices.number(0, 3))
         case "stale":
             return ("stale", choices.number(0, 9))
     return ("crash", choices.number(0, 3))
 
 
 def _arrival(choices: Choices) -> Operation:
-    kinds = {"x": "int", "on": "bool", "d": "double", "s": "string", "colour": "Colour", "inner": "Inner"}
-    members = {name: _value(choices, kind) for name, kind in kinds.items()}
     age = choices.one_of((0, 0, MS, 5 * MS, 10 * MS, 30 * MS))
-    return ("arrival", choices.number(0, 6), choices.one_of(HOSTS), age, members)
+    members = tuple(choices.number(0, 3) for _ in range(6))
+    return ("arrival", choices.number(0, 9), choices.one_of(HOSTS), age, members)
 
 
-def _value(choices: Choices, kind: str) -> Any:
-    match kind:
-        case "bool":
-            return choices.one_in(2)
-        case "int":
-            return choices.number(0, 3)
-        case "double":
-            return choices.one_of((0.5, 0.0, 1.5, 2.0))
-        case "string":
-            return choices.one_of(("a", "b", ""))
-        case "Inner":
-            return ("Inner", choices.number(0, 3), choices.one_of((None, 0, 2)))
-        case "duration":
-            return choices.one_of((10 * MS, 0, MS))
-    return ("Colour", choices.number(0, 2))
+def filled(kind: Any, numbers: Iterator[int]) -> Any:
+    """A message whose members are made of small numbers."""
+    message = kind()
+    members = {item.name: _member(item.type, getattr(message, item.name), numbers) for item in fields(kind)}
+    return kind(**members)
+
+
+def _member(annotation: Any, default: Any, numbers: Iterator[int]) -> Any:
+    if is_dataclass(default):
+        return filled(type(default), numbers)
+    number = next(numbers)
+    if default is None:
+        return number if number and str(annotation).startswith("int") else None
+    return like(default, number)
+
+
+def like(example: Any, number: int) -> Any:
+    """A value of the same type."""
+    match example:
+        case bool():
+            return number > 1
+        case Enum():
+            constants = list(type(example))
+            return constants[number % len(constants)]
+        case int():
+            return number
+        case float():
+            return number / 2
+        case str():
+            return ("", "a", "b", "c")[number]
+    return example
 
 
 @dataclass
@@ -99,6 +116,7 @@ class Game:
 
     made: Generated
     text: str
+    role: str = "R"
     now: int = 0
     running: dict[str, int] = field(default_factory=dict)
     old: list[tuple[str, int]] = field(default_factory=list)
@@ -110,9 +128,9 @@ class Game:
     taken: int = 0
 
     def __post_init__(self) -> None:
-        self.plan = self.made.plan("R")
+        self.plan = self.made.plan(self.role)
         self.expected = Reference(self.plan, "me", vars(self.made.messages))
-        self.actual = self.made.chart("R", "me")
+        self.actual = self.made.chart(self.role, "me")
 
     def play(self, sequence: list[Moment]) -> None:
         """Give both the same inputs, and compare them after each step."""
@@ -191,32 +209,34 @@ class Game:
                 ways = self.plan.transitions
                 names = sorted({e[1] for way in ways for e in way.events if e[0] == "raised"}) or EVENTS
                 return [Happened(names[number % len(names)])]
-            case ("write", number, values):
+            case ("write", number, value):
                 if not self.plan.variables:
                     return []
-                variable = self.plan.variables[number % len(self.plan.variables)]
-                return [Written(variable.name, self.built(values[KINDS.index(variable.type)]))]
+                variable = self.plan.variables[number % len(self.plan.variables)].name
+                return [Written(variable, like(self.expected.variable(variable), value))]
             case ("mail", kind, number):
                 if not self.plan.branches:
                     return []
                 branch = self.plan.branches[number % len(self.plan.branches)].label
-                awaited = [e[1:3] for way in self.plan.transitions for e in way.events if e[0] == "received"]
-                kinds = list(dict.fromkeys(awaited)) or RECEIVED
-                performative, message = kinds[kind % len(kinds)]
+                awaited = [e[1:] for way in self.plan.transitions for e in way.events if e[0] == "received"]
+                kinds = list(dict.fromkeys(awaited))
+                if not kinds:
+                    return []
+                performative, message, participant = kinds[kind % len(kinds)]
                 content = self.made.message(message)
-                return [Mail(branch, performative, message, content, "other", "ann", self.identity("ann"))]
+                return [
+                    Mail(branch, performative, message, content, participant, "ann", self.identity("ann"))
+                ]
             case ("back",):
                 back = [self.arrived(p.channel, p.message, "me", 0, p.region) for p in self.published]
                 self.published.clear()
                 return list(back)
             case ("arrival", number, sender, age, members):
-                channels = [info.name for info in self.plan.channels] or CHANNELS
-                channel = channels[number % len(channels)]
-                values = {name: self.built(value) for name, value in members.items()}
-                if channel.endswith("Note"):
-                    values = {"text": values["s"], "n": values["x"]}
-                message = self.made.message(channel.split(".")[2], **values)
-                return [self.arrived(channel, message, sender, age, None)]
+                if not self.plan.channels:
+                    return []
+                info = self.plan.channels[number % len(self.plan.channels)]
+                message = filled(getattr(self.made.messages, info.message), cycle(members))
+                return [self.arrived(info.name, message, sender, age, None)]
         raise ValueError(operation)
 
     def arrived(self, channel: str, message: Any, sender: str, age: int, region: str | None) -> Arrived:
@@ -225,14 +245,6 @@ class Game:
     def identity(self, sender: str) -> Identity:
         self.numbers[sender] = self.numbers.get(sender, 0) + 1
         return sender, self.numbers[sender]
-
-    def built(self, value: Any) -> Any:
-        match value:
-            case ("Colour", number):
-                return self.made.messages.Colour(number)
-            case ("Inner", y, z):
-                return self.made.message("Inner", y=y, z=z)
-        return value
 
 
 def shown(outcome: Outcome) -> tuple[Any, ...]:

@@ -10,6 +10,7 @@ import os
 import shutil
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
@@ -20,7 +21,7 @@ from tests.oracle.choices import Choices, simplest
 from tests.oracle.playing import Game, moments
 from tests.support.generated import Generated, generate
 
-EXAMPLES = int(os.environ.get("ORACLE_EXAMPLES", "200"))
+EXAMPLES = int(os.environ.get("ORACLE_EXAMPLES", "300"))
 FIRST = int(os.environ.get("ORACLE_FIRST", "0"))
 GAMES = 3
 """How many sequences of inputs are played with one chart."""
@@ -61,6 +62,26 @@ def forget(made: Generated) -> None:
     for module in [module for module in sys.modules if module == name or module.startswith(name + ".")]:
         del sys.modules[module]
     shutil.rmtree(made.folder)
+
+
+ACCEPTANCE = ("testbehavior", "kouretes", "contract_net")
+
+
+@pytest.mark.parametrize("name", ACCEPTANCE)
+def test_they_agree_on_the_texts_of_the_papers(name: str) -> None:
+    """The acceptance files, with inputs as random as those above."""
+    written = (Path(__file__).parents[1] / "acceptance" / f"{name}.aseme").read_text("utf-8")
+    made = generate(written)
+    try:
+        for role in made.charts:
+            for seed in range(20):
+                choices = Choices(f"{role} {seed}")
+                game = Game(made, written, role)
+                for _ in range(3):
+                    game.play(moments(choices))
+                assert game.taken > 0
+    finally:
+        forget(made)
 
 
 def difference(made: list[int]) -> str | None:
