@@ -297,6 +297,8 @@ def _print(
     if played.summary:
         click.echo(played.summary)
     reason = _REASONS.get(result.reason, result.reason)
+    if result.reason == "finished" and result.failed:
+        reason = "all agents have ended, not all of them well"
     click.echo(f"played {result.time / 1e9:g} s with seed {played.seed}: {reason}")
     for agent in result.agents:
         if agent.failure is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from aseme_dsl.amola.expression import Expired, TransitionExpression, walk
+from aseme_dsl.amola.expression import Expired, Not, TransitionExpression, operands
 from aseme_dsl.amola.liveness import Formula, Operator, ungrouped
 from aseme_dsl.compiler.control import Line, Lines
 from aseme_dsl.compiler.formula_to_statechart import Way
@@ -227,7 +227,15 @@ def _else_beside(
 
 
 def _expires(typed: TransitionExpression) -> bool:
-    return typed.condition is not None and any(isinstance(item, Expired) for item in walk(typed.condition))
+    """Whether a condition waits for a timer; `!expired(t)` holds at first, so `else` is right beside it."""
+    stack = [] if typed.condition is None else [typed.condition]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, Expired):
+            return True
+        if not isinstance(item, Not):
+            stack += operands(item)
+    return False
 
 
 def _unconditional(written: tree.TransitionExpression) -> bool:

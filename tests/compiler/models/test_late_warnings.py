@@ -67,3 +67,13 @@ def test_states_and_transitions_of_a_statechart_may_be_mixed() -> None:
     assert analysis.diagnostics == ()
     assert analysis.system is not None
     assert len(analysis.system.iacs[0].transitions) == 2
+
+
+def test_else_is_right_beside_a_timer_that_has_not_run_out() -> None:
+    text = """system S srm r { liveness { r = A . (B | C) } control r {
+      enter A : / start_timer(t, 1s)
+      enter B : [NOT expired(t)]
+      enter C : else
+    } }"""
+    assert warnings(text.replace("NOT", "!")) == []
+    assert [item.code for item in warnings(text.replace("NOT", ""))] == ["W401"]
