@@ -172,11 +172,13 @@ def _topics_reached(system: System, name: str, reach: str) -> list[Topic]:
 
 
 def _read(system: System, activity: Activity) -> tuple[str, ...]:
-    """The channels that an activity reads, whole topics spelled out."""
+    """The channels that an activity reads, whole topics spelled out; those of a host under its name, too."""
     found: list[str] = []
     for read in activity.reads:
         if read.channel is not None:
             found.append(str(read.channel))
+            if read.host is not None:
+                found.append(f"{read.host}.{read.channel}")
         else:
             topics = _topics_reached(system, read.topic, read.reach)
             found += [str(rules.channel) for topic in topics for rules in topic.channels]

@@ -317,6 +317,11 @@ class Bus:
 def _reads(plan: Plan) -> dict[str, frozenset[str | None]]:
     """The channels that a plan reads, each with the hosts that it names there (None: any)."""
     found: dict[str, set[str | None]] = {c: {None} for region in plan.regions for c in region.reads}
+    for activity in plan.activities:
+        for name in activity.reads:
+            host, _, channel = name.partition(".")
+            if channel.count(".") == 2:  # robot1.vision.state.Ball
+                found.setdefault(channel, {None}).add(host)
     waiting: list[Term] = []
     for transition in plan.transitions:
         if transition.condition is not None:

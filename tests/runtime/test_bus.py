@@ -106,6 +106,22 @@ def test_what_is_read_under_a_hosts_name_comes_from_that_host() -> None:
     assert (run.result.reason, run.result.time) == ("finished", 0)
 
 
+def test_an_activity_may_read_under_a_hosts_name_too() -> None:
+    text = ROBOTS.format(control="").replace("reads vision", "reads bob.vision")
+    generated = generate(text)
+    see = type("See", (See,), {"generated": generated})
+
+    class Look:
+        def execute(self, context: Context) -> None:
+            context.wait(0.1)
+            context.log(str(context.state("vision.state.M", host="bob").n))
+
+    run = play(generated, {"See": see, "Look": Look})
+    assert run.received("ann", "vision.state.M") == ["0 from ann n=1", "0 from bob n=2"]
+    assert [record["text"] for record in run.of("log")] == ["2", "2"]
+    assert not run.of("fault")
+
+
 def test_from_names_who_may_publish_and_makes_the_channel_the_teams() -> None:
     text = ROBOTS.format(control="").replace("state M", "state M from bob")
     generated = generate(text)
