@@ -553,8 +553,7 @@ class _Generator:
     ) -> None:
         transitions = [self.flat.transition(number) for number in taken]
         method.add(depth, f"self.taken.append({taken!r})")
-        for transition in transitions:
-            self._spend_event(method, depth, region, source, transition.expression)
+        self._spend_events(method, depth, region, source, [t.expression for t in transitions])
         scope = self.chart.scope_of(transitions[0])
         target = transitions[-1].target
         for transition in transitions[1:]:
@@ -580,30 +579,44 @@ class _Generator:
         for channel, host in looked_at:
             method.add(depth, f"b.spend({channel!r}, {host!r})")
 
-    def _spend_event(
-        self, method: _Method, depth: int, region: int, source: str, expression: TransitionExpression
+    def _spend_events(
+        self, method: _Method, depth: int, region: int, source: str, segments: list[TransitionExpression]
     ) -> None:
-        """Spend the first event that is there; time and failures are not spent."""
-        spent: list[tuple[str, str]] = []
-        for event in expression.events:
-            match event:
-                case Received():
-                    spent.append(
-                        (self._there(region, source, event), f"self.take_mail({self._letter(source, event)})")
-                    )
-                case Raised(name=name):
-                    spent.append(
-                        (self._there(region, source, event), f"self.spend_event({region}, {name!r})")
-                    )
-                case _:
-                    spent.append((self._there(region, source, event), "pass"))
-        if all(action == "pass" for _, action in spent):
+        """Spend the first event of each segment that is there, one that several name once."""
+        spending = [item for item in segments if any(isinstance(e, Received | Raised) for e in item.events)]
+        if not spending:
             return
-        if len(spent) == 1 and not expression.when:
-            method.add(depth, spent[0][1])
+        if len(spending) == 1:
+            events = [
+                (self._there(region, source, e), self._spent(region, source, e)) for e in spending[0].events
+            ]
+            if len(events) == 1 and not spending[0].when:
+                method.add(depth, events[0][1])
+                return
+            for index, (test, action) in enumerate(events):
+                method.add(depth, f"{'elif' if index else 'if'} {test}:", f"    {action}")
             return
-        for index, (test, action) in enumerate(spent):
-            method.add(depth, f"{'elif' if index else 'if'} {test}:", f"    {action}")
+        actions: dict[str, int] = {}  # what was there is seen before any of it is spent
+        choices = []
+        for item in spending:
+            tests = [
+                f"{actions.setdefault(self._spent(region, source, e), len(actions))} "
+                f"if {self._there(region, source, e)} else "
+                for e in item.events
+            ]
+            choices.append("".join(tests) + "-1")
+        method.add(depth, f"for event in dict.fromkeys(({', '.join(choices)})):")
+        for action, index in actions.items():
+            method.add(depth + 1, f"{'elif' if index else 'if'} event == {index}:", f"    {action}")
+
+    def _spent(self, region: int, source: str, event: Event) -> str:
+        """What spends an event; time and failures are not spent."""
+        match event:
+            case Received():
+                return f"self.take_mail({self._letter(source, event)})"
+            case Raised(name=name):
+                return f"self.spend_event({region}, {name!r})"
+        return "pass"
 
     def _leave_leaf(
         self, method: _Method, depth: int, region: int, scope: str, leaf: Node | None, complete: bool
