@@ -168,7 +168,7 @@ def said(message: Any) -> str:
     """The members of a message that are not the defaults: `{x=1 on=True}`."""
     if not is_dataclass(message):
         return repr(message)
-    default = type(message)()
+    default: Any = type(message)()
     parts = []
     for item in fields(message):
         value = getattr(message, item.name)

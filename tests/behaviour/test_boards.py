@@ -438,3 +438,20 @@ def test_looking_back_at_one_sender(play: Play) -> None:
     run.step(run.heard("t.data.M", "bob", x=3), ms=20)
     run.step(run.event("go"))
     assert run.variable("v") == 1
+
+
+def test_a_message_for_one_host_is_seen_here_only_if_it_is_for_me(play: Play) -> None:
+    """ "with a `host.` it goes to that host alone"; "the region itself sees it at once" """
+    text = """
+        srm R {
+          liveness { R = A . B . C }
+          control R {
+            enter B : / %s.t.state.M.on = true; write_messages.t.state.M
+            enter C : when [t.state.M.on]
+          }
+        }
+    """
+    run = play(text % "bob").step()
+    assert run.step(run.done("A")).active == ["B"]
+    run = play(text % "me").step()
+    assert run.step(run.done("A")).active == ["C"]

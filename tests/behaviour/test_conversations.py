@@ -149,3 +149,26 @@ def test_a_variable_of_a_branch_that_is_left_and_entered_in_one_step(play: Play)
     run.step(run.done("A"), run.heard("t.signal.M", on=True))
     assert run.active == ["A", "B"]
     assert run.variable("v") == 3
+
+
+def test_a_compound_transition_takes_one_message(play: Play) -> None:
+    """ "exactly one transition or activity takes it"; "The whole is one compound transition" """
+    run = play("""
+        aip p {
+          participant a {
+            engage   "Always."
+            receives inform Note
+            process  = A | B
+          }
+          participant b { engage "Always."  sends inform Note  process = X }
+          outcome "Done."
+          control a {
+            start a : inform Note from b
+            enter A : inform Note from b
+            enter B : else
+          }
+        }
+        srm R { plays p.a  liveness { R = a } }
+    """).step()
+    run.step(run.mail("inform", "Note", "ann"), run.mail("inform", "Note", "bob"))
+    assert run.did == ["take mail of ann", "start A"]

@@ -382,3 +382,140 @@ def test_three_instances(play: Play) -> None:
     run.step(*(run.done(label) for label in labels[:2]))
     assert run.did == []
     assert run.step(run.done(labels[2])).did == ["start B"]
+
+
+def test_a_target_inside_a_composite_is_entered_through_it(play: Play) -> None:
+    """ "then the target is entered, outermost first" """
+    run = play("""
+        statechart R {
+          state 0 OR
+          state 0.1 START
+          state 0.2 BASIC A
+          state 0.3 OR
+          state 0.3.1 START
+          state 0.3.2 BASIC B
+          state 0.3.3 BASIC C
+          0.1 -> 0.2 :
+          0.2 -> 0.3.3 : go
+          0.3 -> 0.2 : after(10ms)
+          0.3.1 -> 0.3.2 :
+          0.3.3 -> 0.3.2 :
+        }
+    """).step()
+    run.step(run.event("go"), ms=3)
+    assert run.did == ["cancel A", "start C"]
+    assert run.due == 10
+    run.step(run.done("C"), ms=5)
+    assert run.step(ms=5).did == ["cancel B", "start A"]
+
+
+def test_the_scope_is_the_lowest_or_that_holds_source_and_target(play: Play) -> None:
+    """ "The scope of a transition is the lowest OR state that holds source and target." """
+    run = play("""
+        statechart R {
+          var v : int = 0
+          state 0 OR
+          state 0.1 START
+          state 0.2 OR
+          state 0.2.1 START
+          state 0.2.2 BASIC A
+          state 0.2.3 BASIC B
+          state 0.3 END
+          0.1 -> 0.2 :
+          0.2 -> 0.3 : after(10ms)
+          0.2 -> 0.2.3 : hop
+          0.2.1 -> 0.2.2 :
+          0.2.2 -> 0.2.3 : go
+        }
+    """).step()
+    run.step(run.event("go"), ms=9)
+    assert run.due == 1  # 0.2 was not left
+    run.step(run.event("hop"))
+    assert run.did == ["cancel B", "start B"]
+    assert run.due == 10  # 0.2 was left and entered
+
+
+def test_a_way_through_an_outer_choice_leaves_what_is_inside(play: Play) -> None:
+    """ "START→CONDITION→X is one compound transition"; "Everything active inside the scope is left" """
+    run = play("""
+        statechart R {
+          state 0 OR
+          state 0.1 START
+          state 0.2 OR
+          state 0.2.1 START
+          state 0.2.2 BASIC A
+          state 0.2.3 BASIC B
+          state 0.3 CONDITION
+          state 0.4 BASIC C
+          0.1 -> 0.2 :
+          0.2 -> 0.4 : after(10ms)
+          0.2.1 -> 0.2.2 :
+          0.2.2 -> 0.3 : go
+          0.3 -> 0.2.3 : [t.state.M.on]
+          0.3 -> 0.4 : else
+        }
+    """).step()
+    run.step(run.heard("t.state.M", on=True), run.event("go"), ms=9)
+    assert run.taken == ["0.2.2 -> 0.3 -> 0.2.3"]
+    assert run.did == ["cancel A", "start B"]
+    assert run.due == 10
+
+
+def test_a_choice_without_a_way_out_is_never_entered(play: Play) -> None:
+    """ "If the target is a CONDITION, one of its outgoing branches must be enabled too (recursively)" """
+    run = play("""
+        statechart R {
+          state 0 OR
+          state 0.1 START
+          state 0.2 BASIC A
+          state 0.3 CONDITION
+          state 0.4 BASIC B
+          0.1 -> 0.2 :
+          0.2 -> 0.3 : go
+          0.2 -> 0.4 : go or hop
+        }
+    """).step()
+    run.step(run.event("go"))
+    assert run.active == ["B"]
+
+
+def test_a_choice_that_leads_to_a_choice(play: Play) -> None:
+    """ "one of its outgoing branches must be enabled too (recursively)" """
+    run = play("""
+        statechart R {
+          state 0 OR
+          state 0.1 START
+          state 0.2 BASIC A
+          state 0.3 CONDITION
+          state 0.4 CONDITION
+          state 0.5 BASIC B
+          state 0.6 BASIC C
+          0.1 -> 0.2 :
+          0.2 -> 0.3 : go
+          0.3 -> 0.4 : [t.state.M.x > 0]
+          0.3 -> 0.6 : else
+          0.4 -> 0.5 : [t.state.M.x > 1]
+          0.4 -> 0.6 : [t.state.M.x > 2]
+        }
+    """).step()
+    run.step(run.heard("t.state.M", x=1), run.event("go"))
+    assert run.taken == ["0.2 -> 0.3 -> 0.6"]
+    run = play("""
+        statechart R {
+          state 0 OR
+          state 0.1 START
+          state 0.2 BASIC A
+          state 0.3 CONDITION
+          state 0.4 CONDITION
+          state 0.5 BASIC B
+          0.1 -> 0.2 :
+          0.2 -> 0.3 : when [t.state.M.on]
+          0.3 -> 0.4 : [t.state.M.x > 0]
+          0.3 -> 0.2 : [t.state.M.x < 0]
+          0.4 -> 0.5 : go
+          0.4 -> 0.2 : [t.state.M.x > 2]
+        }
+    """).step()
+    run.step(run.heard("t.state.M", x=1, on=True))
+    assert run.active == ["A"]
+    assert run.step(run.event("go")).taken == ["0.2 -> 0.3 -> 0.4 -> 0.5"]

@@ -147,11 +147,10 @@ def test_expired_is_false_before_the_timer_is_started(play: Play) -> None:
           liveness { R = A . B . C }
           control R { enter B : / start_timer(pace, 10ms)  enter C : when [expired(pace)]  leave C : go }
         }
-    """)
-    text = run.step(ms=100)
-    assert text.active == ["A"]
+    """).step(ms=100)
     run.step(run.done("A"))
     assert run.active == ["B"]
+    assert run.step(ms=10).active == ["C"]
 
 
 def test_a_timer_is_expired_from_its_due_time_on(play: Play) -> None:

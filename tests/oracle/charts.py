@@ -428,7 +428,7 @@ class Words:
             case "event":
                 text = " or ".join(self._event() for _ in range(pick.number(1, 2)))
                 if pick.one_in(3):
-                    text += f" [{self.value('bool', 2)}]"
+                    text += (" or when" if pick.one_in(4) else "") + f" [{self.value('bool', 2)}]"
             case "otherwise":
                 text = "else"
         if pick.one_in(2):

@@ -393,13 +393,13 @@ class Reference:
         return None
 
     def is_enabled(self, number: int, transition: Transition, source: str, complete: bool) -> bool:
-        if transition.events:
+        if transition.when:
+            # "`when`: always"
+            pass
+        elif transition.events:
             # "with events: one of them is there"
             if not any(self.is_there(event, source) for event in transition.events):
                 return False
-        elif transition.when:
-            # "`when`: always"
-            pass
         elif not complete:
             # "nothing: source complete"
             return False
