@@ -255,6 +255,10 @@ def _event(checker: Checker, written: tree.Event) -> amola.Event | None:
                 hint = f"an agent message is `{name} Message from participant`"
                 checker.report("E512", f"the message of `{name}` is missing", span, hint)
                 return None
+            if name.text in checker.scope.lets or name.text in checker.scope.variables:
+                hint = f"write `[{name}]`; a name without brackets is an event that an activity raises"
+                checker.report("E517", f"`{name}` is a value, not an event", span, hint)
+                return None
             return amola.Raised(name.text, span)
 
 

@@ -115,6 +115,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E514": ("error", "an initial value that is not a constant"),
     "E515": ("error", "a duration that is not a constant"),
     "E516": ("error", "a number that is too large"),
+    "E517": ("error", "a condition without its brackets"),
     "W500": ("warning", "an action that no one sees"),
     "W501": ("warning", "a timer that is never started"),
     # Statecharts (E6xx): the structural rules of the papers' tools

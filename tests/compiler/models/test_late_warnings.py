@@ -77,3 +77,15 @@ def test_else_is_right_beside_a_timer_that_has_not_run_out() -> None:
     } }"""
     assert warnings(text.replace("NOT", "!")) == []
     assert [item.code for item in warnings(text.replace("NOT", ""))] == ["W401"]
+
+
+def test_a_condition_without_brackets_is_no_event() -> None:
+    text = """system S let near = 1 < 2 srm r { var tired : bool = false
+      liveness { r = A . (B | C | D) }
+      control r { enter B : near  enter C : tired  enter D : bumped } }"""
+    found = analyse(Source("w.aseme", text)).diagnostics
+    assert [(item.code, item.span.text) for item in found if item.span] == [
+        ("E517", "near"),
+        ("E517", "tired"),
+    ]
+    assert found[0].hint == "write `[near]`; a name without brackets is an event that an activity raises"
