@@ -13,6 +13,7 @@ from functools import cached_property
 from aseme_dsl.amola.expression import (
     After,
     Age,
+    Arithmetic,
     Assign,
     At,
     Compare,
@@ -296,15 +297,39 @@ def _variables(expression: TransitionExpression) -> Iterator[str]:
 
 
 def constant(value: Value) -> int | None:
-    """The value of a duration that is a constant, in ns (`-200ms` too)."""
+    """The value of a duration that is a constant, in ns (`-200ms` and `2 * 100ms` too)."""
+    if value.type != DURATION:
+        return None
+    amount = _folded(value)
+    return None if amount is None else int(amount)
+
+
+def _folded(value: Value) -> int | float | None:
+    """A number or duration that is written down or computed from such: as the generated code computes it."""
     match value:
-        case Literal(value=amount, type=kind) if kind == DURATION:
-            return int(amount)
+        case Literal(value=int() | float() as amount):
+            return amount
+        case Named(expression=inner):
+            return _folded(inner)
         case Negate(operand=operand):
-            inner = constant(operand)
-            return None if inner is None else -inner
-        case Named(expression=inner_value):
-            return constant(inner_value)
+            positive = _folded(operand)
+            return None if positive is None else -positive
+        case Arithmetic(operator=operator, left=left, right=right, type=kind):
+            one, other = _folded(left), _folded(right)
+            if one is None or other is None or (operator in ("/", "%") and not other):
+                return None
+            match operator:
+                case "+":
+                    result = one + other
+                case "-":
+                    result = one - other
+                case "*":
+                    result = one * other
+                case "%":
+                    result = one % other
+                case _:
+                    result = one // other if kind == DURATION else one / other
+            return int(result) if kind == DURATION else result
     return None
 
 
