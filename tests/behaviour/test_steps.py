@@ -240,6 +240,16 @@ def test_the_chart_wakes_when_an_age_crosses_its_constant(play: Play) -> None:
     assert run.due == 99.999999
 
 
+def test_a_constant_may_be_computed(play: Play) -> None:
+    """ "the constant it is compared with" """
+    run = play("""
+        let patience = 2 * 100ms + 1s / 2
+        srm R { liveness { R = A . B } control R { enter B : when [-(-patience) <= age(t.state.M)] } }
+    """).step()
+    run.step(run.heard("t.state.M"))
+    assert run.due == 700
+
+
 def test_the_earliest_of_several_moments_counts(play: Play) -> None:
     run = play("""
         srm R {

@@ -348,7 +348,7 @@ class Words:
         if kind == "Colour":
             operator = pick.one_of(("==", "!="))
         if kind == "duration" and pick.one_in(2):
-            sides = [self._age(), self._duration()]
+            sides = [self._age(), pick.one_of((self._duration(), f"2 * {self._duration()} - 3ms / 2"))]
             if pick.one_in(3):
                 sides.reverse()
             return f"{sides[0]} {operator} {sides[1]}"

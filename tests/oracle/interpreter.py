@@ -784,10 +784,11 @@ class Reference:
 
     def crossings(self, operator: str, age: Term, amount: Term, region: Region) -> Iterator[int]:
         """When `age(x) operator amount` changes: "time + c; + 1 ns for `>` and `<=`" (`==` changes twice)."""
-        if age[0] != "age":
+        if age[0] != "age" or not is_constant(amount):
             return
-        length = constant(amount)
-        if length is None:
+        try:
+            length = self.compute(amount)
+        except ZeroDivisionError:
             return
         message = region.sees(age[1][2], age[1][1])
         if message is not None and operator in ("<", ">=", "==", "!="):
@@ -819,14 +820,9 @@ MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "==": "==", "!=": "!="}
 BUILT_IN: dict[str, Callable[..., Any]] = {"abs": abs, "min": min, "max": max}
 
 
-def constant(term: Term) -> int | None:
-    """The duration that a constant term is."""
-    match term:
-        case ("const", amount):
-            return int(amount)
-        case ("neg", ("const", amount)):
-            return -int(amount)
-    return None
+def is_constant(term: Term) -> bool:
+    """Whether a term reads nothing and calls no function."""
+    return all(part[0] in ("const", "neg", "duration", *OPERATORS) for part in parts(term))
 
 
 def member(message: Any, path: tuple[str, ...]) -> Any:
