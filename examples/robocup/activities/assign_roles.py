@@ -1,4 +1,4 @@
-"""AssignRoles: who is nearest to the ball becomes center, who is farthest from it center_for."""
+"""AssignRoles: who is nearest to the ball becomes center, who of the others is foremost center_for."""
 
 from monas.Kouretes.messages import Assignment, Pass
 
@@ -17,7 +17,7 @@ class AssignRoles:
     def execute(self, context: Context) -> None:
         last = context.read("team.state.Assignment", Assignment) or Assignment()
         if context.read("team.signal.Pass", Pass) is not None:
-            for _ in range(11):  # while a pass is under way, everybody keeps to his part
+            for _ in range(8):  # while a pass is under way, everybody keeps to his part
                 context.publish("team.state.Assignment", last)
                 context.wait(RENEWED)
         wanted = self.wanted(context, last)
@@ -34,15 +34,19 @@ class AssignRoles:
         if told is None or context.now - told.time > 1.5 * SECOND:
             return None
         ball = Point(told.message.x, told.message.y)
-        away = {
-            number: distance(place, ball) - (NEARER if number == last.center else 0.0)
+        places = {
+            number: place
             for number in range(1, len(PLAYERS) + 1)
             if (place := mate_place(context, number)) is not None
+        }
+        away = {
+            number: distance(place, ball) - (NEARER if number == last.center else 0.0)
+            for number, place in places.items()
         }
         if not away:
             return None
         center = min(away, key=away.__getitem__)
-        if last.center_for in away and last.center_for != center:
+        if last.center_for in places and last.center_for != center:
             return Assignment(center, last.center_for)
-        farthest = max(away, key=away.__getitem__)
-        return Assignment(center, farthest if farthest != center else 0)
+        others = {number: place.x for number, place in places.items() if number != center}
+        return Assignment(center, max(others, key=others.__getitem__, default=0))

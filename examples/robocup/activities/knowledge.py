@@ -39,7 +39,7 @@ def mate_place(context: Context, number: int) -> Point | None:
 
 def pass_place(ball: Point) -> Point:
     """Where a pass is played to and taken: ahead of the ball, on the side where there is more room."""
-    return Point(min(ball.x + 230, 310), -110 if ball.y > 0 else 110)
+    return Point(min(ball.x + 230, 310), -110 if ball.y > 20 else 110)
 
 
 def tell(context: Context, channel: str, message: object) -> None:
@@ -67,7 +67,10 @@ def kick(context: Context, shot: command.Kick) -> None:
 def lined_up(context: Context, target: Point, turned: float = skills.AIM_ERROR) -> bool:
     """Whether the ball lies at the feet, and the target about straight behind it."""
     ball = context.read("vision.state.Ball", messages.Ball)
+    joints = context.read("body.state.Joints", messages.Joints)
     place = ball_place(context)
-    if ball is None or place is None or ball.distance > 5 or abs(ball.bearing) > 8:
+    if ball is None or place is None or joints is None:
+        return False
+    if not joints.ball_at_feet or ball.distance > 5 or abs(ball.bearing) > 8:
         return False
     return abs(skills.aim_error(own_pose(context), place, target)) < turned
