@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import atexit
 import importlib
 import itertools
+import shutil
 import sys
 import tempfile
 from collections.abc import Mapping
@@ -67,6 +69,7 @@ def generate(text: str, sources: Mapping[str, str] | None = None) -> Generated:
 def imported(system: System) -> Generated:
     """Write the package of a system into a temporary folder and import it under a name of its own."""
     root = Path(tempfile.mkdtemp(prefix="aseme-test-"))
+    atexit.register(shutil.rmtree, root, ignore_errors=True)
     name = f"generated_{next(_numbers)}"
     for artefact in BACKEND.generate(system, BackendOptions()):
         top, _, rest = artefact.path.partition("/")
