@@ -48,9 +48,26 @@ class Loaded:
         return tuple(chart.PLAN for chart in self.charts.values())
 
 
+_lent: set[Path] = set()
+"""The folders that have been on `sys.path` for a while."""
+
+
 @contextmanager
 def importing(folders: Sequence[Path]) -> Iterator[None]:
-    """Inside, modules are looked for in these folders first."""
+    """Inside, modules are looked for in these folders first.
+
+    What other folders of earlier calls have under the same names is forgotten, so that one process may play
+    several projects.
+    """
+    resolved = [folder.resolve() for folder in folders]
+    for name, module in list(sys.modules.items()):
+        file = getattr(module, "__file__", None)
+        if "." in name or file is None:
+            continue
+        home = Path(file).parent if Path(file).name != "__init__.py" else Path(file).parent.parent
+        if home in _lent and home not in resolved and any(_has_module(f, name) for f in resolved):
+            _forget(name)
+    _lent.update(resolved)
     added = [str(folder) for folder in folders]
     sys.path[:0] = added
     importlib.invalidate_caches()
@@ -94,6 +111,10 @@ def load_system(folder: Path, path: Sequence[Path] = ()) -> Loaded:
             member_types(kind)  # while their module can be found under its name
     system = str(getattr(package, "SYSTEM", folder.name))
     return Loaded(system, charts, team, classes, getattr(messages, "SCHEMA", None), folder, folders)
+
+
+def _has_module(folder: Path, name: str) -> bool:
+    return (folder / f"{name}.py").is_file() or (folder / name / "__init__.py").is_file()
 
 
 def _import(name: str, folder: Path) -> ModuleType:

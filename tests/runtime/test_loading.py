@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import sys
 import textwrap
 from pathlib import Path
@@ -13,6 +14,7 @@ from aseme_dsl.backends.monas import BACKEND, generate
 from aseme_dsl.runtime import LoadError, TeamError, activities_in, find_plan, load_system, make_team, run
 from aseme_dsl.runtime.activities import class_name, module_name
 from aseme_dsl.runtime.clock import SECOND
+from aseme_dsl.runtime.loading import importing
 from tests.support.generated import system_of
 
 TEXT = """
@@ -126,3 +128,14 @@ def test_all_activities_that_cannot_be_loaded_are_named_before_the_run(project: 
 def test_names_of_modules_and_classes(activity: str, module: str, kind: str) -> None:
     assert (module_name(activity), class_name(activity)) == (module, kind)
     assert (generate.module_name(activity), generate.class_name(activity)) == (module, kind)
+
+
+def test_projects_may_have_modules_of_one_name(tmp_path: Path) -> None:
+    for name in ("one", "two"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "court.py").write_text(f"NAME = {name!r}\n", encoding="utf-8")
+    seen = []
+    for name in ("one", "two", "two", "one"):
+        with importing([tmp_path / name]):
+            seen.append(importlib.import_module("court").NAME)
+    assert seen == ["one", "two", "two", "one"]
