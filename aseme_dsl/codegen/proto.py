@@ -6,7 +6,6 @@ Types of the language: `bool`, `string` and `bytes` are themselves, `int` is int
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from pathlib import PurePath
 from typing import TYPE_CHECKING
@@ -14,6 +13,7 @@ from typing import TYPE_CHECKING
 from aseme_dsl.amola.messages import DURATION, EnumType, Field, Kind, Message
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.place import place
+from aseme_dsl.runtime.naming import snake_case
 
 if TYPE_CHECKING:
     from google.protobuf.descriptor_pb2 import DescriptorProto, FileDescriptorProto
@@ -35,12 +35,6 @@ _WORDS = frozenset(
     """.split()
 )
 """Words that mean something at the beginning of a field: a type of this name is written with its package."""
-
-
-def snake_case(name: str) -> str:
-    """`TestBehavior` is `test_behavior`."""
-    spaced = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name)
-    return re.sub(r"_+", "_", spaced).lower()
 
 
 def package_name(system: System) -> str:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import importlib
 import inspect
-import keyword
-import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, ClassVar
 
 from aseme_dsl.runtime.context import Context
+from aseme_dsl.runtime.naming import class_name, module_name
 
 KINDS = ("thread", "async", "process", "step")
 """How an activity runs: in a resident thread, on the event loop, in a resident process, inside the step."""
@@ -38,18 +37,6 @@ class Activity:
     def execute(self, context: Context) -> Any:
         """Do what the activity is for. What it raises makes its state fail."""
         raise NotImplementedError
-
-
-def module_name(activity: str) -> str:
-    """The module of an activity: `CheckForBallObservation` is in `check_for_ball_observation`."""
-    words = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", activity)
-    name = re.sub(r"_+", "_", words).lower()
-    return f"{name}_" if keyword.iskeyword(name) else name
-
-
-def class_name(activity: str) -> str:
-    """The class of an activity: `kick_ball` and `KickBall` are both `KickBall`."""
-    return "".join(part[:1].upper() + part[1:] for part in activity.split("_")) or "_"
 
 
 def from_mapping(classes: Mapping[str, type[Any]]) -> ActivityFinder:

@@ -20,10 +20,10 @@ from aseme_dsl.codegen.proto import (
     package_name,
     proto_files,
     proto_text,
-    snake_case,
 )
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import render_text
+from aseme_dsl.runtime.naming import snake_case
 from aseme_dsl.source import Source
 from tests.conftest import Snapshot
 from tests.support.compiling import system

@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.backends.backend import BackendOptions
-from aseme_dsl.backends.monas import BACKEND, generate
+from aseme_dsl.backends.monas import BACKEND
 from aseme_dsl.runtime import LoadError, TeamError, activities_in, find_plan, load_system, make_team, run
-from aseme_dsl.runtime.activities import class_name, module_name
 from aseme_dsl.runtime.clock import SECOND
 from aseme_dsl.runtime.loading import importing
+from aseme_dsl.runtime.naming import class_name, module_name
 from tests.support.generated import system_of
 
 TEXT = """
@@ -127,7 +127,6 @@ def test_all_activities_that_cannot_be_loaded_are_named_before_the_run(project: 
 )
 def test_names_of_modules_and_classes(activity: str, module: str, kind: str) -> None:
     assert (module_name(activity), class_name(activity)) == (module, kind)
-    assert (generate.module_name(activity), generate.class_name(activity)) == (module, kind)
 
 
 def test_projects_may_have_modules_of_one_name(tmp_path: Path) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import keyword
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,28 +16,13 @@ from aseme_dsl.codegen.messages import generate_messages
 from aseme_dsl.codegen.place import in_docstring
 from aseme_dsl.codegen.plan import plan_sections
 from aseme_dsl.codegen.step import generate_step
+from aseme_dsl.runtime.naming import class_name, module_name, usable
 
 if TYPE_CHECKING:
     from jinja2 import Environment
 
 ACTIVITIES = "activities"
 """The folder of activity templates, relative to the backend's; a project may choose another."""
-
-
-def class_name(name: str) -> str:
-    """`walk_towards_ball` and `WalkTowardsBall` are both the class `WalkTowardsBall`."""
-    words = [word for word in name.split("_") if word]
-    return "".join(word[:1].upper() + word[1:] for word in words) or "_"
-
-
-def module_name(name: str) -> str:
-    """`WalkTowardsBall` is the module `walk_towards_ball`; Python's keywords get an underscore."""
-    spaced = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
-    return _usable(re.sub(r"_+", "_", spaced))
-
-
-def _usable(name: str) -> str:
-    return f"{name}_" if keyword.iskeyword(name) else name
 
 
 def _environment(options: BackendOptions) -> Environment:
@@ -59,7 +43,7 @@ def _environment(options: BackendOptions) -> Environment:
     environment.filters["imports"] = _imports
     environment.filters["class_name"] = class_name
     environment.filters["module_name"] = module_name
-    environment.filters["package"] = _usable
+    environment.filters["package"] = usable
     return environment
 
 
@@ -76,7 +60,7 @@ class MonasBackend:
         artefacts = [Artefact(f"{system.name}/messages.py", generate_messages(system))]
         hashes: list[str] = []
         for chart in system.iacs:
-            folder = f"{system.name}/{_usable(chart.name)}"
+            folder = f"{system.name}/{usable(chart.name)}"
             sections = plan_sections(system, chart)
             model = _hash(repr((chart.name, system.name, sections)), artefacts[0].text)
             hashes.append(model)
@@ -149,5 +133,3 @@ def _tidy(text: str) -> str:
 
 
 BACKEND = MonasBackend()
-
-__all__ = ["ACTIVITIES", "BACKEND", "MonasBackend", "class_name", "module_name"]
