@@ -85,7 +85,13 @@ def read_configuration(path: Path) -> tuple[Configuration, tuple[Diagnostic, ...
         return nothing, (Diagnostic("E001", message, None, path=str(path)),)
     except UnicodeDecodeError:
         return nothing, (Diagnostic("E002", f"{path} is not UTF-8", None, path=str(path)),)
-    source = Source(str(path), text.replace("\r\n", "\n"))
+    return configuration_of(Source(str(path), text.replace("\r\n", "\n")))
+
+
+def configuration_of(source: Source) -> tuple[Configuration, tuple[Diagnostic, ...]]:
+    """The configuration in the text of a pyproject.toml, which need not be on disk."""
+    path = Path(source.path)
+    nothing = Configuration(path.parent, path)
     try:
         document = tomllib.loads(source.text)
     except tomllib.TOMLDecodeError as problem:

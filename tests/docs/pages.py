@@ -285,6 +285,15 @@ class Page:
             raise Wrong(f"{committed.name} is not as it was committed: pytest tests/docs --snapshot-update")
 
 
+def run_console(text: str, folder: Path) -> None:
+    """Run the commands of a console, which is on no page, in `folder`, the working directory.
+
+    Raises:
+        Wrong: A command says something else.
+    """
+    Page(Path("console"), folder, update=False)._console(Example("console", text, 0, 0, {}))
+
+
 # ---- reading -----------------------------------------------------------------------------------
 
 

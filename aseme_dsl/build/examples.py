@@ -1,0 +1,30 @@
+"""Examples: what the compiler says to the example of a diagnostic's page."""
+
+from __future__ import annotations
+
+from aseme_dsl.build.configuration import FILE, configuration_of
+from aseme_dsl.compiler import Options, analyse
+from aseme_dsl.diagnostics import Diagnostic, in_order
+from aseme_dsl.diagnostics.pages import Example
+from aseme_dsl.source import Source
+
+
+def diagnostics_of(example: Example) -> tuple[Diagnostic, ...]:
+    """What `asemec check` would say to the files of an example, of which the first `.aseme` file is the root.
+
+    The files are compiled where they stand, in memory. An example that is a console has nothing to compile.
+    """
+    if example.console:
+        return ()
+    found: list[Diagnostic] = []
+    largest = None
+    texts = {file.name: file.text for file in example.files}
+    if FILE in texts:
+        configuration, problems = configuration_of(Source(FILE, texts[FILE]))
+        found += problems
+        largest = configuration.max_states
+    root = next((file for file in example.files if file.language == "aseme"), None)
+    if root is not None:
+        options = Options(largest=largest) if largest else None
+        found += analyse(Source(root.name, root.text), texts, options).diagnostics
+    return in_order(found)
