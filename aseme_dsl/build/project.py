@@ -28,6 +28,8 @@ class Compiled:
     diagnostics: tuple[Diagnostic, ...]
     files: tuple[str, ...] = ()
     """The paths of what was read."""
+    is_library: bool = False
+    """Whether the file declares no system, only what other files import."""
 
 
 def inputs_of(
@@ -64,19 +66,19 @@ def compile_root(root: Path | Source, *, max_states: int | None = None) -> Compi
     diagnostics = in_order((*problems, *analysis.diagnostics))
     system = None if has_errors(diagnostics) else analysis.system
     files = tuple(source.path for source in system.sources) if system else ()
-    return Compiled(root, configuration, system, diagnostics, files)
+    return Compiled(root, configuration, system, diagnostics, files, analysis.is_library)
 
 
 def check(inputs: Inputs) -> tuple[tuple[Diagnostic, ...], int]:
     """Every diagnostic of all inputs, and how many files were looked at.
 
     A file of a folder that declares no system is looked at through those that import it, or else by itself,
-    and need not declare one.
+    and need not declare one; nor does a file that declares only what other files import.
     """
     found = list(inputs.diagnostics)
     compiled = [compile_root(root) for root in inputs.roots]
     for item in compiled:
-        found += item.diagnostics
+        found += [one for one in item.diagnostics if not (item.is_library and one.code == "E008")]
     seen = {os.path.realpath(path) for item in compiled for path in item.files}
     files = {_path(root) for root in inputs.roots}
     files |= {item.span.source.path for item in found if item.span is not None}

@@ -34,12 +34,14 @@ class Options:
 class Analysis:
     """What is known of a file: every diagnostic, in order, and its system if none of them is an error.
 
-    `missing` are the notes with what `asemec scaffold` writes for each.
+    `missing` are the notes with what `asemec scaffold` writes for each. `is_library`: the file declares no
+    system, and nothing but what other files import; that is E008 only where a system is wanted.
     """
 
     system: System | None
     diagnostics: tuple[Diagnostic, ...]
     missing: tuple[Missing, ...] = ()
+    is_library: bool = False
 
 
 def analyse(

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.srm import Activity, Plays
 from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.names import unknown
 from aseme_dsl.compiler.usecases import folded
-from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
 
@@ -58,18 +58,26 @@ def check_described(
 
 
 def close_names(
-    used: Mapping[str, Node], described: Mapping[str, Activity], formulas: Iterable[tree.NamedFormula]
+    used: Mapping[str, Node],
+    described: Mapping[str, Activity],
+    formulas: Iterable[tree.NamedFormula],
+    unused: Mapping[str, Plays],
 ) -> Iterator[Diagnostic]:
     """W200 for an activity whose name is close to a formula's or another activity's: is it misspelt?
+
+    `unused` are the participants that a role plays and no formula of it uses: there, less closeness will do.
+    A description that no formula has is E204, which says what it is close to.
 
     Close is: equal but for case and underscores, or one letter more, less, wrong or swapped in a name of five
     or more. Names that differ in a digit or a capital (`ScanA`, `ScanB`) are meant to differ.
     """
     declared: dict[str, tuple[Span, str]] = {}
-    for item in formulas:
-        if item.name.text != "process":
-            declared.setdefault(item.name.text, (item.name.span, "the formula"))
+    for formula in formulas:
+        if formula.name.text != "process":
+            declared.setdefault(formula.name.text, (formula.name.span, "the formula"))
     for name, activity in described.items():
+        if name not in used:
+            continue
         declared.setdefault(name, (activity.span, "the activity"))
     new = [name for name in used if name not in declared]
     for name in new:
@@ -86,17 +94,23 @@ def close_names(
             for other in by_shape[shape]
             if rank[other] < rank[name] and _is_close(name, other)
         }
-        if near:
+        played = closest(name, unused)
+        if played is not None:
+            yield _close(name, used[name], played, unused[played].span, "the participant")
+        elif near:
             other = min(near, key=lambda item: rank[item])
-            span, what = declared[other]
-            yield Diagnostic(
-                "W200",
-                f"the activity `{name}` is named almost like {what} `{other}`",
-                used[name].span,
-                (Related(span, f"`{other}`"),),
-                hint=f"did you mean `{other}`?",
-                fix=other,
-            )
+            yield _close(name, used[name], other, *declared[other])
+
+
+def _close(name: str, node: Node, other: str, place: Span, what: str) -> Diagnostic:
+    return Diagnostic(
+        "W200",
+        f"the activity `{name}` is named almost like {what} `{other}`",
+        node.span,
+        (Related(place, f"`{other}`"),),
+        hint=f"did you mean `{other}`?",
+        fix=other,
+    )
 
 
 def unplayed(iacs: Iterable[Statechart], aips: Iterable[tree.Aip]) -> Iterator[Diagnostic]:

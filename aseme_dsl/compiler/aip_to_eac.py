@@ -9,7 +9,7 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler import formulas as formula_tables
 from aseme_dsl.compiler.blocks import participants_of
 from aseme_dsl.compiler.chart import Part, RelativeLine, World, chart_of
-from aseme_dsl.compiler.choices import check_formulas, undecided_formulas
+from aseme_dsl.compiler.choices import check_formulas, undecided_formulas, unsettled
 from aseme_dsl.compiler.control import (
     LabelledLine,
     Lines,
@@ -118,7 +118,8 @@ def read_protocol(
             unsure |= set(reading.formulas.named)
         names = {name: reading.name if name == PROCESS else name for name in reading.formulas.named}
         found += check_formulas(reading.formulas, names, lines, frozenset(unsure))
-        missing += undecided_formulas(reading.formulas, names, lines, written.span, frozenset(unsure))
+        wrong = frozenset(unsure | unsettled(reading.formulas, found))
+        missing += undecided_formulas(reading.formulas, names, lines, written.span, wrong)
     return Protocol(written, parts, outline, tuple(missing)), tuple(found)
 
 

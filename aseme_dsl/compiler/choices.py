@@ -86,6 +86,19 @@ def undecided_formulas(
     return tuple(found)
 
 
+def unsettled(formulas: Formulas, problems: Iterable[Diagnostic]) -> set[str]:
+    """The formulas with a loop that would never settle (E303): its repair changes what is to be decided."""
+    places = [item.span for item in problems if item.code == "E303" and item.span is not None]
+    return {
+        name
+        for name, item in formulas.named.items()
+        if any(
+            place.source is item.span.source and item.span.start <= place.start <= item.span.end
+            for place in places
+        )
+    }
+
+
 def _alternatives(
     terms: Terms, lines: Lines
 ) -> tuple[list[list[Alternative]], list[list[Alternative]], list[list[Alternative]]]:
@@ -214,16 +227,17 @@ def never_taken(line: Line, because: Span) -> Diagnostic:
 def _else_beside(
     alternatives: Sequence[Alternative], timed: Sequence[Line], why: str
 ) -> Iterator[Diagnostic]:
-    for item in alternatives:
-        for line in item.lines:
-            if line.written.otherwise and timed:
-                yield Diagnostic(
-                    "W401",
-                    f"`else` is taken as soon as nothing else is enabled: {why}",
-                    line.span,
-                    (Related(timed[0].span, "the time that is waited for"),),
-                    hint="write the opposite condition instead of `else`",
-                )
+    """W401 for the first `else`; another one is E406."""
+    lines = (line for item in alternatives for line in item.lines if line.written.otherwise)
+    first = min(lines, key=lambda line: line.position, default=None)
+    if first is not None and timed:
+        yield Diagnostic(
+            "W401",
+            f"`else` is taken as soon as nothing else is enabled: {why}",
+            first.span,
+            (Related(timed[0].span, "the time that is waited for"),),
+            hint="write the opposite condition instead of `else`",
+        )
 
 
 def _expires(typed: TransitionExpression) -> bool:
@@ -287,4 +301,5 @@ __all__ = [
     "control_skeleton",
     "never_taken",
     "undecided_formulas",
+    "unsettled",
 ]

@@ -15,7 +15,7 @@ from aseme_dsl.amola.statechart import Node, NodeType, Origin, Transition
 from aseme_dsl.compiler.formula_to_statechart import Arrow, Outline, Way
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.scope import Scope
-from aseme_dsl.compiler.terms import terms_of, way
+from aseme_dsl.compiler.terms import Played, terms_of, way
 from aseme_dsl.compiler.typecheck import type_expression
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
@@ -59,10 +59,14 @@ class Lines:
 
 
 def read_lines(
-    formulas: Formulas, controls: Iterable[tuple[tree.Control, str]], scope: Scope
+    formulas: Formulas,
+    controls: Iterable[tuple[tree.Control, str]],
+    scope: Scope,
+    played: Played | None = None,
 ) -> tuple[Lines, tuple[Diagnostic, ...]]:
     """The lines of `controls`, each given with the name of the formula that it is about.
 
+    `played` are the formulas of the participants that a role plays, which have control of their own.
     Reports E400, E401, E402, E411 and what is wrong with the expressions.
     """
     by_way: dict[Way, list[Line]] = {}
@@ -83,7 +87,7 @@ def read_lines(
                     hint="write their lines into one block: their order is the order in which they are tried",
                 )
             )
-        terms = terms_of(formulas, name, control.name.text)
+        terms = terms_of(formulas, name, control.name.text, played)
         for entry in control.entries:
             typed, problems = type_expression(entry.expression, scope)
             found += problems

@@ -379,7 +379,8 @@ def too_large(
         + " → ".join(chain),
         span,
         tuple(related),
-        hint="a formula is expanded each time it stands: use it in fewer places, or set a larger limit",
+        hint="a formula is expanded each time it stands: use it in fewer places, or allow more with "
+        "`max_states = …` under [tool.asemec] in pyproject.toml",
     )
 
 

@@ -40,6 +40,13 @@ def _comparison_hint(first: Type, second: Type) -> str | None:
     if Kind.ENUM in kinds and kinds & {Kind.INT, Kind.DOUBLE}:
         enum = first if first.kind is Kind.ENUM else second
         return f"compare it with a constant of `{enum}`"
+    if kinds == {Kind.ENUM}:
+        return f"the constants of `{first}` and those of `{second}` are different things"
+    if Kind.ENUM in kinds and Kind.STRING in kinds:
+        enum = first if first.kind is Kind.ENUM else second
+        return f"a constant of `{enum}` is written without quotes: `{enum}.…`"
+    if Kind.STRING in kinds and kinds & {Kind.INT, Kind.DOUBLE}:
+        return "a string is compared with a text in double quotes"
     if Kind.BOOL in kinds:
         return "a bool is a condition as it stands: `x` or `!x`"
     return None

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TypeVar
 
+from aseme_dsl.amola.srm import Plays
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import Analysis, Options
@@ -105,7 +106,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     formulas = _formulas(blocks)
     if len(charts) == len(eacs) + len(iacs):
         found += check_described(_described_in(blocks), used, formulas, is_damaged)
-    found += close_names(used, described, formulas)
+    found += close_names(used, described, formulas, _unused_plays(roles.values()))
     found += unplayed(_built(iacs), blocks.aips)
     capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
     cases = use_cases(suc, [*protocols, *(item.name.text for item in formulas), *used, *capabilities])
@@ -125,7 +126,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
 
     diagnostics = in_order(_without_consequences(found))
     if has_errors(diagnostics) or symbols.system is None:
-        return Analysis(None, diagnostics, tuple(missing))
+        return Analysis(None, diagnostics, tuple(missing), _is_library(loaded))
     system = System(
         name=name,
         enums=symbols.enums,
@@ -158,6 +159,11 @@ def _played_variables(roles: Mapping[str, Role], block: tree.Srm | tree.Statecha
     return {variable.name for part in parts for variable in part.variables}
 
 
+def _unused_plays(roles: Iterable[Role]) -> dict[str, Plays]:
+    """What roles play and no formula of theirs uses, by the names that the formulas would use."""
+    return {item.name: item for role in roles for item in role.unused}
+
+
 def _built(charts: Mapping[str, Statechart | None]) -> tuple[Statechart, ...]:
     return tuple(chart for chart in charts.values() if chart is not None)
 
@@ -174,21 +180,53 @@ def _described_in(blocks: Blocks) -> Iterable[tree.Activity]:
 
 
 def _without_consequences(found: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """A loop that may be empty (E303) is also a cycle that never rests (W403): that is said once."""
+    """Every problem that does not follow from another one.
+
+    A loop that may be empty (E303) is also a cycle that never rests (W403), and has an option without a
+    condition (E405); a number that could not be read
+    (E108) may be of another type than what it was taken for; a participant that no formula uses (N702) may
+    be what an activity is misspelt for (W200).
+    """
     found = list(found)
     loops = [item.span for item in found if item.code == "E303" and item.span is not None]
+    misspelt = {place.span for item in found if item.code == "W200" for place in item.related}
+    numbers = [item.span for item in found if item.code == "E108" and item.span is not None]
 
     def follows(item: Diagnostic) -> bool:
         span = item.span
-        return item.code == "W403" and any(
-            span is not None
-            and span.source is loop.source
-            and loop.start <= span.start
-            and span.end <= loop.end
-            for loop in loops
-        )
+        if span is None:
+            return False
+        if item.code == "N702":
+            return span in misspelt
+        if item.code in ("E405", "W403"):
+            return any(_is_in(span, loop) for loop in loops)
+        return item.code in _ABOUT_TYPES and any(_is_in(number, span) for number in numbers)
 
-    return [item for item in found if not follows(item)] if loops else found
+    return [item for item in found if not follows(item)]
+
+
+_ABOUT_TYPES = ("E500", "E504", "E505", "E506", "E509", "E514", "E515", "W500")
+
+
+def _is_in(inner: Span, outer: Span) -> bool:
+    return inner.source is outer.source and outer.start <= inner.start and inner.end <= outer.end
+
+
+_IMPORTABLE = (
+    tree.Import,
+    tree.Enum,
+    tree.Message,
+    tree.Topic,
+    tree.Function,
+    tree.Let,
+    tree.Aip,
+)
+"""What a file may declare for others to import."""
+
+
+def _is_library(loaded: Loaded) -> bool:
+    declared = [item for file in loaded.files for item in file.declarations]
+    return bool(declared) and all(isinstance(item, _IMPORTABLE) for item in declared)
 
 
 def _no_system(loaded: Loaded) -> Iterable[Diagnostic]:

@@ -11,7 +11,7 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler import formulas as formula_tables
 from aseme_dsl.compiler.aip_to_eac import Protocol
 from aseme_dsl.compiler.chart import Part, World, chart_of
-from aseme_dsl.compiler.choices import check_formulas, undecided_formulas
+from aseme_dsl.compiler.choices import check_formulas, undecided_formulas, unsettled
 from aseme_dsl.compiler.control import LabelledLine, Lines, check_labels, including_labels, read_lines
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.formula_to_statechart import Outline, expand_role, sizes, too_large
@@ -29,7 +29,7 @@ from aseme_dsl.source import Span
 class Role:
     """An `srm` that has been read. `outline` is None where its formulas cannot be expanded.
 
-    `missing` is what its formulas and its control do not say yet.
+    `unused` is what it plays and no formula uses, `missing` what its formulas and its control do not say yet.
     """
 
     written: tree.Srm
@@ -40,6 +40,7 @@ class Role:
     lines: Lines
     labelled: tuple[LabelledLine, ...]
     outline: Outline | None
+    unused: tuple[Plays, ...]
     missing: tuple[Missing, ...]
 
     @property
@@ -67,7 +68,7 @@ def read_role(
     if formulas is None:
         if not damaged:
             found.append(_no_formula(written))
-        return Role(written, typed, None, plays, parts, Lines(), (), None, ()), tuple(found)
+        return Role(written, typed, None, plays, parts, Lines(), (), None, (), ()), tuple(found)
     branches = {
         item.name: parts[item.protocol, item.participant].branch(dict(item.bindings))
         for item in plays
@@ -83,7 +84,8 @@ def read_role(
     own = [
         (control, control.name.text) for control in written.controls if control.name.text in formulas.named
     ]
-    lines, problems = read_lines(formulas, own, typed.scope)
+    inside = {owner: part.formulas for owner, part in parts.items()}
+    lines, problems = read_lines(formulas, own, typed.scope, inside)
     found += problems
     outline, labelled = None, tuple[LabelledLine, ...]()
     # A played participant whose process could not be read would stand as an activity: no chart then.
@@ -99,10 +101,11 @@ def read_role(
     unsure = frozenset(formulas.named if damaged else (f for c, f in own if is_damaged(c.span)))
     checked = including_labels(lines, outline, labelled) if outline is not None else lines
     found += check_formulas(formulas, {}, checked, unsure)
-    missing = undecided_formulas(formulas, {}, checked, written.span, unsure)
-    if not damaged:
-        missing += tuple(_not_played(written, formulas, plays))
-    role = Role(written, typed, formulas, plays, parts, lines, labelled, outline, missing)
+    wrong = unsure.union(unsettled(formulas, found), played.keys() & formulas.named.keys())
+    missing = undecided_formulas(formulas, {}, checked, written.span, wrong)
+    unused = () if damaged else tuple(_unused(formulas, plays))
+    missing += tuple(_not_used(written, formulas, item) for item in unused)
+    role = Role(written, typed, formulas, plays, parts, lines, labelled, outline, unused, missing)
     return role, tuple(found)
 
 
@@ -255,18 +258,19 @@ def _played_names(written: tree.Srm) -> dict[str, Span]:
     return {(item.alias or item.participant).text: item.span for item in written.plays}
 
 
-def _not_played(written: tree.Srm, formulas: Formulas, plays: Sequence[Plays]) -> Iterable[Missing]:
+def _unused(formulas: Formulas, plays: Sequence[Plays]) -> Iterable[Plays]:
+    """What the role plays and no formula uses."""
     used = {node.name for item in formulas.named.values() for node in names(item.formula)}
     by_own_name = _by_own_name(plays, {item.name: item for item in plays}, formulas)
     used.update(item.name for name, item in by_own_name.items() if name in used)
-    for item in plays:
-        if item.name not in used and item.name not in formulas.named:
-            message = (
-                f"{written.name} plays {item.protocol}.{item.participant}, but no formula uses `{item.name}`"
-            )
-            hint = f"let a formula use it, such as `{formulas.root} = … | {item.name}`"
-            note = Diagnostic("N702", message, item.span, hint=hint)
-            yield Missing(note, f"// Let a formula use the participant {item.name}.", written.span)
+    return (item for item in plays if item.name not in used and item.name not in formulas.named)
+
+
+def _not_used(written: tree.Srm, formulas: Formulas, item: Plays) -> Missing:
+    message = f"{written.name} plays {item.protocol}.{item.participant}, but no formula uses `{item.name}`"
+    hint = f"let a formula use it, such as `{formulas.root} = … | {item.name}`"
+    note = Diagnostic("N702", message, item.span, hint=hint)
+    return Missing(note, f"// Let a formula use the participant {item.name}.", written.span)
 
 
 def _foreign_controls(

@@ -15,12 +15,16 @@ _LISTED = 8
 """How many candidates a hint names at most."""
 
 
+Played = Mapping[tuple[str, str], Formulas]
+
+
 @dataclass(frozen=True, slots=True)
 class Terms:
     """The terms of one formula: each operand and operator of its text, without parentheses.
 
     `parents` gives the operator around each (None for the whole), `places` those of one spelling in order.
-    `title` is what the formula is called in `control`: a participant's name for its process.
+    `title` is what the formula is called in `control`: a participant's name for its process. `played` are the
+    formulas of the participants that the owner plays, by `protocol` and `participant`.
     """
 
     formulas: Formulas
@@ -29,9 +33,10 @@ class Terms:
     whole: Formula
     parents: Mapping[Formula, Formula | None]
     places: Mapping[str, tuple[Formula, ...]]
+    played: Played
 
 
-def terms_of(formulas: Formulas, formula: str, control: str) -> Terms:
+def terms_of(formulas: Formulas, formula: str, control: str, played: Played | None = None) -> Terms:
     """The terms of the formula called `formula`; `control` is the name that its control block has."""
     whole = ungrouped(formulas.named[formula].formula)
     parents: dict[Formula, Formula | None] = {}
@@ -43,7 +48,7 @@ def terms_of(formulas: Formulas, formula: str, control: str) -> Terms:
         places.setdefault(canonical(term), []).append(term)
         stack += [(ungrouped(operand), term) for operand in reversed(term.operands)]
     found = {key: tuple(terms) for key, terms in places.items()}
-    return Terms(formulas, formula, control, whole, parents, found)
+    return Terms(formulas, formula, control, whole, parents, found, played or {})
 
 
 def way(terms: Terms, verb: tree.Name, written: tree.Term) -> tuple[Way | None, Diagnostic | None]:
@@ -152,7 +157,8 @@ def _find(terms: Terms, key: str, written: tree.Term) -> tuple[Formula | None, D
 def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
     message = f"`{terms.title}` has no term `{_named(ungrouped(written.formula))}`"
     named = terms.formulas.named
-    related = (Related(named[terms.formula].formula.span, f"the text of `{terms.title}`"),)
+    place = Related(named[terms.formula].formula.span, f"the text of `{terms.title}`")
+    related: tuple[Related, ...] = (place,)
     elsewhere = [
         name
         for name, item in named.items()
@@ -163,17 +169,32 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
         if len(key) <= QUOTED
         else None
     )
+    inside = next((owner for owner, other in terms.played.items() if _has_term(other, key)), None)
     if elsewhere:
         name = elsewhere[0]
         hint = f"it stands in `{name}`: write this line in `control {name} {{ … }}`"
+    elif inside is not None:
+        protocol, participant = inside
+        owner = f"{protocol}.{participant}"
+        hint = f"it stands in {owner}, whose control is the protocol's: say it in `aip {protocol}`"
+        process = terms.played[inside].named[terms.played[inside].root]
+        related = (*related, Related(process.span, f"the process of {owner}"))
     elif near is not None:
         hint = f"did you mean `{_named(terms.places[near][0])}`?"
     else:
         hint = f"its terms are {listed(_named(places[0]) for places in terms.places.values())}"
-    fix = near if not elsewhere and near is not None and "\n" not in written.span.text else None
+    fix = (
+        near
+        if not elsewhere and inside is None and near is not None and "\n" not in written.span.text
+        else None
+    )
     if fix is not None and written.occurrence is not None:
         fix = None
     return Diagnostic("E400", message, written.span, related, hint=hint, fix=fix)
+
+
+def _has_term(formulas: Formulas, key: str) -> bool:
+    return any(_spelt(node, key) for item in formulas.named.values() for node in _terms(item.formula))
 
 
 def _terms(formula: Formula) -> Iterator[Formula]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Named, Value, operands
 from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, STRING, Kind, Type
-from aseme_dsl.compiler.builtins import PERFORMATIVES
+from aseme_dsl.compiler.builtins import ACTIONS, FORMS, PERFORMATIVES
 from aseme_dsl.compiler.calls import (
     assignable,
     call,
@@ -22,7 +22,7 @@ from aseme_dsl.compiler.names import unknown, unknown_performative
 from aseme_dsl.compiler.operators import COMPARISONS, arithmetic, compare, is_condition, negate
 from aseme_dsl.compiler.paths import channel_of, member_of, through_optional, value_of_path
 from aseme_dsl.compiler.scope import Scope
-from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
 
@@ -225,6 +225,10 @@ def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
     if name == "start_timer":
         wrong_form(checker, name, written.span, "`start_timer` is an action, not a value")
         return None
+    if name is None and len(written.function.segments) == 1:
+        near = closest(written.function.text, (*checker.scope.symbols.function_names, *FORMS))
+        if near in ("expired", "start_timer") or "timer" in written.function.text.lower():
+            return None  # its first argument is the name of a timer, and what is wrong has been said
     arguments = [_value(checker, argument, depth + 1) for argument in written.arguments]
     typed = [argument for argument in arguments if argument is not None]
     if name is None or len(typed) < len(arguments):
@@ -321,12 +325,40 @@ def _action(checker: Checker, written: tree.Action) -> amola.Action | None:
         ):
             return _start_timer(checker, inner, span)
         case tree.Evaluate(expression=inner, span=span):
+            if _is_misspelt_action(checker, inner):
+                return None
             value = _whole(checker, inner)
             if value is None:
                 return None
             hint = "`=` assigns" if isinstance(value, amola.Compare) and value.operator == "==" else None
             checker.report("W500", "the value is computed and dropped", span, hint)
             return amola.Evaluate(value, span)
+
+
+def _is_misspelt_action(checker: Checker, written: tree.Expression) -> bool:
+    """Whether what stands as an action is meant as `read_messages` or `write_messages…` (E200, E102)."""
+    scope = checker.scope
+    path = written.function if isinstance(written, tree.Call) else written
+    if not isinstance(path, tree.Path):
+        return False
+    first = path.segments[0]
+    symbols = scope.symbols
+    known = (*scope.variables, *scope.lets, *symbols.function_names, *symbols.agents)
+    if first.text in known or symbols.topic(first.text) or symbols.enum(first.text):
+        return False
+    if first.text in ACTIONS:
+        if not isinstance(written, tree.Call):
+            return False
+        alone = first.text == "read_messages"
+        hint = f"write `{first}`" if alone else f"write `{first}.topic.class.Message`"
+        problem = f"`{first}` is written without parentheses"
+        checker.report("E102", problem, written.span, hint, fix=first.text if alone else None)
+        return True
+    near = closest(first.text, ACTIONS)
+    if near is None or closest(first.text, (*known, near)) != near:
+        return False
+    checker.diagnostics.append(unknown("E200", "there is no action", first, ACTIONS))
+    return True
 
 
 def _start_timer(checker: Checker, written: tree.Call, span: Span) -> amola.Action | None:

@@ -32,6 +32,15 @@ _QUOTES = re.compile(r'[\\"]')
 _END_OF_LINE = re.compile(r"[\s{}]*$")
 _ESCAPE = re.compile(r"\\.")
 _GOOD_NUMBER = re.compile(r"[0-9]+(?:\.[0-9]+)*|[0-9]+(?:\.[0-9]+)?(?:ms|s|min)", re.ASCII)
+OTHER_UNITS = {
+    "s": ("sec", "secs", "second", "seconds"),
+    "ms": ("msec", "msecs", "millis", "millisecond", "milliseconds"),
+    "min": ("mins", "minute", "minutes"),
+}
+"""What people call the units of durations, too."""
+OTHER_TIMES = ("h", "hr", "hrs", "hour", "hours", "d", "us", "ns")
+"""Units of time that durations do not have."""
+
 _NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d]+)")
 
 # What people paste from texts, and what they meant; one character each, so that all places stay.
@@ -155,6 +164,18 @@ def shown(text: str) -> str:
     return "'" + "".join(c if c.isprintable() else f"U+{ord(c):04X}" for c in text) + "'"
 
 
+def _wrong_unit(number: str, unit: str) -> tuple[str, str, str | None]:
+    """What is said of `6m` or `3sec`, with the hint, and the fix where it is certain."""
+    meant = next((known for known, others in OTHER_UNITS.items() if unit.lower() in (known, *others)), None)
+    if meant is not None:
+        return f"{shown(unit)} is no unit of time", f"write {number}{meant}", f"{number}{meant}"
+    if unit in OTHER_TIMES:
+        return f"{shown(unit)} is no unit of time", "durations are written 200ms, 1.5s or 2min", None
+    also = f"; minutes are written {number}min" if unit in ("m", "M") else ""
+    hint = f"write {number}, and its unit in a comment{also}"
+    return f"numbers have no units: {shown(number + unit)}", hint, None
+
+
 class _Cleaner:
     def __init__(self, source: Source) -> None:
         self.source = source
@@ -254,13 +275,8 @@ class _Cleaner:
         end = start + len(text)
         unit = _NUMBER_AND_UNIT.fullmatch(text)
         if unit is not None:
-            self._report(
-                "E108",
-                f"{shown(unit[2])} is no unit of time",
-                start,
-                end,
-                "durations are written 200ms, 1.5s or 2min",
-            )
+            message, hint, fix = _wrong_unit(unit[1], unit[2])
+            self._report("E108", message, start, end, hint, fix)
             self.replaced.append((start, "0" * (len(text) - 1) + "s"))
         else:
             self._report("E108", f"{shown(text)} is neither a number nor a name", start, end)

@@ -37,6 +37,17 @@ def test_everything_below_a_folder(here: Here, folder: Path) -> None:
     assert here("check").out == done.out
 
 
+def test_a_file_that_others_import_needs_no_system(here: Here, folder: Path) -> None:
+    (folder / "shared.aseme").write_text("message Seen { bool ball }\ntopic eyes { state Seen }\n")
+    done = here("check", "shared.aseme")
+    assert (done.code, done.out) == (0, "1 file is fine\n")
+    done = here("build", "shared.aseme")
+    assert done.code == 1 and "E008" in done.err
+    (folder / "shared.aseme").write_text("srm player { liveness { player = Look } }")
+    done = here("check", "shared.aseme")
+    assert done.code == 1 and "E008" in done.out
+
+
 def test_a_library_that_nobody_imports_is_checked_too(here: Here, folder: Path) -> None:
     (folder / "bad.aseme").unlink()
     (folder / "shared.aseme").write_text("message Seen { bol ball }")
