@@ -21,6 +21,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -30,6 +31,7 @@ from aseme_dsl.runtime.persist import Kept
 from aseme_dsl.runtime.plan import ChannelInfo, Plan, Term
 from aseme_dsl.runtime.timers import Timer
 from aseme_dsl.runtime.trace import Trace
+from aseme_dsl.runtime.transport.port import LOCAL, Transport
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.agent import Agent
@@ -48,18 +50,39 @@ class _Held:
         self.timer: Timer | None = None
 
 
-class Bus:
-    """The in-process bus of a team. May be used from any thread."""
+@dataclass(frozen=True, slots=True)
+class _Route:
+    """Who gets what an agent publishes on a channel: agents here, agents elsewhere, the names of all."""
 
-    def __init__(self, driver: Driver, trace: Trace, state_directory: Path | None = None) -> None:
+    here: tuple[Agent, ...]
+    elsewhere: tuple[str, ...]
+    names: tuple[str, ...]
+
+
+class Bus:
+    """The bus of a team: of its agents in this process, and by `transport` of those in others.
+
+    May be used from any thread.
+    """
+
+    def __init__(
+        self,
+        driver: Driver,
+        trace: Trace,
+        state_directory: Path | None = None,
+        transport: Transport = LOCAL,
+    ) -> None:
         self.trace = trace
+        self._transport = transport
         self._driver = driver
         self._agents: dict[str, Agent] = {}
         self._radios: dict[str, Radio] = {}
         self._rules: dict[str, ChannelInfo] = {}
         self._reads: dict[str, dict[str, frozenset[str | None]]] = {}
         self._writes: dict[str, frozenset[str]] = {}
-        self._routes: dict[tuple[str, str], tuple[Agent, ...]] = {}
+        self._roles: dict[str, str] = {}
+        """The role of each agent, in the team's order."""
+        self._routes: dict[tuple[str, str], _Route] = {}
         self._held: dict[tuple[str, str, str | None], _Held] = {}
         self._given = 0
         self._lock = threading.RLock()
@@ -70,10 +93,15 @@ class Bus:
         self._agents[agent.name] = agent
         if radio is not None:
             self._radios[agent.name] = radio
-        for info in agent.plan.channels:
+        self.join_elsewhere(agent.name, agent.plan)
+
+    def join_elsewhere(self, name: str, plan: Plan) -> None:
+        """An agent of the team runs in another process, with this plan; it counts in the team's order."""
+        for info in plan.channels:
             self._rules.setdefault(info.name, info)
-        self._reads[agent.name] = _reads(agent.plan)
-        self._writes[agent.name] = _writes(agent.plan)
+        self._roles[name] = plan.name
+        self._reads[name] = _reads(plan)
+        self._writes[name] = _writes(plan)
         self._routes.clear()
 
     # ---- publishing --------------------------------------------------------------------------
@@ -96,7 +124,7 @@ class Bus:
             reason = f"only {', '.join(sources)} may publish on {channel}, not {who}"
             self._refused("refused", agent, channel, message, reason)
             return
-        if host is not None and host not in self._agents:
+        if host is not None and host not in self._roles:
             self._refused("refused", agent, channel, message, f"there is no agent {host}")
             return
         with self._driver.holding(), self._lock:
@@ -163,24 +191,23 @@ class Bus:
         identity = agent.identity()
         rules = self._rules.get(channel)
         radio = self._radios.get(agent.name) if rules is not None and rules.radio is not None else None
-        if host is not None:
-            receivers: tuple[Agent, ...] = (self._agents[host],)
-        else:
-            receivers = self._receivers(agent.name, channel)
+        route = self._receivers(agent.name, channel) if host is None else self._route((host,))
         if radio is not None:
-            receivers = tuple(other for other in receivers if other is agent)
+            route = self._route((agent.name,) if agent.name in route.names else ())
         self.trace.message(
             now,
             identity,
             channel,
             message,
-            [other.name for other in receivers],
+            route.names,
             host=host,
             region=region,
             activity=activity,
             via="radio" if radio is not None else None,
         )
-        self._deliver(receivers, agent, Arrived(channel, message, agent.name, now, identity), region)
+        self._deliver(route.here, agent, Arrived(channel, message, agent.name, now, identity), region)
+        if route.elsewhere:
+            self._transport.publish(identity, rules, channel, message, route.elsewhere, now, host)
         if radio is not None and host != agent.name:
             radio.send(channel, message, host, identity)
         if rules is not None and rules.persist and self._kept is not None:
@@ -199,17 +226,23 @@ class Bus:
 
     # ---- routes ------------------------------------------------------------------------------
 
-    def _receivers(self, publisher: str, channel: str) -> tuple[Agent, ...]:
+    def _receivers(self, publisher: str, channel: str) -> _Route:
         key = (publisher, channel)
         found = self._routes.get(key)
         if found is None:
             rules = self._rules.get(channel)
-            found = self._routes[key] = tuple(
-                agent
-                for name, agent in self._agents.items()
-                if channel in self._reads[name] and self._concerns(publisher, name, channel, rules)
+            found = self._routes[key] = self._route(
+                tuple(
+                    name
+                    for name in self._roles
+                    if channel in self._reads[name] and self._concerns(publisher, name, channel, rules)
+                )
             )
         return found
+
+    def _route(self, names: tuple[str, ...]) -> _Route:
+        here = tuple(self._agents[name] for name in names if name in self._agents)
+        return _Route(here, tuple(name for name in names if name not in self._agents), names)
 
     def _concerns(self, publisher: str, reader: str, channel: str, rules: ChannelInfo | None) -> bool:
         if reader == publisher or channel not in self._writes[reader]:
@@ -218,7 +251,7 @@ class Bus:
             return True
         if rules is None:
             return False
-        names = {agent.role for agent in self._agents.values()} | set(self._agents)
+        names = {*self._roles, *self._roles.values()}
         return rules.radio is not None or bool(names & set(rules.sources))
 
     # ---- from outside ------------------------------------------------------------------------
@@ -262,6 +295,54 @@ class Bus:
             if channel in self._reads[agent.name]:
                 agent.post(identity, Arrived(channel, message, sender, now, identity))
 
+    def arrived(
+        self,
+        agent: Agent,
+        channel: str,
+        message: Any,
+        sender: str,
+        identity: Identity,
+        moment: int,
+        host: str | None = None,
+    ) -> None:
+        """The transport has brought what an agent elsewhere published, measured at `moment`.
+
+        The rules hold whoever sent it: what by them does not concern the agent is refused.
+        """
+        reason = self._objection(agent, channel, sender, host)
+        with self._driver.holding(), self._lock:
+            now = self._driver.clock.now()
+            if reason is not None:
+                self.trace.write("peer", now, agent=agent.name, peer=sender, what="refused", reason=reason)
+                return
+            if self.trace.active:
+                self.trace.write(
+                    "arrived",
+                    now,
+                    agent=agent.name,
+                    input=list(identity),
+                    channel=channel,
+                    message=to_json(message),
+                    measured=moment,
+                    host=host,
+                )
+            if channel in self._reads[agent.name]:
+                agent.post(identity, Arrived(channel, message, sender, moment, identity))
+
+    def _objection(self, agent: Agent, channel: str, sender: str, host: str | None) -> str | None:
+        """Why a message from elsewhere is not for this agent, or None."""
+        if host is None and agent.name not in self._receivers(sender, channel).names:
+            return f"{channel} of {sender} does not concern {agent.name}"
+        if host not in (None, agent.name):
+            return f"{channel} of {sender} is for {host}"
+        rules = self._rules.get(channel)
+        sources = set(rules.sources) if rules is not None else set()
+        known = {*self._roles, *self._roles.values()}
+        # Where an activity may publish, too, its agent has seen to it that it was that one.
+        if sources and sources <= known and not sources & {sender, self._roles[sender]}:
+            return f"only {', '.join(sorted(sources))} may publish on {channel}, not {sender}"
+        return None
+
     def restore(self, messages: dict[str, Any]) -> None:
         """Give the agents the states that were kept; `messages` are the classes by name.
 
@@ -279,19 +360,14 @@ class Bus:
                 if rules is None or not rules.persist:
                     continue
                 identity = agent.identity()
-                receivers = self._receivers(agent.name, channel) if host is None else ()
-                if host in self._agents:
-                    receivers = (self._agents[host],)
-                self.trace.message(
-                    now,
-                    identity,
-                    channel,
-                    message,
-                    [other.name for other in receivers],
-                    host=host,
-                    via="kept",
-                )
-                self._deliver(receivers, agent, Arrived(channel, message, agent.name, now, identity), None)
+                if host is None:
+                    route = self._receivers(agent.name, channel)
+                else:
+                    route = self._route((host,) if host in self._roles else ())
+                self.trace.message(now, identity, channel, message, route.names, host=host, via="kept")
+                self._deliver(route.here, agent, Arrived(channel, message, agent.name, now, identity), None)
+                if route.elsewhere:
+                    self._transport.publish(identity, rules, channel, message, route.elsewhere, now, host)
 
     def save(self) -> None:
         """Write the kept states that have changed."""

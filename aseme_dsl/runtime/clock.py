@@ -23,18 +23,18 @@ class Clock(Protocol):
 
 
 class RealClock:
-    """The machine's monotonic clock; it begins when it is made."""
+    """The machine's monotonic clock; it begins when it is made, or at `origin` of that clock (ns)."""
 
-    __slots__ = ("_origin",)
+    __slots__ = ("origin",)
 
     virtual = False
 
-    def __init__(self) -> None:
-        self._origin = time.monotonic_ns()
+    def __init__(self, origin: int | None = None) -> None:
+        self.origin = time.monotonic_ns() if origin is None else origin
 
     def now(self) -> int:
-        """The time in ns since the clock was made."""
-        return time.monotonic_ns() - self._origin
+        """The time in ns since the clock began."""
+        return time.monotonic_ns() - self.origin
 
 
 class VirtualClock:

@@ -11,13 +11,15 @@ unexpected: it is told in the trace and answered `not_understood`.
 from __future__ import annotations
 
 import threading
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.inputs import Identity, Mail
-from aseme_dsl.runtime.plan import BranchInfo
+from aseme_dsl.runtime.plan import BranchInfo, Plan
 from aseme_dsl.runtime.trace import Trace
+from aseme_dsl.runtime.transport.port import LOCAL, Transport
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.agent import Agent
@@ -50,6 +52,8 @@ PERFORMATIVES = (
 """FIPA's communicative acts, as a document writes them."""
 
 NOT_UNDERSTOOD = "not_understood"
+REMEMBERED = 4096
+"""Of so many conversations that are over here is known who has left them, while others may not know it."""
 
 
 def fipa_name(performative: str) -> str:
@@ -77,14 +81,6 @@ class AclMessage:
     identity: Identity
 
 
-class Platform(Protocol):
-    """What carries agent messages to agents that are not in this process."""
-
-    def carry(self, message: AclMessage) -> None:
-        """Send a message on its way. Does not wait for it to arrive."""
-        ...
-
-
 @dataclass(slots=True)
 class _Branch:
     """A protocol branch that is entered: in which conversation it takes part, and what it has not taken."""
@@ -108,10 +104,15 @@ class _Conversation:
 class Conversations:
     """All conversations of a team. May be used from any thread."""
 
-    def __init__(self, driver: Driver, trace: Trace) -> None:
+    def __init__(self, driver: Driver, trace: Trace, transport: Transport = LOCAL) -> None:
         self._driver = driver
         self._trace = trace
+        self._transport = transport
         self._agents: dict[str, Agent] = {}
+        self._plans: dict[str, Plan] = {}
+        """Of everybody, also of agents in other processes, in the team's order."""
+        self._over: dict[str, set[tuple[str, str]]] = {}
+        """Who has left the conversations that are forgotten here but may go on elsewhere, the newest last."""
         self._branches: dict[str, dict[str, _Branch]] = {}
         self._queues: dict[str, list[tuple[AclMessage, BranchInfo]]] = {}
         self._conversations: dict[str, _Conversation] = {}
@@ -123,13 +124,18 @@ class Conversations:
         self._agents[agent.name] = agent
         self._branches[agent.name] = {}
         self._queues[agent.name] = []
+        self.join_elsewhere(agent.name, agent.plan)
+
+    def join_elsewhere(self, name: str, plan: Plan) -> None:
+        """An agent of the team runs in another process, with this plan; it counts in the team's order."""
+        self._plans[name] = plan
 
     # ---- sending -----------------------------------------------------------------------------
 
     def check_receiver(self, agent: Agent, branch: str, to: str) -> None:
         """Raises LookupError if `to` is neither a participant of the branch's protocol nor an agent."""
         protocol = agent.branch_info(branch).protocol
-        if to not in self._agents and not self._players(protocol, to):
+        if to not in self._plans and not self._players(protocol, to):
             raise LookupError(f"{to} is neither an agent nor a participant of {protocol} that somebody plays")
 
     def send(self, agent: Agent, branch: str, performative: str, message: str, content: Any, to: str) -> None:
@@ -164,12 +170,20 @@ class Conversations:
                 text = f"{performative} {message} reaches nobody: no other agent plays {part}"
                 self._trace.fault(self._driver.clock.now(), agent.name, text)
             for name in receivers:
-                self._deliver(self._agents[name], acl)
+                self._bring(name, acl)
+
+    def _bring(self, name: str, acl: AclMessage) -> None:
+        """Deliver a message to an agent here, or have it carried to one elsewhere."""
+        if name in self._agents:
+            self._deliver(self._agents[name], acl)
+            return
+        conversation = self._conversations.get(acl.conversation)
+        self._transport.carry(acl, name, conversation.members if conversation is not None else {})
 
     def _open(self, agent: Agent, place: _Branch) -> None:
         protocol = place.info.protocol
         number = self._opened[protocol, agent.name] = self._opened.get((protocol, agent.name), 0) + 1
-        name = f"{protocol}-{agent.name}-{number}"
+        name = f"{protocol}-{agent.name}-{self._transport.life}{number}"
         self._conversations[name] = _Conversation(protocol)
         self._take_part(agent, place, name, "open")
 
@@ -185,12 +199,10 @@ class Conversations:
         assert place.conversation is not None
         conversation = self._conversations[place.conversation]
         protocol = place.info.protocol
-        if to in self._agents and not self._players(protocol, to):
+        if to in self._plans and not self._players(protocol, to):
             part = next((p for p, members in conversation.members.items() if to in members), None)
             if part is None:
-                part = next(
-                    (b.participant for b in self._agents[to].plan.branches if b.protocol == protocol), ""
-                )
+                part = next((b.participant for b in self._plans[to].branches if b.protocol == protocol), "")
             return (to,), part
         members = conversation.members.get(to)
         if members is None:
@@ -199,12 +211,37 @@ class Conversations:
 
     def _players(self, protocol: str, participant: str) -> list[str]:
         return [
-            agent.name
-            for agent in self._agents.values()
-            if any((b.protocol, b.participant) == (protocol, participant) for b in agent.plan.branches)
+            name
+            for name, plan in self._plans.items()
+            if any((b.protocol, b.participant) == (protocol, participant) for b in plan.branches)
         ]
 
     # ---- delivering --------------------------------------------------------------------------
+
+    def arrived(self, agent: Agent, acl: AclMessage, members: Mapping[str, Sequence[str]]) -> None:
+        """The transport has brought a message for an agent, with what its sender knows of who takes part."""
+        with self._driver.holding(), self._lock:
+            self._tell_received(agent, acl)
+            conversation = self._conversations.get(acl.conversation)
+            if conversation is None:
+                past = self._over.pop(acl.conversation, set())
+                conversation = _Conversation(acl.protocol, past=past)
+                self._conversations[acl.conversation] = conversation
+            for part, names in members.items():
+                known = conversation.members.setdefault(part, [])
+                known.extend(name for name in names if name not in known)
+            self._deliver(agent, acl)
+            if acl.conversation in self._conversations:
+                self._close(acl.conversation)
+
+    def vanished(self, name: str) -> None:
+        """An agent elsewhere is gone: tell it in each conversation here that counts on it."""
+        with self._lock:
+            for agent in self._agents.values():
+                for place in self._branches[agent.name].values():
+                    conversation = self._conversations.get(place.conversation or "")
+                    if conversation is not None and any(name in who for who in conversation.members.values()):
+                        self._told("gone", agent, place, place.conversation or "", peer=name)
 
     def _deliver(self, agent: Agent, acl: AclMessage) -> None:
         place = self._place_in(agent, acl)
@@ -287,7 +324,7 @@ class Conversations:
             conversation=acl.conversation,
             reason=reason,
         )
-        if acl.performative == NOT_UNDERSTOOD or acl.sender not in self._agents:
+        if acl.performative == NOT_UNDERSTOOD or acl.sender not in self._plans:
             return
         answer = AclMessage(
             NOT_UNDERSTOOD,
@@ -302,7 +339,7 @@ class Conversations:
             agent.identity(),
         )
         self._tell_sent(answer)
-        self._deliver(self._agents[acl.sender], answer)
+        self._bring(acl.sender, answer)
 
     # ---- what the charts do ------------------------------------------------------------------
 
@@ -345,7 +382,11 @@ class Conversations:
         if not any(place.conversation == name for place in places) and not any(
             acl.conversation == name for acl in invited
         ):
-            del self._conversations[name]
+            past = self._conversations.pop(name).past
+            if self._transport.networked:
+                self._over[name] = past
+                if len(self._over) > REMEMBERED:
+                    del self._over[next(iter(self._over))]
 
     def taken(self, agent: Agent, branch: str, identity: Identity) -> None:
         """A transition or an activity took a message."""
@@ -439,8 +480,30 @@ class Conversations:
                 reason=reason,
             )
 
+    def _tell_received(self, agent: Agent, acl: AclMessage) -> None:
+        if self._trace.active:
+            self._trace.write(
+                "received",
+                self._driver.clock.now(),
+                agent=agent.name,
+                input=list(acl.identity),
+                performative=acl.performative,
+                message=acl.message,
+                content=to_json(acl.content),
+                protocol=acl.protocol,
+                conversation=acl.conversation,
+                participant=acl.participant,
+                receiver=acl.to,
+            )
+
     def _told(
-        self, what: str, agent: Agent, place: _Branch, name: str, untaken: list[list[Any]] | None = None
+        self,
+        what: str,
+        agent: Agent,
+        place: _Branch,
+        name: str,
+        untaken: list[list[Any]] | None = None,
+        peer: str | None = None,
     ) -> None:
         self._trace.write(
             "conversation",
@@ -451,4 +514,5 @@ class Conversations:
             participant=place.info.participant,
             branch=place.info.label,
             untaken=untaken,
+            peer=peer,
         )

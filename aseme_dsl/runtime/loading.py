@@ -39,6 +39,8 @@ class Loaded:
     team: tuple[tuple[str, str], ...]
     messages: Mapping[str, Any]
     schema: Schema | None = None
+    model: str = ""
+    """The hash of all its models."""
     folder: Path | None = None
     path: tuple[Path, ...] = ()
 
@@ -110,7 +112,8 @@ def load_system(folder: Path, path: Sequence[Path] = ()) -> Loaded:
         for kind in classes.values():
             member_types(kind)  # while their module can be found under its name
     system = str(getattr(package, "SYSTEM", folder.name))
-    return Loaded(system, charts, team, classes, getattr(messages, "SCHEMA", None), folder, folders)
+    model = str(getattr(package, "MODEL", ""))
+    return Loaded(system, charts, team, classes, getattr(messages, "SCHEMA", None), model, folder, folders)
 
 
 def _has_module(folder: Path, name: str) -> bool:

@@ -60,9 +60,9 @@ class _Worker:
 class RealDriver:
     """Drives a team in real time."""
 
-    def __init__(self, path: Sequence[Path] = ()) -> None:
-        """`path` are the folders where worker processes find what they import."""
-        self.clock = RealClock()
+    def __init__(self, path: Sequence[Path] = (), origin: int | None = None) -> None:
+        """`path` are the folders where worker processes find what they import; `origin` is the clock's."""
+        self.clock = RealClock(origin)
         self.agents: Sequence[Agent] = ()
         self.until: int | None = None
         """The moment after which nothing is done any more."""

@@ -18,10 +18,12 @@ from aseme_dsl.runtime.bus import Bus
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.conversation import Conversations
 from aseme_dsl.runtime.loading import Loaded, importing
+from aseme_dsl.runtime.plan import Plan
 from aseme_dsl.runtime.radio import Radio
 from aseme_dsl.runtime.real import RealDriver
 from aseme_dsl.runtime.scripted import Scripted
 from aseme_dsl.runtime.trace import Listener, Trace
+from aseme_dsl.runtime.transport import LOCAL, Peer, Transport, TransportError
 from aseme_dsl.runtime.virtual import VirtualDriver
 from aseme_dsl.runtime.wire import Schema
 
@@ -85,6 +87,9 @@ class Team:
         listeners: Iterable[Listener] = (),
         state_directory: Path | None = None,
         path: Sequence[Path] = (),
+        here: Iterable[str] | None = None,
+        transport: Transport = LOCAL,
+        origin: int | None = None,
     ) -> None:
         """Put the agents, given with their charts in the team's order, on a bus.
 
@@ -93,9 +98,14 @@ class Team:
         folders with modules that activities and functions import. `messages` are the message classes by name,
         which scripts and kept states need; `schema` is how they become bytes, which radio needs.
 
+        `here` names the agents that run in this process, if not all do; the others run elsewhere, and
+        `transport` carries messages to them. `origin` is when the run began, in ns of the machine's monotonic
+        clock, where it is older than this process.
+
         Raises:
             TeamError: two agents of one name, no agents, an activity whose code cannot be loaded, a world
-                that would never end, a script for an agent or channel that there is not.
+                that would never end, a script for an agent or channel that there is not; agents elsewhere
+                without a transport, or in virtual time.
             OSError: the trace cannot be written.
         """
         members = list(agents)
@@ -107,6 +117,16 @@ class Team:
             raise TeamError(f"two agents are called {double}")
         if clock not in ("virtual", "real"):
             raise TeamError(f"the clock is virtual or real, not {clock!r}")
+        mine = names if here is None else [name for name in names if name in set(here)]
+        strangers = [name for name in here or () if name not in names]
+        if strangers:
+            raise TeamError(f"there is no agent {strangers[0]} in the team; there are {', '.join(names)}")
+        if not mine:
+            raise TeamError("no agent of the team is to run here")
+        if len(mine) < len(names) and not transport.networked:
+            raise TeamError(f"{', '.join(n for n in names if n not in mine)} cannot be reached: no transport")
+        if transport.networked and clock != "real":
+            raise TeamError("agents in several processes have no virtual time in common: play in real time")
         if world is not None and until is None and stop is None:
             raise TeamError("a world never ends by itself: say how long the run is, or what stops it")
         self.seed = seed
@@ -119,20 +139,24 @@ class Team:
         self._messages = dict(messages or {})
         find: ActivityFinder = activities if callable(activities) else dict(activities).get
         with importing(self._path):
-            self._check_activities({chart.PLAN.name: chart for _, chart in members}.values(), find)
+            charts = {chart.PLAN.name: chart for name, chart in members if name in mine}
+            self._check_activities(charts.values(), find)
         self._script = self._checked(tuple(script), members)
         there = world.bodies if world is not None else bodies or {}
         with_radio = [
             name
             for name, chart in members
-            if name in there and any(info.radio is not None for info in chart.PLAN.channels)
+            if name in mine and name in there and any(info.radio is not None for info in chart.PLAN.channels)
         ]
         if with_radio and schema is None:
             raise TeamError(f"{with_radio[0]} has a radio, but the messages have no schema for it")
         self.trace = Trace(trace, listeners)
-        self.driver = self._driver(clock)
-        self.bus = Bus(self.driver, self.trace, state_directory)
-        self.conversations = Conversations(self.driver, self.trace)
+        self.driver = self._driver(clock, origin)
+        self.transport = transport
+        self.bus = Bus(self.driver, self.trace, state_directory, transport)
+        self.conversations = Conversations(self.driver, self.trace, transport)
+        self.elsewhere: dict[str, Plan] = {name: chart.PLAN for name, chart in members if name not in mine}
+        """The plans of the agents that run in other processes."""
         self.agents: tuple[Agent, ...] = tuple(
             Agent(
                 name,
@@ -146,9 +170,16 @@ class Team:
                 there.get(name),
             )
             for name, chart in members
+            if name in mine
         )
         self._radios: list[Radio] = []
-        for agent in self.agents:
+        running = {agent.name: agent for agent in self.agents}
+        for name in names:
+            agent = running.get(name)
+            if agent is None:
+                self.bus.join_elsewhere(name, self.elsewhere[name])
+                self.conversations.join_elsewhere(name, self.elsewhere[name])
+                continue
             radio = None
             if schema is not None and agent.name in with_radio:
                 radio = Radio(agent, self.bus, schema, names)
@@ -159,11 +190,11 @@ class Team:
 
     # ---- making ------------------------------------------------------------------------------
 
-    def _driver(self, clock: str) -> VirtualDriver | RealDriver:
+    def _driver(self, clock: str, origin: int | None) -> VirtualDriver | RealDriver:
         if clock == "virtual":
             driver: VirtualDriver | RealDriver = VirtualDriver()
         else:
-            driver = RealDriver(self._path)
+            driver = RealDriver(self._path, origin)
             driver.watch = self._stop is not None
         driver.until = self._until
         return driver
@@ -199,22 +230,45 @@ class Team:
         """The agent of that name. Raises KeyError if there is none."""
         return next((agent for agent in self.agents if agent.name == name), None) or _unknown(name)
 
+    def peers(self) -> dict[str, Peer]:
+        """The agents that run in other processes: who is there, and what came from whom."""
+        return self.transport.peers()
+
+    def history(self, agent: str, channel: str, since: int, until: int) -> list[tuple[int, Any]]:
+        """The data that an agent in another process has published in a span of time, as (time, message).
+
+        It is asked for it, and has what it published lately. Times are in ns of this run.
+
+        Raises:
+            TransportError: there is no such agent or channel, or no answer.
+        """
+        return self.transport.history(agent, channel, since, until)
+
     def run(self) -> RunResult:
         """Run to the end; activities that still run then are cancelled, and the trace is closed.
 
-        Ctrl-C and SIGTERM end the run cleanly where this is the main thread; a second one at once. Raises
-        TeamError if the team has run already.
+        Ctrl-C and SIGTERM end the run cleanly where this is the main thread; a second one at once.
+
+        Raises:
+            TeamError: the team has run already; the network cannot be used.
         """
         if self._has_run:
             raise TeamError("a team runs once; make another one")
         self._has_run = True
         driver = self.driver
         plans = {agent.name: agent.plan for agent in self.agents}
-        self.trace.header(self.system, plans, self.seed, driver.clock.virtual)
+        self.trace.header(self.system, plans, self.seed, driver.clock.virtual, self.elsewhere)
         try:
             with importing(self._path), _interruptible(driver.stop):
-                self._prepare()
-                driver.run()
+                try:
+                    self.transport.begin(self)
+                except TransportError as problem:
+                    raise TeamError(str(problem)) from problem
+                try:
+                    self._prepare()
+                    driver.run()
+                finally:
+                    self.transport.close()
             self._end(driver.reason)
         except BaseException:
             self._end("error")

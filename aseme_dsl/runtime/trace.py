@@ -154,8 +154,9 @@ class Trace:
         plans: Mapping[str, Plan],
         seed: int,
         virtual: bool,
+        elsewhere: Iterable[str] = (),
     ) -> None:
-        """The first line: which agents run which models, and under which clock."""
+        """The first line: which agents run which models, under which clock, and who runs elsewhere."""
         self.write(
             "header",
             0,
@@ -168,6 +169,7 @@ class Trace:
                 {"name": name, "role": plan.name, "model": plan.model, "source": plan.source}
                 for name, plan in plans.items()
             ],
+            elsewhere=list(elsewhere) or None,
         )
 
     def message(

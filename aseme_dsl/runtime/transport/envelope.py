@@ -1,0 +1,202 @@
+"""Envelope: what is written on the outside of what travels between robots, in Protocol Buffers.
+
+The envelope goes as the attachment of a sample, the message itself (encoded as the system's `.proto` says) as
+its payload; sender, receiver and channel are the sample's key. In another language:
+
+    syntax = "proto3";
+    package aseme.transport;
+
+    enum Kind { MESSAGE = 0; MAIL = 1; ACKNOWLEDGE = 2; PING = 3; PONG = 4; }
+
+    message Envelope {
+      uint32 format = 1;                // 1
+      Kind kind = 2;
+      string model = 3;                 // MODEL of the generated package
+      fixed64 incarnation = 4;          // which life of the sender
+      fixed64 addressee = 5;            // which life of the receiver it is for
+      uint64 place = 6;                 // in the stream from sender to receiver, from 1; 0: not in the stream
+      uint64 sample = 7;                // counts what is not in the stream, from 1
+      uint64 sequence = 8;              // of the sender's identity for it
+      sfixed64 time = 9;                // ns of the sender's clock: when it was measured
+      fixed64 clock = 10;               // which clock; robots with the same share it
+      string channel = 11;
+      string host = 12;                 // the one agent it is addressed to, if any
+      fixed32 check = 13;               // CRC-32 of the payload
+      string performative = 14;         // of an agent message, this and what follows up to 19
+      string message = 15;
+      string protocol = 16;
+      string conversation = 17;
+      string participant = 18;          // the sender's part
+      string to = 19;                   // the receiver's part
+      repeated Part parts = 20;         // who takes part as what, as far as the sender knows
+      repeated string receivers = 21;
+      uint64 upto = 22;                 // ACKNOWLEDGE: all up to this place have come
+      repeated uint64 missing = 23;     // and of those after it, these have not
+      sfixed64 asked = 24;              // PONG: the time of the PING
+      sfixed64 heard = 25;              // PONG: when that came
+    }
+    message Part { string participant = 1; repeated string agents = 2; }
+"""
+
+from __future__ import annotations
+
+import zlib
+from dataclasses import dataclass, fields
+from functools import cache
+from typing import Any
+
+FORMAT = 1
+
+MESSAGE, MAIL, ACKNOWLEDGE, PING, PONG = range(5)
+
+
+class EnvelopeError(ValueError):
+    """Bytes that are no envelope, or not the envelope of what came in it; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Envelope:
+    """The members are those of the module's docstring."""
+
+    kind: int
+    model: str = ""
+    incarnation: int = 0
+    addressee: int = 0
+    place: int = 0
+    sample: int = 0
+    sequence: int = 0
+    time: int = 0
+    clock: int = 0
+    channel: str = ""
+    host: str = ""
+    performative: str = ""
+    message: str = ""
+    protocol: str = ""
+    conversation: str = ""
+    participant: str = ""
+    to: str = ""
+    parts: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    receivers: tuple[str, ...] = ()
+    upto: int = 0
+    missing: tuple[int, ...] = ()
+    asked: int = 0
+    heard: int = 0
+
+
+def written(
+    envelope: Envelope, payload: bytes, *, addressee: int = 0, place: int = 0, sample: int = 0
+) -> bytes:
+    """The envelope of a payload as bytes, for the way that it goes."""
+    proto = _proto()(
+        format=FORMAT, check=zlib.crc32(payload), addressee=addressee, place=place, sample=sample
+    )
+    for name, default in _SIMPLE:
+        value = getattr(envelope, name)
+        if value != default:
+            setattr(proto, name, value)
+    if envelope.parts:
+        for participant, agents in envelope.parts:
+            proto.parts.add(participant=participant, agents=agents)
+    if envelope.receivers:
+        proto.receivers.extend(envelope.receivers)
+    if envelope.missing:
+        proto.missing.extend(envelope.missing)
+    data: bytes = proto.SerializeToString()
+    return data
+
+
+def read(data: bytes, payload: bytes) -> Envelope:
+    """The envelope that these bytes are, if it is that of the payload.
+
+    Raises:
+        EnvelopeError: it is not.
+    """
+    from google.protobuf.message import DecodeError
+
+    try:
+        proto = _proto().FromString(data)
+    except DecodeError as problem:
+        raise EnvelopeError(f"its envelope cannot be read: {problem}") from None
+    if proto.format != FORMAT:
+        raise EnvelopeError(f"its envelope has the format {proto.format}; this is {FORMAT}")
+    if proto.check != zlib.crc32(payload):
+        raise EnvelopeError("it was damaged on its way: its checksum is another")
+    values: dict[str, Any] = {name: getattr(proto, name) for name, _ in _SIMPLE}
+    if values["kind"] not in range(5):
+        raise EnvelopeError(f"there is no kind {values['kind']} of envelope")
+    if proto.parts:
+        values["parts"] = tuple((part.participant, tuple(part.agents)) for part in proto.parts)
+    if proto.receivers:
+        values["receivers"] = tuple(proto.receivers)
+    if proto.missing:
+        values["missing"] = tuple(proto.missing)
+    return Envelope(**values)
+
+
+_LISTS = ("parts", "receivers", "missing")
+_SIMPLE: tuple[tuple[str, Any], ...] = tuple(
+    (field.name, None if field.name == "kind" else field.default)
+    for field in fields(Envelope)
+    if field.name not in _LISTS
+)
+
+
+@cache
+def _proto() -> Any:
+    """The protobuf class, in a pool of its own."""
+    from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
+
+    kinds = descriptor_pb2.FieldDescriptorProto
+    file = descriptor_pb2.FileDescriptorProto(
+        name="aseme/transport.proto", package="aseme.transport", syntax="proto3"
+    )
+    kind = file.enum_type.add(name="Kind")
+    for number, name in enumerate(("MESSAGE", "MAIL", "ACKNOWLEDGE", "PING", "PONG")):
+        kind.value.add(name=name, number=number)
+    part = file.message_type.add(name="Part")
+    part.field.add(name="participant", number=1, type=kinds.TYPE_STRING, label=kinds.LABEL_OPTIONAL)
+    part.field.add(name="agents", number=2, type=kinds.TYPE_STRING, label=kinds.LABEL_REPEATED)
+    envelope = file.message_type.add(name="Envelope")
+    text, count, fixed, moment = kinds.TYPE_STRING, kinds.TYPE_UINT64, kinds.TYPE_FIXED64, kinds.TYPE_SFIXED64
+    types = {
+        "format": kinds.TYPE_UINT32,
+        "kind": kinds.TYPE_ENUM,
+        "model": text,
+        "incarnation": fixed,
+        "addressee": fixed,
+        "place": count,
+        "sample": count,
+        "sequence": count,
+        "time": moment,
+        "clock": fixed,
+        "channel": text,
+        "host": text,
+        "check": kinds.TYPE_FIXED32,
+        "performative": text,
+        "message": text,
+        "protocol": text,
+        "conversation": text,
+        "participant": text,
+        "to": text,
+        "parts": kinds.TYPE_MESSAGE,
+        "receivers": text,
+        "upto": count,
+        "missing": count,
+        "asked": moment,
+        "heard": moment,
+    }
+    for number, (name, type_) in enumerate(types.items(), 1):
+        repeated = name in _LISTS
+        field = envelope.field.add(
+            name=name,
+            number=number,
+            type=type_,
+            label=kinds.LABEL_REPEATED if repeated else kinds.LABEL_OPTIONAL,
+        )
+        if name == "kind":
+            field.type_name = ".aseme.transport.Kind"
+        if name == "parts":
+            field.type_name = ".aseme.transport.Part"
+    pool = descriptor_pool.DescriptorPool()
+    pool.Add(file)
+    return message_factory.GetMessageClass(pool.FindMessageTypeByName("aseme.transport.Envelope"))

@@ -1,0 +1,151 @@
+"""The link over Eclipse Zenoh. Keys, each below `asemec/SYSTEM`:
+
+to/RECEIVER/SENDER/WAY     what goes from one agent to another; WAY is TOPIC/KIND/MESSAGE, or `mail`, …
+here/AGENT/INCARNATION     a liveliness token: this agent is there
+WHAT/AGENT                 questions: `history` and `control`
+"""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.runtime.transport.port import TransportError
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.transport.link import Hears
+    from aseme_dsl.runtime.transport.settings import Network
+
+MISSING = (
+    'robots in several processes talk over Zenoh, which is not installed: pip install "aseme-dsl[zenoh]"'
+)
+
+
+def import_zenoh() -> Any:
+    """The module. Raises TransportError, saying how to install it, where it is not."""
+    try:
+        import zenoh
+    except ImportError as problem:
+        raise TransportError(MISSING) from problem
+    return zenoh
+
+
+class ZenohLink:
+    """A Zenoh session of its own."""
+
+    def __init__(self, system: str, network: Network) -> None:
+        """Raises TransportError if zenoh is not installed, or the settings do not fit."""
+        self._zenoh = import_zenoh()
+        self._root = f"asemec/{system}"
+        self._config = self._zenoh.Config()
+        for key, value in network.settings():
+            try:
+                self._config.insert_json5(key, value)
+            except self._zenoh.ZError as problem:
+                raise TransportError(f"zenoh does not take {key} = {value}: {problem}") from problem
+        self._session: Any = None
+        self._kept: list[Any] = []
+        """Tokens vanish when nobody refers to them."""
+        self._publishers: dict[str, Any] = {}
+        self._lock = threading.Lock()
+
+    def open(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
+        """Connect and say that these agents are here."""
+        zenoh = self._zenoh
+        try:
+            session = zenoh.open(self._config)
+        except zenoh.ZError as problem:
+            raise TransportError(f"the network cannot be used: {_first_line(problem)}") from problem
+        self._session = session
+        # A process that ends with a subscriber in it waits for ever, unless this runs before its threads
+        # are waited for; `atexit` is too late for that.
+        register = getattr(threading, "_register_atexit", None)
+        if register is not None:
+            with contextlib.suppress(RuntimeError):  # the interpreter is ending already
+                register(self.close)
+        put = zenoh.SampleKind.PUT
+
+        def arrived(sample: Any) -> None:
+            _, _, _, to, sender, *_ = str(sample.key_expr).split("/")
+            attachment = sample.attachment
+            hears.arrived(
+                to, sender, b"" if attachment is None else attachment.to_bytes(), sample.payload.to_bytes()
+            )
+
+        def lives(sample: Any) -> None:
+            *_, agent, life = str(sample.key_expr).split("/")
+            (hears.appeared if sample.kind == put else hears.vanished)(agent, int(life, 16))
+
+        def asked(query: Any) -> None:
+            what, to = str(query.key_expr).split("/")[-2:]
+            question = b"" if query.payload is None else query.payload.to_bytes()
+            for envelope, payload in hears.asked(to, what, question):
+                query.reply(f"{self._root}/{what}/{to}", payload, attachment=envelope)
+
+        for agent in agents:
+            self._kept.append(session.declare_subscriber(f"{self._root}/to/{agent}/**", arrived))
+            self._kept.append(session.declare_queryable(f"{self._root}/*/{agent}", asked))
+        liveliness = session.liveliness()
+        self._kept.append(liveliness.declare_subscriber(f"{self._root}/here/*/*", lives, history=True))
+        # Last: who sees the token may send at once.
+        for agent in agents:
+            self._kept.append(liveliness.declare_token(f"{self._root}/here/{agent}/{incarnation:x}"))
+
+    def send(self, to: str, sender: str, way: str, envelope: bytes, payload: bytes, sure: bool) -> None:
+        """Send something; it is dropped where the peer takes no more, and never waited for."""
+        key = f"{self._root}/to/{to}/{sender}/{way}"
+        publisher = self._publishers.get(key)
+        if publisher is None:
+            publisher = self._publisher(key, sure)
+        if publisher is not None:
+            with contextlib.suppress(self._zenoh.ZError):  # the session is being closed
+                publisher.put(payload, attachment=envelope)
+
+    def _publisher(self, key: str, sure: bool) -> Any:
+        zenoh = self._zenoh
+        with self._lock:
+            if self._session is None:
+                return None
+            # Blocking would hold up the whole team for one robot that stands still; the streams send again
+            # what is dropped, and never have so much on its way that it comes to that.
+            found = self._publishers[key] = self._session.declare_publisher(
+                key,
+                congestion_control=zenoh.CongestionControl.DROP,
+                priority=zenoh.Priority.INTERACTIVE_HIGH if sure else zenoh.Priority.DATA,
+                express=sure,
+            )
+            return found
+
+    def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[tuple[bytes, bytes]]:
+        """Put a question and wait for the answers."""
+        zenoh = self._zenoh
+        session = self._session
+        if session is None:
+            return []
+        replies = session.get(
+            f"{self._root}/{what}/{to}",
+            payload=question,
+            timeout=timeout,
+            # Otherwise of several answers on one key only the last one is kept.
+            consolidation=zenoh.ConsolidationMode.NONE,
+        )
+        return [
+            (reply.ok.attachment.to_bytes(), reply.ok.payload.to_bytes())
+            for reply in replies
+            if reply.ok is not None and reply.ok.attachment is not None
+        ]
+
+    def close(self) -> None:
+        """Disconnect."""
+        with self._lock:
+            session, self._session = self._session, None
+            self._publishers.clear()
+        if session is not None:
+            session.close()
+        self._kept.clear()
+
+
+def _first_line(problem: Exception) -> str:
+    return str(problem).partition("\n")[0]

@@ -1,0 +1,167 @@
+"""The port between a team and its transport, and the transport of a team that is all in one process."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol
+
+from aseme_dsl.runtime.inputs import Identity
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.conversation import AclMessage
+    from aseme_dsl.runtime.plan import ChannelInfo
+    from aseme_dsl.runtime.team import Team
+
+Answer = Callable[[dict[str, Any]], dict[str, Any]]
+"""What answers a control request, given and returned as JSON objects. May be called from any thread."""
+
+
+class TransportError(Exception):
+    """The transport cannot be used as it is asked to; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Peer:
+    """What is known of an agent in another process.
+
+    `incarnation` tells one life of it from the next; None: it has not been seen yet. The counts are of what
+    came from it: taken, doubled, out of order, refused (of another model, or not for us), unreadable (no
+    message at all), late (of a life that is over), and data that was dropped on the way. `lost` counts what
+    could not be brought to it.
+    """
+
+    name: str
+    alive: bool
+    incarnation: int | None
+    taken: int = 0
+    doubled: int = 0
+    disordered: int = 0
+    refused: int = 0
+    unreadable: int = 0
+    late: int = 0
+    dropped: int = 0
+    lost: int = 0
+    unacknowledged: int = 0
+    """How many messages for it are on their way, or wait for it."""
+    uncertainty: int | None = 0
+    """By how many ns its times may be wrong here; 0 on one machine, None while its clock is not known."""
+
+
+class Transport(Protocol):
+    """What the bus, the conversations and the team need. All may be called from any thread."""
+
+    @property
+    def networked(self) -> bool:
+        """Whether some of the team run elsewhere."""
+        ...
+
+    @property
+    def life(self) -> str:
+        """What tells this process's conversations from those of an earlier life; empty without others."""
+        ...
+
+    def begin(self, team: Team) -> None:
+        """Connect, and let peers in. Raises TransportError if that cannot be."""
+        ...
+
+    def close(self) -> None:
+        """Let what is on its way arrive, as far as that is quick, and disconnect."""
+        ...
+
+    def publish(
+        self,
+        identity: Identity,
+        rules: ChannelInfo | None,
+        channel: str,
+        message: Any,
+        to: Sequence[str],
+        moment: int,
+        host: str | None,
+    ) -> None:
+        """Carry a message to agents elsewhere; it was measured at `moment` of the run. Does not wait."""
+        ...
+
+    def carry(self, message: AclMessage, to: str, members: Mapping[str, Sequence[str]]) -> None:
+        """Carry an agent message to an agent elsewhere, with what is known of who takes part.
+
+        Does not wait.
+        """
+        ...
+
+    def peers(self) -> dict[str, Peer]:
+        """Everybody of the team who runs elsewhere."""
+        ...
+
+    def is_there(self, name: str) -> bool:
+        """Whether an agent that runs elsewhere is there just now."""
+        ...
+
+    def history(
+        self, sender: str, channel: str, since: int, until: int, timeout: float = 1.0
+    ) -> list[tuple[int, Any]]:
+        """The data that an agent elsewhere has published in a span of the run's time, as (time, message).
+
+        Waits for the answer. Raises TransportError if none comes.
+        """
+        ...
+
+    def ask(self, name: str, request: dict[str, Any], timeout: float = 1.0) -> dict[str, Any]:
+        """Put a control request to an agent elsewhere. Raises TransportError if no answer comes."""
+        ...
+
+    def answer(self, answer: Answer) -> None:
+        """Have control requests from elsewhere answered by this."""
+        ...
+
+
+class Local:
+    """Everybody is in this process."""
+
+    networked = False
+    life = ""
+
+    def begin(self, team: Team) -> None:
+        """Nothing is to be connected."""
+
+    def close(self) -> None:
+        """Nothing is connected."""
+
+    def publish(
+        self,
+        identity: Identity,
+        rules: ChannelInfo | None,
+        channel: str,
+        message: Any,
+        to: Sequence[str],
+        moment: int,
+        host: str | None,
+    ) -> None:
+        """There is nobody elsewhere."""
+
+    def carry(self, message: AclMessage, to: str, members: Mapping[str, Sequence[str]]) -> None:
+        """There is nobody elsewhere."""
+
+    def peers(self) -> dict[str, Peer]:
+        """There is nobody elsewhere."""
+        return {}
+
+    def is_there(self, name: str) -> bool:
+        """There is nobody elsewhere."""
+        return False
+
+    def history(
+        self, sender: str, channel: str, since: int, until: int, timeout: float = 1.0
+    ) -> list[tuple[int, Any]]:
+        """There is nobody elsewhere."""
+        raise TransportError(f"{sender} does not run in another process")
+
+    def ask(self, name: str, request: dict[str, Any], timeout: float = 1.0) -> dict[str, Any]:
+        """There is nobody elsewhere."""
+        raise TransportError(f"{name} does not run in another process")
+
+    def answer(self, answer: Answer) -> None:
+        """Nobody elsewhere asks."""
+
+
+LOCAL = Local()

@@ -1,0 +1,750 @@
+"""Post: the transport of a team whose agents run in several processes.
+
+Signals, states and agent messages go in a stream from each agent to each other one (`stream`): none is
+lost, doubled or overtaken while both live, also if the link between them breaks and comes back. Data is sent
+once, and what is dropped on the way is counted. Whoever comes is told the latest states of everybody that
+concern it, and the data that its program still asks for. What is meant for an agent that is not there waits
+for it: agent messages and queued signals in order, of other signals the newest, as on the board of an agent
+that does not look. What was on its way to an agent when it died is lost, and told so in the trace.
+
+Times are those of the machine's monotonic clock, which all processes of one machine share. Of another
+machine's the difference is measured, as in NTP (RFC 5905, section 8), by the quickest of the last few
+questions and answers.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import threading
+import time
+import zlib
+from collections import deque
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.runtime.clock import RealClock
+from aseme_dsl.runtime.conversation import AclMessage
+from aseme_dsl.runtime.inputs import Identity
+from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
+from aseme_dsl.runtime.transport.link import Link
+from aseme_dsl.runtime.transport.port import Answer, Peer, TransportError
+from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing
+from aseme_dsl.runtime.wire import Schema, WireError
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.agent import Agent
+    from aseme_dsl.runtime.plan import ChannelInfo
+    from aseme_dsl.runtime.team import Team
+
+BEAT = 0.02
+"""How often, in seconds, acknowledgements are sent and what is overdue is looked for."""
+OWED = 64
+"""After so many letters an acknowledgement is sent at once."""
+LAST_WORDS = 0.3
+"""How long, in seconds, what is on its way may take to arrive when a robot ends."""
+SAMPLES = 4096
+"""How much data of each channel is kept for those who ask for it."""
+QUESTIONS = 8
+"""Of so many measurements of another clock the quickest counts."""
+ASK_AGAIN = 5_000_000_000
+"""How often, in ns, another machine's clock is measured again."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Sent:
+    """What a letter is about: enough to send it, and to tell of it if it is lost."""
+
+    way: str
+    envelope: Envelope
+    payload: bytes
+    sender: str
+    what: str
+    """signal, state, data or mail."""
+
+    @property
+    def identity(self) -> Identity:
+        return self.sender, self.envelope.sequence
+
+
+_Got = tuple[Envelope, Any] | None
+"""A letter with its message; None: one that is not handed on."""
+
+
+@dataclass(slots=True)
+class _Way:
+    """Between one of our agents and one elsewhere."""
+
+    out: Outgoing[_Sent] = field(default_factory=Outgoing)
+    into: Incoming[_Got] = field(default_factory=Incoming)
+    owed: int = 0
+    """How many letters have come since the last acknowledgement."""
+    sample: int = 0
+    """The number of the last sample that was sent."""
+    newest: int = 0
+    """The highest number of a sample that came."""
+    recent: set[int] = field(default_factory=set)
+
+
+@dataclass(slots=True)
+class _Other:
+    """An agent elsewhere: which life it leads, and what came from it."""
+
+    name: str
+    alive: bool = False
+    life: int | None = None
+    clock: int | None = None
+    measured: deque[tuple[int, int]] = field(default_factory=lambda: deque(maxlen=QUESTIONS))
+    """(round trip, difference) of the last measurements of its clock."""
+    ask_at: int = 0
+    counts: dict[str, int] = field(default_factory=dict)
+    told: set[tuple[str, str]] = field(default_factory=set)
+
+
+@dataclass(frozen=True, slots=True)
+class _Kept:
+    """A state or a sample that is kept for those who come later."""
+
+    sent: _Sent
+    to: tuple[str, ...]
+    replaces: tuple[str, ...] | None
+
+
+class Post:
+    """The transport of one process. Used by one team, once."""
+
+    networked = True
+
+    def __init__(self, link: Link, schema: Schema, model: str) -> None:
+        """`model` is the MODEL of the generated package; messages of another one are refused."""
+        self.model = model
+        self.incarnation = time.time_ns()
+        self.life = f"{self.incarnation:x}-"
+        self._link = link
+        self._schema = schema
+        self._clock = clock_identity()
+        self._team: Team
+        self._here: dict[str, Agent] = {}
+        self._others: dict[str, _Other] = {}
+        self._ways: dict[tuple[str, str], _Way] = {}
+        self._states: dict[tuple[str, str, str], _Kept] = {}
+        self._samples: dict[tuple[str, str], deque[_Kept]] = {}
+        self._retention: dict[str, int] = {}
+        self._origin = 0
+        self._answer: Answer | None = None
+        self._lock = threading.RLock()
+        self._rest = threading.Condition(self._lock)
+        self._resting = False
+        self._closing = False
+        self._strangers: set[str] = set()
+        self._thread: threading.Thread | None = None
+
+    # ---- the transport -----------------------------------------------------------------------
+
+    def begin(self, team: Team) -> None:
+        """Connect, and let peers in."""
+        self._team = team
+        self._here = {agent.name: agent for agent in team.agents}
+        self._others = {name: _Other(name) for name in team.elsewhere}
+        self._ways = {(mine, other): _Way() for mine in self._here for other in self._others}
+        clock = team.driver.clock
+        assert isinstance(clock, RealClock)  # the team has seen to that
+        self._origin = clock.origin
+        for plan in (*team.elsewhere.values(), *(agent.plan for agent in team.agents)):
+            for info in plan.channels:
+                self._retention[info.name] = max(info.retention, self._retention.get(info.name, 0))
+        self._link.open(tuple(self._here), self.incarnation, self)
+        self._thread = threading.Thread(target=self._beat, name="aseme transport", daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Let what is on its way arrive, as far as that is quick, and disconnect."""
+        if self._thread is None:
+            return
+        until = time.monotonic() + LAST_WORDS
+        while time.monotonic() < until and self._has_unfinished():
+            time.sleep(0.005)
+        with self._lock:
+            self._closing = True
+            self._rest.notify()
+            for (mine, name), way in self._ways.items():
+                if way.owed and self._others[name].alive:
+                    self._acknowledge(mine, name, way)
+        self._thread.join()
+        self._link.close()
+        with self._lock:
+            for (_, name), way in self._ways.items():
+                flying, waiting = way.out.restart()
+                self._lose(name, (*flying, *waiting), "the run ended before it could be brought")
+            for other in self._others.values():
+                if other.life is not None:
+                    self._tell(other, "count", counts=dict(sorted(other.counts.items())) or None)
+
+    def _has_unfinished(self) -> bool:
+        with self._lock:
+            return any(len(way.out) and self._others[name].alive for (_, name), way in self._ways.items())
+
+    def publish(
+        self,
+        identity: Identity,
+        rules: ChannelInfo | None,
+        channel: str,
+        message: Any,
+        to: Sequence[str],
+        moment: int,
+        host: str | None,
+    ) -> None:
+        """Carry a message to agents elsewhere; it was measured at `moment` of the run."""
+        sender, sequence = identity
+        payload = self._encoded(sender, channel, message)
+        if payload is None:
+            return
+        envelope = self._envelope(
+            envelopes.MESSAGE, sequence, self._origin + moment, channel=channel, host=host or ""
+        )
+        what = channel.split(".", 2)[1]
+        sent = _Sent(channel.replace(".", "/"), envelope, payload, sender, what)
+        key = (what, channel, host or "")
+        with self._lock:
+            if self._closing:
+                return
+            kept = _Kept(sent, tuple(to), key if what == "state" else None)
+            if what == "state":
+                self._states[sender, channel, host or ""] = kept
+            elif what == "data":
+                self._keep_sample(sender, channel, kept)
+            for name in to:
+                self._dispatch(self._ways[sender, name], self._others[name], sent, rules, key)
+
+    def _dispatch(
+        self, way: _Way, other: _Other, sent: _Sent, rules: ChannelInfo | None, key: tuple[str, ...]
+    ) -> None:
+        """Send a message to one agent, now or when that is possible. Called with the lock."""
+        if sent.what == "data":
+            if other.alive:
+                way.sample += 1
+                self._hand_over(other, sent, sample=way.sample)
+            return
+        if other.life is None and sent.what == "state":
+            return  # it gets the latest when it comes
+        replaces = key if sent.what == "state" else None
+        if sent.what == "signal" and not other.alive and not (rules is not None and rules.queued):
+            replaces = key
+        given_up = way.out.put(Letter(sent, len(sent.payload), replaces))
+        self._lose(other.name, given_up, "a newer one took its place before it could be sent")
+        self._pump(way, other)
+
+    def _keep_sample(self, sender: str, channel: str, kept: _Kept) -> None:
+        samples = self._samples.setdefault((sender, channel), deque(maxlen=SAMPLES))
+        samples.append(kept)
+
+    def carry(self, message: AclMessage, to: str, members: Mapping[str, Sequence[str]]) -> None:
+        """Carry an agent message to an agent elsewhere, with what is known of who takes part."""
+        sender, sequence = message.identity
+        payload = self._encoded(sender, f"{message.performative} {message.message}", message.content)
+        if payload is None:
+            return
+        envelope = self._envelope(
+            envelopes.MAIL,
+            sequence,
+            self._origin + self._team.driver.clock.now(),
+            performative=message.performative,
+            message=message.message,
+            protocol=message.protocol,
+            conversation=message.conversation,
+            participant=message.participant,
+            to=message.to,
+            parts=tuple((part, tuple(names)) for part, names in members.items()),
+            receivers=message.receivers,
+        )
+        sent = _Sent("mail", envelope, payload, sender, "mail")
+        with self._lock:
+            if self._closing:
+                return
+            way, other = self._ways[sender, to], self._others[to]
+            self._lose(to, way.out.put(Letter(sent, len(payload))), "too many wait for it")
+            self._pump(way, other)
+
+    def peers(self) -> dict[str, Peer]:
+        """Everybody of the team who runs elsewhere."""
+        # Without the lock: who listens to the trace may ask, while the trace waits for nobody.
+        found: dict[str, Peer] = {}
+        for name, other in self._others.items():
+            waiting = sum(len(way.out) for (_, to), way in self._ways.items() if to == name)
+            quickest = min(tuple(other.measured), default=None)
+            same = other.clock in (None, self._clock)
+            uncertainty = 0 if same else (quickest[0] // 2 if quickest else None)
+            found[name] = Peer(
+                name,
+                other.alive,
+                other.life,
+                unacknowledged=waiting,
+                uncertainty=uncertainty,
+                **dict(other.counts),
+            )
+        return found
+
+    def is_there(self, name: str) -> bool:
+        """Whether an agent that runs elsewhere is there just now."""
+        other = self._others.get(name)
+        return other is not None and other.alive
+
+    def history(
+        self, sender: str, channel: str, since: int, until: int, timeout: float = 1.0
+    ) -> list[tuple[int, Any]]:
+        """The data that an agent elsewhere has published in a span of the run's time, as (time, message)."""
+        other = self._others.get(sender)
+        kind = self._schema.channels.get(channel)
+        if other is None or kind is None:
+            raise TransportError(f"there is no agent {sender} elsewhere with a channel {channel}")
+        shift = self._origin - (self._difference(other) or 0)
+        question = json.dumps({"channel": channel, "since": since + shift, "until": until + shift})
+        found: list[tuple[int, Any]] = []
+        answers = self._link.ask(sender, "history", question.encode(), timeout)
+        for data, payload in answers:
+            try:
+                envelope = envelopes.read(data, payload)
+                if envelope.kind == envelopes.ACKNOWLEDGE:
+                    continue
+                if envelope.model != self.model:
+                    raise TransportError(f"{sender} has another model ({envelope.model})")
+                found.append((self._moment(other, envelope), self._schema.decode(kind, payload)))
+            except (EnvelopeError, WireError) as problem:
+                raise TransportError(f"the answer of {sender} cannot be read: {problem}") from problem
+        if not answers:
+            raise TransportError(f"{sender} does not answer")
+        return sorted(found, key=lambda item: item[0])
+
+    def ask(self, name: str, request: dict[str, Any], timeout: float = 1.0) -> dict[str, Any]:
+        """Put a control request to an agent elsewhere."""
+        for _, payload in self._link.ask(name, "control", json.dumps(request).encode(), timeout):
+            with contextlib.suppress(ValueError):
+                answer = json.loads(payload)
+                if isinstance(answer, dict):
+                    return answer
+        raise TransportError(f"{name} does not answer")
+
+    def answer(self, answer: Answer) -> None:
+        """Have control requests from elsewhere answered by this."""
+        self._answer = answer
+
+    # ---- sending -----------------------------------------------------------------------------
+
+    def _encoded(self, sender: str, what: str, message: Any) -> bytes | None:
+        try:
+            return self._schema.encode(message)
+        except WireError as problem:
+            now = self._team.driver.clock.now()
+            self._team.trace.fault(now, sender, f"{what} cannot be sent to other robots: {problem}")
+            return None
+
+    def _envelope(self, kind: int, sequence: int = 0, moment: int = 0, **members: Any) -> Envelope:
+        return Envelope(
+            kind,
+            self.model,
+            self.incarnation,
+            sequence=sequence,
+            time=moment or time.monotonic_ns(),
+            clock=self._clock,
+            **members,
+        )
+
+    def _pump(self, way: _Way, other: _Other) -> None:
+        """Send what may be sent. Called with the lock."""
+        if not other.alive:
+            return
+        for place, letter in way.out.ready(time.monotonic_ns()):
+            self._hand_over(other, letter.item, place=place)
+        if way.out.flying:
+            self._stir()
+
+    def _hand_over(self, other: _Other, sent: _Sent, place: int = 0, sample: int = 0) -> None:
+        """Give something to the link."""
+        data = envelopes.written(
+            sent.envelope, sent.payload, addressee=other.life or 0, place=place, sample=sample
+        )
+        self._link.send(other.name, sent.sender, sent.way, data, sent.payload, place > 0)
+
+    def _say(self, mine: str, name: str, way: str, envelope: Envelope) -> None:
+        """Send something of the post's own."""
+        data = envelopes.written(envelope, b"", addressee=self._others[name].life or 0)
+        self._link.send(name, mine, way, data, b"", True)
+
+    def _acknowledge(self, mine: str, name: str, way: _Way) -> None:
+        way.owed = 0
+        envelope = self._envelope(envelopes.ACKNOWLEDGE, upto=way.into.upto, missing=way.into.missing())
+        self._say(mine, name, "ack", envelope)
+
+    def _lose(self, name: str, letters: Iterable[Letter[_Sent]], reason: str) -> None:
+        """Tell what will not be brought to an agent. A state that a newer one replaces is none of it."""
+        now = self._team.driver.clock.now()
+        other = self._others[name]
+        for letter in letters:
+            sent = letter.item
+            if sent.what in ("state", "data"):
+                continue
+            other.counts["lost"] = other.counts.get("lost", 0) + 1
+            envelope = sent.envelope
+            self._team.trace.write(
+                "lost",
+                now,
+                agent=sent.sender,
+                input=list(sent.identity),
+                peer=name,
+                channel=envelope.channel or None,
+                conversation=envelope.conversation or None,
+                reason=reason,
+            )
+
+    # ---- the beat ----------------------------------------------------------------------------
+
+    def _stir(self) -> None:
+        """There is something to look after. Called with the lock."""
+        if self._resting:
+            self._resting = False
+            self._rest.notify()
+
+    def _beat(self) -> None:
+        with self._lock:
+            while not self._closing:
+                if self._look_after():
+                    self._rest.wait(BEAT)
+                else:
+                    self._resting = True
+                    self._rest.wait(1.0)
+                    if self._resting:
+                        self._resting = False
+                    else:
+                        # What was just sent or came is looked after in a moment, not while it is answered.
+                        self._rest.wait(BEAT)
+
+    def _look_after(self) -> bool:
+        """Acknowledge, send again, measure clocks; whether that will soon be needed again."""
+        busy = False
+        now = time.monotonic_ns()
+        for (mine, name), way in self._ways.items():
+            other = self._others[name]
+            if not other.alive:
+                continue
+            if way.owed:
+                self._acknowledge(mine, name, way)
+            for place, letter in way.out.overdue(now):
+                self._hand_over(other, letter.item, place=place)
+            self._pump_quietly(way, other)
+            busy = busy or way.out.flying > 0
+            if other.clock != self._clock and now >= other.ask_at:
+                few = len(other.measured) < QUESTIONS
+                other.ask_at = now + (50_000_000 if few else ASK_AGAIN)
+                self._say(mine, name, "ping", self._envelope(envelopes.PING))
+                busy = busy or few
+        return busy
+
+    def _pump_quietly(self, way: _Way, other: _Other) -> None:
+        for place, letter in way.out.ready(time.monotonic_ns()):
+            self._hand_over(other, letter.item, place=place)
+
+    # ---- hearing -----------------------------------------------------------------------------
+
+    def arrived(self, to: str, sender: str, envelope: bytes, payload: bytes) -> None:
+        """Something has come for one of our agents."""
+        came = time.monotonic_ns()
+        with self._lock:
+            other = self._others.get(sender)
+            if self._closing or to not in self._here:
+                return
+            if other is None:
+                self._meet_stranger(sender)
+                return
+            try:
+                read = envelopes.read(envelope, payload)
+            except EnvelopeError as problem:
+                self._count(other, "unreadable", str(problem))
+                return
+            if not self._is_current(other, read):
+                return
+            other.clock = read.clock
+            way = self._ways[to, sender]
+            if read.kind == envelopes.ACKNOWLEDGE:
+                for place, letter in way.out.acknowledge(read.upto, read.missing, came):
+                    self._hand_over(other, letter.item, place=place)
+                self._pump(way, other)
+                return
+            if read.kind == envelopes.PING:
+                self._say(to, sender, "pong", self._envelope(envelopes.PONG, asked=read.time, heard=came))
+                return
+            if read.kind == envelopes.PONG:
+                trip = (came - read.asked) - (read.time - read.heard)
+                other.measured.append((trip, ((read.asked - read.heard) + (came - read.time)) // 2))
+                return
+            ready = self._sorted(to, other, way, read, self._decoded(other, read, payload))
+        for item in ready:
+            if item is not None:
+                self._hand_on(to, other, *item)
+
+    def _is_current(self, other: _Other, envelope: Envelope) -> bool:
+        """Whether an envelope is from the life that its sender leads, and for ours. Called with the lock."""
+        if other.life is not None and envelope.incarnation < other.life:
+            self._count(other, "late", "it is of an earlier life of its sender")
+            return False
+        if envelope.addressee not in (0, self.incarnation):
+            self._count(other, "late", "it is for an earlier life of its receiver")
+            return False
+        if other.life is None or envelope.incarnation > other.life:
+            self._begin_life(other, envelope.incarnation)
+        return True
+
+    def _decoded(self, other: _Other, envelope: Envelope, payload: bytes) -> _Got:
+        """The message in an envelope; None, after telling why, if it is none for us."""
+        mail = envelope.kind == envelopes.MAIL
+        name = envelope.message if mail else envelope.channel
+        if envelope.model != self.model:
+            reason = f"{name} is of the model {envelope.model or '(none)'}; ours is {self.model}"
+            self._count(other, "refused", reason, about=name)
+            return None
+        kind: Any = self._schema.channels.get(name)
+        if mail:
+            kind = next((k for k in self._schema.classes if k.__name__ == name), None)
+        if kind is None:
+            self._count(
+                other, "refused", f"there is no {'message' if mail else 'channel'} {name}", about=name
+            )
+            return None
+        try:
+            return envelope, self._schema.decode(kind, payload)
+        except WireError as problem:
+            self._count(other, "unreadable", f"{name}: {problem}", about=name)
+            return None
+
+    def _sorted(self, to: str, other: _Other, way: _Way, envelope: Envelope, got: _Got) -> list[_Got]:
+        """What is to be handed on now that this has come. Called with the lock."""
+        if envelope.place == 0:
+            return self._sampled(other, way, envelope, got)
+        if envelope.addressee != self.incarnation:
+            self._count(other, "late", "it is for an earlier life of its receiver")
+            return []
+        if envelope.place > way.into.upto + 1:
+            self._count(other, "disordered", "one came before its predecessor")
+        had_gap = way.into.has_gap
+        found = way.into.take(envelope.place, got)
+        way.owed += 1
+        if found is None:
+            self._count(other, "doubled", "one came twice; the second was dropped")
+        if way.owed >= OWED or (way.into.has_gap and not had_gap):
+            self._acknowledge(to, other.name, way)
+        else:
+            self._stir()
+        return found or []
+
+    def _sampled(self, other: _Other, way: _Way, envelope: Envelope, got: _Got) -> list[_Got]:
+        """Data, which comes once or not at all."""
+        number = envelope.sample
+        if envelope.kind != envelopes.MESSAGE or not number or ".data." not in envelope.channel:
+            self._count(other, "unreadable", "it has no place in the stream", about=envelope.channel)
+            return []
+        if number in way.recent or number <= way.newest - 1024:
+            self._count(other, "doubled", "one came twice; the second was dropped")
+            return []
+        if number < way.newest:
+            self._count(other, "disordered", "one came before its predecessor")
+            other.counts["dropped"] = other.counts.get("dropped", 0) - 1
+        elif number > way.newest + 1:
+            missed = number - way.newest - 1
+            other.counts["dropped"] = other.counts.get("dropped", 0) + missed
+            self._tell_once(
+                other, "dropped", "data did not come: too much was sent at once, or the link broke"
+            )
+        way.newest = max(way.newest, number)
+        way.recent.add(number)
+        if len(way.recent) > 2048:
+            way.recent = {n for n in way.recent if n > way.newest - 1024}
+        return [got]
+
+    def _hand_on(self, to: str, other: _Other, envelope: Envelope, message: Any) -> None:
+        """Give a message to the agent that it is for. Called without the lock."""
+        agent = self._here[to]
+        team = self._team
+        other.counts["taken"] = other.counts.get("taken", 0) + 1
+        identity = (other.name, envelope.sequence)
+        try:
+            if envelope.kind == envelopes.MAIL:
+                acl = AclMessage(
+                    envelope.performative,
+                    other.name,
+                    envelope.receivers,
+                    envelope.message,
+                    message,
+                    envelope.protocol,
+                    envelope.conversation,
+                    envelope.participant,
+                    envelope.to,
+                    identity,
+                )
+                team.conversations.arrived(agent, acl, dict(envelope.parts))
+            else:
+                moment = self._moment(other, envelope)
+                host = envelope.host or None
+                team.bus.arrived(agent, envelope.channel, message, other.name, identity, moment, host)
+        except Exception as problem:  # the link's thread has nobody above who would tell
+            reason = f"what {other.name} sent could not be taken: {type(problem).__name__}: {problem}"
+            team.trace.fault(team.driver.clock.now(), to, reason)
+
+    def _moment(self, other: _Other, envelope: Envelope) -> int:
+        """When something was measured, in the time of our run: never later than now."""
+        now = self._team.driver.clock.now()
+        if envelope.clock == self._clock:
+            return min(now, envelope.time - self._origin)
+        difference = self._difference(other)
+        return now if difference is None else min(now, envelope.time + difference - self._origin)
+
+    def _difference(self, other: _Other) -> int | None:
+        """What is to be added to another machine's time; None while that is not known."""
+        if other.clock in (None, self._clock):
+            return 0
+        return min(other.measured)[1] if other.measured else None
+
+    # ---- who is there ------------------------------------------------------------------------
+
+    def appeared(self, agent: str, incarnation: int) -> None:
+        """An agent elsewhere is there now."""
+        if agent in self._here:
+            if incarnation > self.incarnation:
+                now = self._team.driver.clock.now()
+                self._team.trace.write("peer", now, agent=agent, peer=agent, what="replaced")
+                self._team.driver.stop("replaced")
+            return
+        with self._lock:
+            other = self._others.get(agent)
+            if other is None:
+                self._meet_stranger(agent)
+            elif other.life is None or incarnation > other.life:
+                self._begin_life(other, incarnation)
+            elif incarnation == other.life and not other.alive:
+                other.alive = True
+                self._tell(other, "back")
+                for (_, name), way in self._ways.items():
+                    if name == agent:
+                        way.out.hurry()
+                        self._pump(way, other)
+                self._stir()
+
+    def vanished(self, agent: str, incarnation: int) -> None:
+        """An agent elsewhere is not there any more."""
+        with self._lock:
+            other = self._others.get(agent)
+            if other is None or other.life != incarnation or not other.alive or self._closing:
+                return
+            other.alive = False
+            self._tell(other, "gone")
+        self._team.conversations.vanished(agent)
+
+    def _begin_life(self, other: _Other, life: int) -> None:
+        """An agent is there for the first time, or again after it had ended. Called with the lock."""
+        first = other.life is None
+        other.life, other.alive, other.clock = life, True, None
+        other.measured.clear()
+        self._tell(other, "there" if first else "restarted")
+        for (mine, name), way in self._ways.items():
+            if name != other.name:
+                continue
+            flying, waiting = way.out.restart()
+            self._lose(name, flying, "it ended while this was on its way")
+            way.into, way.owed, way.sample, way.newest = Incoming(), 0, 0, 0
+            way.recent.clear()
+            for kept in self._news_for(mine, name):
+                way.out.put(Letter(kept.sent, len(kept.sent.payload), kept.replaces))
+            for letter in waiting:
+                if letter.item.what != "state":
+                    way.out.put(Letter(letter.item, letter.size))
+            self._pump(way, other)
+        self._stir()
+
+    def _news_for(self, mine: str, name: str) -> Iterator[_Kept]:
+        """What somebody who comes has to know of one of our agents: data still asked for, then states."""
+        now = time.monotonic_ns()
+        for (sender, channel), samples in self._samples.items():
+            oldest = now - self._retention.get(channel, 0)
+            recent = [kept for kept in samples if kept.sent.envelope.time >= oldest] or list(samples)[-1:]
+            yield from (kept for kept in recent if sender == mine and name in kept.to)
+        yield from (
+            kept for (sender, _, _), kept in self._states.items() if sender == mine and name in kept.to
+        )
+
+    def _meet_stranger(self, name: str) -> None:
+        """Somebody who is not of the team uses its name on the network."""
+        if name in self._strangers or len(self._strangers) > 100:
+            return
+        self._strangers.add(name)
+        mine = next(iter(self._here))
+        now = self._team.driver.clock.now()
+        self._team.trace.write("peer", now, agent=mine, peer=name, what="stranger")
+
+    # ---- the trace ---------------------------------------------------------------------------
+
+    def _count(self, other: _Other, what: str, reason: str, about: str = "") -> None:
+        """Count what is wrong with something that came; the first of its kind is told."""
+        other.counts[what] = other.counts.get(what, 0) + 1
+        self._tell_once(other, what, reason, about)
+
+    def _tell_once(self, other: _Other, what: str, reason: str, about: str = "") -> None:
+        if (what, about) not in other.told and len(other.told) < 1000:
+            other.told.add((what, about))
+            self._tell(other, what, reason=reason)
+
+    def _tell(self, other: _Other, what: str, **members: Any) -> None:
+        mine = next(iter(self._here))
+        now = self._team.driver.clock.now()
+        self._team.trace.write("peer", now, agent=mine, peer=other.name, what=what, **members)
+
+    # ---- questions ---------------------------------------------------------------------------
+
+    def asked(self, to: str, what: str, question: bytes) -> Iterable[tuple[bytes, bytes]]:
+        """A question to one of our agents; the answers, as envelopes and payloads."""
+        try:
+            request = json.loads(question)
+            if not isinstance(request, dict):
+                raise ValueError("a JSON object is wanted")
+        except ValueError as problem:
+            return [self._json_answer({"error": f"the question cannot be read: {problem}"})]
+        if what == "control":
+            if self._answer is None:
+                return [self._json_answer({"error": f"{to} takes no control requests"})]
+            try:
+                return [self._json_answer(self._answer(request))]
+            except Exception as problem:  # whoever asks must get an answer
+                return [self._json_answer({"error": f"{type(problem).__name__}: {problem}"})]
+        if what == "history":
+            return self._history_of(to, request)
+        return []
+
+    def _json_answer(self, answer: dict[str, Any]) -> tuple[bytes, bytes]:
+        payload = json.dumps(answer).encode()
+        return envelopes.written(self._envelope(envelopes.ACKNOWLEDGE), payload), payload
+
+    def _history_of(self, mine: str, request: dict[str, Any]) -> list[tuple[bytes, bytes]]:
+        channel, since, until = request.get("channel"), request.get("since"), request.get("until")
+        answers = [self._json_answer({})]  # says that there is somebody, also if there is no data
+        if not isinstance(channel, str) or not isinstance(since, int) or not isinstance(until, int):
+            return answers
+        with self._lock:
+            samples = list(self._samples.get((mine, channel), ()))
+        for kept in samples:
+            sent = kept.sent
+            if since <= sent.envelope.time <= until:
+                answers.append((envelopes.written(sent.envelope, sent.payload), sent.payload))
+        return answers
+
+
+@cache
+def clock_identity() -> int:
+    """A number that all processes have in common that share the monotonic clock, and no others."""
+    try:
+        boot = Path("/proc/sys/kernel/random/boot_id").read_text("ascii")
+        namespace = str(Path("/proc/self/ns/time").readlink()) if Path("/proc/self/ns/time").exists() else ""
+    except OSError:  # not Linux: each process has a clock of its own, whose difference is measured
+        boot, namespace = f"{os.getpid()} {time.time_ns()}", ""
+    return zlib.crc32(f"{boot} {namespace}".encode()) + 1

@@ -1,0 +1,96 @@
+"""Which network a robot uses, who may use it with it, and how that is proven.
+
+Without a word about it nothing leaves the machine: a robot listens on a port of the loopback interface, and
+looks for its team there.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from aseme_dsl.runtime.transport.port import TransportError
+
+LOOPBACK = "lo"
+LEASE_MS = 2000
+"""How long, in ms, a peer may be silent before it counts as gone."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tls:
+    """The files, in PEM form, by which robots prove to each other who they are.
+
+    `authority` is the certificate of whoever signed the team's certificates; `certificate` and `key` are this
+    robot's own. Nobody without a certificate of that authority is let in.
+    """
+
+    authority: Path
+    certificate: Path
+    key: Path
+
+
+@dataclass(frozen=True, slots=True)
+class Access:
+    """A file with zenoh's `access_control`, in JSON: which certificate may use which keys."""
+
+    file: Path
+
+
+@dataclass(frozen=True, slots=True)
+class Network:
+    """How a robot reaches its team.
+
+    `listen` and `connect` are endpoints, such as `tcp/192.168.1.10:7447`; a port 0 is any free one.
+    `interface` is where the team is looked for by multicast: its name or address, or None for no looking.
+    """
+
+    listen: tuple[str, ...] = ("tcp/127.0.0.1:0",)
+    connect: tuple[str, ...] = ()
+    interface: str | None = LOOPBACK
+    lease_ms: int = LEASE_MS
+    tls: Tls | None = None
+    access: Access | None = None
+
+    def settings(self) -> Iterator[tuple[str, str]]:
+        """The entries of zenoh's configuration, as (key, JSON).
+
+        Raises:
+            TransportError: a file cannot be read, or is not what it should be.
+        """
+        yield "mode", '"peer"'
+        yield "listen/endpoints", json.dumps(self.listen)
+        yield "connect/endpoints", json.dumps(self.connect)
+        # What is not there yet is looked for again soon: robots are switched on one after the other.
+        yield "connect/retry", '{"period_init_ms": 100, "period_max_ms": 1000, "period_increase_factor": 2}'
+        if self.interface is None:
+            yield "scouting/multicast/enabled", "false"
+        else:
+            yield "scouting/multicast/interface", json.dumps(self.interface)
+        yield "transport/link/tx/lease", json.dumps(self.lease_ms)
+        if self.tls is not None:
+            for path in (self.tls.authority, self.tls.certificate, self.tls.key):
+                _readable(path)
+            yield "transport/link/tls/root_ca_certificate", json.dumps(str(self.tls.authority))
+            yield "transport/link/tls/listen_certificate", json.dumps(str(self.tls.certificate))
+            yield "transport/link/tls/listen_private_key", json.dumps(str(self.tls.key))
+            yield "transport/link/tls/connect_certificate", json.dumps(str(self.tls.certificate))
+            yield "transport/link/tls/connect_private_key", json.dumps(str(self.tls.key))
+            yield "transport/link/tls/enable_mtls", "true"
+        if self.access is not None:
+            text = _readable(self.access.file)
+            try:
+                json.loads(text)
+            except ValueError as problem:
+                raise TransportError(f"{self.access.file} is no JSON: {problem}") from problem
+            yield "access_control", text
+
+
+def _readable(path: Path) -> str:
+    try:
+        return path.read_text("utf-8")
+    except (OSError, UnicodeDecodeError) as problem:
+        raise TransportError(
+            f"{path} cannot be read: {getattr(problem, 'strerror', None) or problem}"
+        ) from problem

@@ -1,0 +1,169 @@
+"""Streams: that what one agent sends to another arrives once each, and in order, over links that break.
+
+Every letter has a place in the stream from one life of its sender to one life of its receiver. The receiver
+hands letters on in order, says up to which place all have come and which are missing, and drops what it has
+had. The sender keeps a letter until it is acknowledged, sends again what is missing or has been on its way
+for too long, and has only so much on its way at once: a receiver that stands still holds up nobody else. A
+newer state takes the place of an older one that still waits.
+
+Here is only the bookkeeping: no clock, no link, no lock.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Hashable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+T = TypeVar("T")
+
+WINDOW = 256
+"""How many letters may be on their way at once."""
+WINDOW_BYTES = 128 * 1024
+"""How many bytes may be on their way at once, if it is more than one letter."""
+WAITING = 20_000
+"""How many letters may wait; then the oldest is given up."""
+PATIENCE = 100_000_000
+"""After how many ns without an acknowledgement a letter is sent again."""
+AGAIN = 15_000_000
+"""What is missing is not sent again within so many ns: several acknowledgements may miss the same letter."""
+LONGEST = 500_000_000
+"""At most so many ns lie between two attempts."""
+EARLY = 4 * WINDOW
+"""How far ahead of what is due a letter may be."""
+
+
+@dataclass(frozen=True, slots=True)
+class Letter(Generic[T]):
+    """Something to be sent, and how many bytes it is; one of the same `replaces` takes its place."""
+
+    item: T
+    size: int
+    replaces: Hashable = None
+
+
+class Outgoing(Generic[T]):
+    """The sender's end."""
+
+    __slots__ = ("_flying", "_last", "_next", "_patience", "_sent", "_size", "_waiting")
+
+    def __init__(self) -> None:
+        self._waiting: deque[Letter[T]] = deque()
+        self._flying: dict[int, Letter[T]] = {}
+        self._sent: dict[int, int] = {}
+        """When each of them was sent last."""
+        self._size = 0
+        self._next = 1
+        self._last = 0
+        self._patience = PATIENCE
+
+    def __len__(self) -> int:
+        return len(self._waiting) + len(self._flying)
+
+    @property
+    def flying(self) -> int:
+        """How many letters are on their way."""
+        return len(self._flying)
+
+    def put(self, letter: Letter[T]) -> list[Letter[T]]:
+        """Add a letter; those that are given up for it, replaced or because too many wait."""
+        gone: list[Letter[T]] = []
+        if letter.replaces is not None:
+            for place, other in enumerate(self._waiting):
+                if other.replaces == letter.replaces:
+                    gone.append(other)
+                    del self._waiting[place]
+                    break
+        if len(self._waiting) >= WAITING:
+            gone.append(self._waiting.popleft())
+        self._waiting.append(letter)
+        return gone
+
+    def ready(self, now: int) -> Iterator[tuple[int, Letter[T]]]:
+        """What may be sent now, with its places; it counts as sent."""
+        waiting, flying = self._waiting, self._flying
+        while waiting and len(flying) < WINDOW:
+            if flying and self._size + waiting[0].size > WINDOW_BYTES:
+                return
+            letter = waiting.popleft()
+            place, self._next = self._next, self._next + 1
+            if not flying:
+                self._last = now
+            flying[place] = letter
+            self._sent[place] = now
+            self._size += letter.size
+            yield place, letter
+
+    def acknowledge(self, upto: int, missing: Iterable[int], now: int) -> list[tuple[int, Letter[T]]]:
+        """The receiver has all up to a place, and then not the missing; what to send again at once."""
+        arrived = [place for place in self._flying if place <= upto]
+        for place in arrived:
+            self._size -= self._flying.pop(place).size
+            del self._sent[place]
+        if arrived:
+            self._last, self._patience = now, PATIENCE
+        again = [place for place in missing if place in self._flying and now - self._sent[place] >= AGAIN]
+        self._sent.update(dict.fromkeys(again, now))
+        return [(place, self._flying[place]) for place in again]
+
+    def overdue(self, now: int) -> list[tuple[int, Letter[T]]]:
+        """What has been on its way for too long: it is to be sent again."""
+        if not self._flying or now - self._last < self._patience:
+            return []
+        self._last, self._patience = now, min(2 * self._patience, LONGEST)
+        again = list(self._flying.items())[: WINDOW // 4]
+        self._sent.update((place, now) for place, _ in again)
+        return again
+
+    def hurry(self) -> None:
+        """What is on its way is overdue: the link was broken."""
+        self._last, self._patience = -LONGEST, PATIENCE
+
+    def restart(self) -> tuple[list[Letter[T]], list[Letter[T]]]:
+        """The receiver begins a new life: what was on its way to the old one, what waits for the new."""
+        flying, waiting = list(self._flying.values()), list(self._waiting)
+        self._flying.clear()
+        self._sent.clear()
+        self._waiting.clear()
+        self._size, self._next, self._patience = 0, 1, PATIENCE
+        return flying, waiting
+
+
+class Incoming(Generic[T]):
+    """The receiver's end."""
+
+    __slots__ = ("_early", "_upto")
+
+    def __init__(self) -> None:
+        self._upto = 0
+        self._early: dict[int, T] = {}
+
+    @property
+    def upto(self) -> int:
+        """All up to this place have come."""
+        return self._upto
+
+    def take(self, place: int, item: T) -> list[T] | None:
+        """What can be handed on now; None: this one has come before, or is far too early."""
+        if place <= self._upto or place in self._early or place > self._upto + EARLY:
+            return None
+        self._early[place] = item
+        found: list[T] = []
+        while self._upto + 1 in self._early:
+            self._upto += 1
+            found.append(self._early.pop(self._upto))
+        return found
+
+    @property
+    def has_gap(self) -> bool:
+        """Whether something has come whose predecessor has not."""
+        return bool(self._early)
+
+    def missing(self) -> tuple[int, ...]:
+        """The places that have not come although later ones have, the first few."""
+        if not self._early:
+            return ()
+        last = max(self._early)
+        gaps = (place for place in range(self._upto + 1, last) if place not in self._early)
+        return tuple(place for place, _ in zip(gaps, range(WINDOW // 4), strict=False))

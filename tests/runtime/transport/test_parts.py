@@ -1,0 +1,348 @@
+"""A team in several parts: the same rules as in one process, whatever the link does."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.team import TeamError
+from aseme_dsl.runtime.transport import Network
+from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
+from tests.runtime.playing import make
+from tests.runtime.transport.net import Air, Part, part, wait_until
+from tests.support.generated import Generated, generate
+
+TEAM = """
+system Talk
+message M { int n }
+topic home  { state M }
+topic team  { signal M queued  signal N  state M from Speaker  data M }
+message N { int n }
+srm Speaker {
+  liveness { Speaker = Say~ || Own~ }
+  activities { Say writes team.signal.M, team.signal.N, team.state.M, team.data.M  Own writes home.state.M }
+}
+srm Listener {
+  liveness { Listener = (Hear || Own~) }
+  activities { Hear reads team.signal.M, team.signal.N, team.state.M, team.data.M, home.state.M
+               Own writes home.state.M }
+}
+team T { ann : Speaker  bob, cat : Listener }
+"""
+
+
+class Box:
+    """What activities are told to say, and what they have heard."""
+
+    def __init__(self, generated: Generated) -> None:
+        self.generated = generated
+        self.say: list[tuple[str, int, str | None]] = []
+        self.heard: dict[str, list[int]] = {}
+        self.stop = threading.Event()
+        box = self
+
+        class Say:
+            def execute(self, context: Context) -> None:
+                while not box.stop.is_set():
+                    while box.say:
+                        channel, n, host = box.say.pop(0)
+                        message = generated.message(channel.split(".")[2], n=n)
+                        context.publish(channel, message, host)
+                    context.wait(0.002)
+
+        class Own:
+            def execute(self, context: Context) -> None:
+                context.publish("home.state.M", generated.message("M", n=1))
+                while not box.stop.is_set():
+                    context.wait(0.02)
+
+        class Hear:
+            def execute(self, context: Context) -> None:
+                while not box.stop.is_set():
+                    context.wait(0.005)
+
+        self.activities: dict[str, type[Any]] = {"Say": Say, "Own": Own, "Hear": Hear}
+
+
+@pytest.fixture(scope="module")
+def talk() -> Generated:
+    return generate(TEAM)
+
+
+@pytest.fixture
+def box(talk: Generated) -> Iterator[Box]:
+    found = Box(talk)
+    yield found
+    found.stop.set()
+
+
+def arrived(part_: Part, agent: str, channel: str) -> list[int]:
+    return [r["message"]["n"] for r in part_.of("arrived", agent=agent, channel=channel)]
+
+
+@pytest.fixture(params=["air", "zenoh"])
+def links(request: pytest.FixtureRequest) -> Any:
+    """Makes links between parts: through the air of a test, or over real sockets."""
+    if request.param == "air":
+        return Air().link
+    pytest.importorskip("zenoh")
+    return lambda: ZenohLink("Talk", Network())
+
+
+def test_rules_hold_between_processes(talk: Generated, box: Box, links: Any) -> None:
+    ann = part(talk, ["ann"], box.activities, links()).start()
+    rest = part(talk, ["bob", "cat"], box.activities, links()).start()
+    wait_until(lambda: ann.team.transport.is_there("bob") and ann.team.transport.is_there("cat"))
+    box.say += [("team.state.M", 1, None), ("team.signal.M", 2, None), ("team.signal.M", 3, "cat")]
+    box.say += [("team.data.M", 4, None)]
+    wait_until(lambda: rest.of("arrived", agent="bob", channel="team.data.M"))
+    wait_until(lambda: len(arrived(rest, "cat", "team.signal.M")) == 2)
+    ann.stop()
+    rest.stop()
+    assert arrived(rest, "bob", "team.state.M") == [1]
+    assert arrived(rest, "bob", "team.signal.M") == [2]
+    assert arrived(rest, "cat", "team.signal.M") == [2, 3]
+    # each has its own: what is everybody's own stays at home
+    assert rest.of("arrived", channel="home.state.M") == []
+    assert ann.of("arrived") == []
+    sent = {(r["agent"], r["sequence"]): r for r in ann.of("message")}
+    for line in rest.of("arrived"):
+        origin = sent[tuple(line["input"])]
+        assert origin["message"] == line["message"] and line["agent"] in origin["to"]
+    assert ann.of("header")[0]["elsewhere"] == ["bob", "cat"]
+    assert ann.news("there") == ["bob there", "cat there"] or ann.news("there") == ["cat there", "bob there"]
+    assert "ann gone" in rest.news()
+
+
+def test_who_comes_late_gets_the_latest_states_and_what_waits(talk: Generated, box: Box, links: Any) -> None:
+    ann = part(talk, ["ann"], box.activities, links()).start()
+    box.say += [("team.state.M", n, None) for n in range(5)]
+    box.say += [("team.signal.M", n, None) for n in range(3)]
+    box.say += [("team.signal.N", n, None) for n in range(3)]
+    wait_until(lambda: len(ann.of("message", agent="ann")) >= 11)
+    bob = part(talk, ["bob"], box.activities, links()).start()
+    wait_until(lambda: arrived(bob, "bob", "team.signal.N"))
+    bob.stop()
+    ann.stop()
+    assert arrived(bob, "bob", "team.state.M") == [4]
+    assert arrived(bob, "bob", "team.signal.M") == [0, 1, 2]  # queued
+    assert arrived(bob, "bob", "team.signal.N") == [2]  # a newer one replaces one that nobody has looked at
+
+
+def test_a_new_life_gets_the_states_again_and_what_was_on_its_way_is_lost(talk: Generated, box: Box) -> None:
+    air = Air()
+    ann = part(talk, ["ann"], box.activities, air.link()).start()
+    bob = part(talk, ["bob"], box.activities, air.link()).start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    box.say += [("team.state.M", 7, None)]
+    wait_until(lambda: arrived(bob, "bob", "team.state.M"))
+    wait_until(lambda: not ann.team.peers()["bob"].unacknowledged)
+    air.cut.add("bob")  # it stands still: nobody has noticed yet
+    box.say += [("team.signal.M", 8, None)]
+    wait_until(lambda: ann.team.peers()["bob"].unacknowledged)
+    bob.stop()
+    wait_until(lambda: not ann.team.transport.is_there("bob"))
+    box.say += [("team.signal.M", 9, None)]
+    wait_until(lambda: len(ann.of("message", channel="team.signal.M")) == 2)
+    air.cut.clear()
+    again = part(talk, ["bob"], box.activities, air.link()).start()
+    wait_until(lambda: arrived(again, "bob", "team.signal.M"))
+    again.stop()
+    ann.stop()
+    assert arrived(again, "bob", "team.state.M") == [7]
+    assert arrived(again, "bob", "team.signal.M") == [9]
+    (lost,) = ann.of("lost", peer="bob")
+    assert lost["reason"] == "it ended while this was on its way"
+    assert ann.news("there", "gone", "restarted")[:3] == ["bob there", "bob gone", "bob restarted"]
+
+
+def test_a_partition_loses_nothing(talk: Generated, box: Box) -> None:
+    air = Air()
+    ann = part(talk, ["ann"], box.activities, air.link()).start()
+    bob = part(talk, ["bob"], box.activities, air.link()).start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    box.say += [("team.signal.M", n, None) for n in range(50)]
+    wait_until(lambda: len(ann.of("message", channel="team.signal.M")) == 50)
+    air.part("bob")
+    box.say += [("team.signal.M", n, None) for n in range(50, 100)]
+    box.say += [("team.state.M", n, None) for n in range(10)]
+    wait_until(lambda: len(ann.of("message", channel="team.state.M")) == 10)
+    air.join("bob")
+    wait_until(lambda: len(arrived(bob, "bob", "team.signal.M")) == 100)
+    wait_until(lambda: arrived(bob, "bob", "team.state.M"))
+    bob.stop()
+    ann.stop()
+    assert arrived(bob, "bob", "team.signal.M") == list(range(100))
+    assert arrived(bob, "bob", "team.state.M") == [9]
+    assert "bob back" in ann.news() and "ann back" in bob.news()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_nothing_is_lost_doubled_or_overtaken(talk: Generated, box: Box, seed: int) -> None:
+    air = Air(seed, loss=0.4, doubling=0.2, delay=0.01)
+    ann = part(talk, ["ann"], box.activities, air.link()).start()
+    rest = part(talk, ["bob", "cat"], box.activities, air.link()).start()
+    box.say += [("team.signal.M", n, None) for n in range(300)]
+    wait_until(lambda: len(arrived(rest, "bob", "team.signal.M")) >= 300, 20)
+    wait_until(lambda: len(arrived(rest, "cat", "team.signal.M")) >= 300, 20)
+    ann.stop()
+    rest.stop()
+    assert arrived(rest, "bob", "team.signal.M") == list(range(300))
+    assert arrived(rest, "cat", "team.signal.M") == list(range(300))
+    (count,) = rest.of("peer", peer="ann", what="count")
+    assert count["counts"]["doubled"] > 0 and count["counts"]["disordered"] > 0
+    assert "doubled" in [r["what"] for r in rest.of("peer")]
+
+
+def test_data_has_the_time_of_its_sender(talk: Generated, box: Box) -> None:
+    air = Air(delay=0.0)
+    began = time.monotonic_ns()
+    ann = part(talk, ["ann"], box.activities, air.link(), origin=began - 10**9).start()
+    bob = part(talk, ["bob"], box.activities, air.link(), origin=began).start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    box.say += [("team.data.M", 1, None)]
+    wait_until(lambda: arrived(bob, "bob", "team.data.M"))
+    box.say += [("team.data.M", 2, None)]
+    wait_until(lambda: len(arrived(bob, "bob", "team.data.M")) == 2)
+    ann_times = [r["time"] for r in ann.of("message", channel="team.data.M")]
+    history = bob.team.history("ann", "team.data.M", 0, bob.team.driver.clock.now())
+    ann.stop()
+    bob.stop()
+    measured = [r["measured"] for r in bob.of("arrived", channel="team.data.M")]
+    assert measured == [moment - 10**9 for moment in ann_times]
+    assert [(moment, message.n) for moment, message in history] == [(measured[0], 1), (measured[1], 2)]
+
+
+def test_another_model_is_refused_and_said_once(talk: Generated, box: Box) -> None:
+    air = Air()
+    ann = part(talk, ["ann"], box.activities, air.link()).start()
+    bob = part(talk, ["bob"], box.activities, air.link(), model="other").start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    box.say += [("team.signal.M", n, None) for n in range(5)] + [("team.state.M", 1, None)]
+    wait_until(lambda: bob.team.peers()["ann"].refused == 6)
+    wait_until(lambda: not ann.team.peers()["bob"].unacknowledged)
+    ann.stop()
+    bob.stop()
+    assert bob.of("arrived") == []
+    reasons = [r["reason"] for r in bob.of("peer", what="refused")]
+    model = talk.package.MODEL
+    assert reasons == [
+        f"team.signal.M is of the model {model}; ours is other",
+        f"team.state.M is of the model {model}; ours is other",
+    ]
+
+
+def test_a_newer_process_of_the_same_robot_takes_over(talk: Generated, box: Box) -> None:
+    air = Air()
+    old = part(talk, ["bob"], box.activities, air.link()).start()
+    ann = part(talk, ["ann"], box.activities, air.link()).start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    new = part(talk, ["bob"], box.activities, air.link()).start()
+    old.join()
+    assert old.result is not None and old.result.reason == "replaced"
+    wait_until(lambda: "bob restarted" in ann.news())
+    box.say += [("team.signal.M", 1, None)]
+    wait_until(lambda: arrived(new, "bob", "team.signal.M") == [1])
+    new.stop()
+    ann.stop()
+    assert ann.news("restarted", "gone") == ["bob restarted", "bob gone"]
+
+
+def test_control_requests_come_through(talk: Generated, box: Box, links: Any) -> None:
+    ann = part(talk, ["ann"], box.activities, links()).start()
+    bob = part(talk, ["bob"], box.activities, links())
+    bob.team.transport.answer(lambda request: {"you asked": request["what"]})
+    bob.start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    answer = ann.team.transport.ask("bob", {"what": "status"})
+    other = bob.team.transport.ask("ann", {"what": "status"})
+    ann.stop()
+    bob.stop()
+    assert answer == {"you asked": "status"}
+    assert other == {"error": "ann takes no control requests"}
+
+
+NET = """
+system Net
+message Task { int n }
+message Bid { int cost }
+aip net {
+  participant manager {
+    sends cfp Task
+    receives propose Bid
+    process = Announce . AwaitBids
+  }
+  participant contractor [1..*] {
+    sends propose Bid
+    receives cfp Task
+    process = Await . Offer
+  }
+  control manager {
+    enter Announce : / send cfp Task to contractor
+    leave AwaitBids : propose Bid from contractor or after(20s)
+  }
+  control contractor {
+    enter Offer : cfp Task from manager / send propose Bid to manager
+  }
+}
+srm boss {
+  plays net.manager
+  liveness { boss = manager }
+  activities { Announce takes 1ms AwaitBids takes 30s }
+}
+srm worker {
+  plays net.contractor
+  liveness { worker = contractor~ }
+  activities { Await takes 10s Offer takes 1ms }
+}
+team T { ann : boss  bob, cat : worker }
+"""
+
+
+@pytest.fixture(scope="module")
+def net() -> Generated:
+    return generate(NET)
+
+
+def test_a_conversation_between_processes(net: Generated, links: Any) -> None:
+    workers = part(net, ["bob", "cat"], {}, links()).start()
+    boss = part(net, ["ann"], {}, links()).start()
+    boss.join()
+    wait_until(lambda: len(workers.of("mail")) == 2)
+    workers.stop()
+    assert boss.result is not None and boss.result.reason == "finished"
+    opened = boss.of("conversation", what="open")
+    joined = workers.of("conversation", what="join")
+    assert {r["conversation"] for r in joined} == {opened[0]["conversation"]}
+    assert {r["agent"] for r in joined} == {"bob", "cat"}
+    received = boss.of("received", performative="propose")
+    assert received and received[0]["input"][0] in ("bob", "cat")
+
+
+def test_a_participant_that_is_gone_is_told(net: Generated) -> None:
+    air = Air()
+    boss = part(net, ["ann"], {}, air.link()).start()
+    wait_until(lambda: boss.of("mail"))
+    air.loss = 1.0  # what the worker offers does not come through
+    bob = part(net, ["bob"], {}, air.link()).start()
+    wait_until(lambda: boss.team.transport.is_there("bob"))
+    bob.stop()
+    wait_until(lambda: boss.of("conversation", what="gone"))
+    boss.stop()
+    (gone,) = boss.of("conversation", what="gone")
+    assert gone["peer"] == "bob" and gone["participant"] == "manager"
+
+
+def test_what_cannot_be(talk: Generated, box: Box) -> None:
+    with pytest.raises(TeamError, match="bob, cat cannot be reached: no transport"):
+        make(talk, box.activities, here=["ann"], clock="real")
+    with pytest.raises(TeamError, match="no agent dan in the team"):
+        make(talk, box.activities, here=["dan"])
+    with pytest.raises(TeamError, match="no virtual time in common"):
+        part_ = part(talk, ["ann"], box.activities, Air().link())
+        make(talk, box.activities, here=["ann"], transport=part_.post)
