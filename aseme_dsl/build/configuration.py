@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from aseme_dsl.build.duration import duration
-from aseme_dsl.diagnostics import Diagnostic, closest
+from aseme_dsl.diagnostics import CODES, NO_POLICY, Diagnostic, Policy, Setting, Severity, closest
 from aseme_dsl.source import Source, Span
 
 FILE = "pyproject.toml"
@@ -56,6 +56,7 @@ class Configuration:
     max_states: int | None = None
     labels: str | None = None
     expressions: str | None = None
+    diagnostics: Policy = NO_POLICY
     run: RunConfiguration | None = None
 
 
@@ -103,6 +104,10 @@ def configuration_of(source: Source) -> tuple[Configuration, tuple[Diagnostic, .
     return Configuration(path.parent, path, **given), tuple(reader.diagnostics)
 
 
+_LEVELS = {**{str(severity): severity for severity in Severity}, "off": None}
+"""What `[tool.asemec.diagnostics]` may say of a code."""
+
+
 class _Wrong(ValueError):
     """A value that does not fit; the text says what is expected instead."""
 
@@ -110,7 +115,14 @@ class _Wrong(ValueError):
 _Convert = Callable[[Any], Any]
 
 
-def _keys(folder: Path) -> dict[str, _Convert | dict[str, _Convert]]:
+@dataclass(frozen=True, slots=True)
+class _Policy:
+    """Marks the table of severities; `folder` is what its patterns of paths are relative to."""
+
+    folder: Path
+
+
+def _keys(folder: Path) -> dict[str, _Convert | Mapping[str, _Convert] | _Policy]:
     """Every key of `[tool.asemec]`, with what makes a value of what is written there."""
 
     def path(value: Any) -> Path:
@@ -132,6 +144,7 @@ def _keys(folder: Path) -> dict[str, _Convert | dict[str, _Convert]]:
         "max_states": _count,
         "labels": _one_of("plain", "original"),
         "expressions": _one_of("numbered", "inline", "none"),
+        "diagnostics": _Policy(folder),
         "run": {
             "world": _function,
             "progress": _function,
@@ -194,7 +207,7 @@ class _Reader:
     diagnostics: list[Diagnostic] = field(default_factory=list)
 
     def table(
-        self, table: Any, name: str, keys: Mapping[str, _Convert | Mapping[str, _Convert]]
+        self, table: Any, name: str, keys: Mapping[str, _Convert | Mapping[str, _Convert] | _Policy]
     ) -> dict[str, Any]:
         """The values of a table, converted; each mistake becomes a diagnostic and is left out."""
         if not isinstance(table, dict):
@@ -207,6 +220,8 @@ class _Reader:
                 near = closest(key, keys)
                 known = f"did you mean `{near}`?" if near else f"the table knows {', '.join(keys)}"
                 self._report(name, key, f"[{name}] has no key `{key}`", known)
+            elif isinstance(convert, _Policy):
+                given[key] = Policy(tuple(self.settings(value, f"{name}.{key}", None)), convert.folder)
             elif isinstance(convert, Mapping):
                 if isinstance(value, dict):
                     given[key] = RunConfiguration(**self.table(value, f"{name}.{key}", convert))
@@ -218,6 +233,28 @@ class _Reader:
                 except _Wrong as expected:
                     self._report(name, key, f"`{key}` must be {expected}")
         return given
+
+    def settings(self, table: Any, name: str, path: str | None) -> Iterator[Setting]:
+        """`CODE = "severity"`, and tables of the same that are called like the pattern of a path."""
+        if not isinstance(table, dict):
+            around, _, key = name.rpartition(".")
+            self._report(around, key, f"`{key}` must be a table: [{name}]")
+            return
+        for key, value in table.items():
+            if isinstance(value, dict) and path is None:
+                yield from self.settings(value, f"{name}.{key}", key)
+            elif not (key and any(code.startswith(key) for code in CODES)):
+                near = closest(key, [*CODES, *(code[:2] for code in CODES)])
+                hint = "it is a code, such as W300, or how the codes of several begin, such as W3"
+                hint = f"did you mean `{near}`?" if near else hint
+                self._report(name, key, f"there is no diagnostic `{key}`", hint)
+            elif not isinstance(value, str) or value not in _LEVELS:
+                self._report(name, key, f"`{key}` must be one of {', '.join(_LEVELS)}, in quotes")
+            elif key.startswith("E") and value != "error":
+                hint = "nothing can be generated from a file that has one"
+                self._report(name, key, f"`{key}`: an error cannot be turned down or off", hint)
+            else:
+                yield Setting(key, _LEVELS[value], path)
 
     def _report(self, table: str, key: str | None, message: str, hint: str | None = None) -> None:
         self.diagnostics.append(Diagnostic("E010", message, _place(self.source, table, key), hint=hint))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from aseme_dsl.build.configuration import FILE, configuration_of
+from aseme_dsl.build.project import options_of
 from aseme_dsl.compiler import Options, analyse
 from aseme_dsl.diagnostics import Diagnostic, in_order
 from aseme_dsl.diagnostics.pages import Example
@@ -17,14 +18,13 @@ def diagnostics_of(example: Example) -> tuple[Diagnostic, ...]:
     if example.console:
         return ()
     found: list[Diagnostic] = []
-    largest = None
+    options = Options()
     texts = {file.name: file.text for file in example.files}
     if FILE in texts:
         configuration, problems = configuration_of(Source(FILE, texts[FILE]))
         found += problems
-        largest = configuration.max_states
+        options = options_of(configuration)
     root = next((file for file in example.files if file.language == "aseme"), None)
     if root is not None:
-        options = Options(largest=largest) if largest else None
         found += analyse(Source(root.name, root.text), texts, options).diagnostics
     return in_order(found)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from aseme_dsl.build.configuration import FILE, Configuration, find_configuration, read_configuration
 from aseme_dsl.build.inputs import Inputs, find_inputs
 from aseme_dsl.compiler import Options, analyse
-from aseme_dsl.diagnostics import Diagnostic, has_errors, in_order
+from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
 from aseme_dsl.source import Source
 
 if TYPE_CHECKING:
@@ -30,6 +30,20 @@ class Compiled:
     """The paths of what was read."""
     is_library: bool = False
     """Whether the file declares no system, only what other files import."""
+    suppressed: tuple[Suppressed, ...] = ()
+    """What comments in the sources allow."""
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """What is to be said of files: every diagnostic, in order, and what comments in the sources allow.
+
+    `files` are the paths of all that was looked at.
+    """
+
+    diagnostics: tuple[Diagnostic, ...]
+    files: tuple[str, ...]
+    suppressed: tuple[Suppressed, ...]
 
 
 def inputs_of(
@@ -52,8 +66,19 @@ def inputs_of(
     return find_inputs(arguments, read_standard_input)
 
 
-def compile_root(root: Path | Source, *, max_states: int | None = None) -> Compiled:
-    """Compile a root; `max_states` goes before what the configuration says."""
+def options_of(configuration: Configuration, max_states: int | None = None) -> Options:
+    """How the project wants to be compiled; `max_states` goes before what it says."""
+    largest = max_states or configuration.max_states or Options().largest
+    return Options(largest, configuration.diagnostics)
+
+
+def compile_root(
+    root: Path | Source, *, max_states: int | None = None, sources: Mapping[str, str] | None = None
+) -> Compiled:
+    """Compile a root; `max_states` goes before what the configuration says.
+
+    Texts in `sources` (by path) are taken instead of the files on disk.
+    """
     folder = Path(root.path).parent if isinstance(root, Source) else root.parent
     configuration, problems = find_configuration(folder)
     if configuration.files and os.path.realpath(_path(root)) not in map(
@@ -61,22 +86,22 @@ def compile_root(root: Path | Source, *, max_states: int | None = None) -> Compi
     ):
         # The project plays its own files; this one is a neighbour.
         configuration = replace(configuration, run=None)
-    largest = max_states or configuration.max_states
-    analysis = analyse(root, options=Options(largest=largest) if largest else None)
+    analysis = analyse(root, sources, options_of(configuration, max_states))
     diagnostics = in_order((*problems, *analysis.diagnostics))
     system = None if has_errors(diagnostics) else analysis.system
     files = tuple(source.path for source in system.sources) if system else ()
-    return Compiled(root, configuration, system, diagnostics, files, analysis.is_library)
+    return Compiled(root, configuration, system, diagnostics, files, analysis.is_library, analysis.suppressed)
 
 
-def check(inputs: Inputs) -> tuple[tuple[Diagnostic, ...], int]:
-    """Every diagnostic of all inputs, and how many files were looked at.
+def check(inputs: Inputs, sources: Mapping[str, str] | None = None) -> Checked:
+    """Everything that there is to say of all inputs.
 
     A file of a folder that declares no system is looked at through those that import it, or else by itself,
-    and need not declare one; nor does a file that declares only what other files import.
+    and need not declare one; nor does a file that declares only what other files import. Texts in `sources`
+    (by path) are taken instead of the files on disk.
     """
     found = list(inputs.diagnostics)
-    compiled = [compile_root(root) for root in inputs.roots]
+    compiled = [compile_root(root, sources=sources) for root in inputs.roots]
     for item in compiled:
         found += [one for one in item.diagnostics if not (item.is_library and one.code == "E008")]
     seen = {os.path.realpath(path) for item in compiled for path in item.files}
@@ -85,9 +110,32 @@ def check(inputs: Inputs) -> tuple[tuple[Diagnostic, ...], int]:
     for path in inputs.others:
         files.add(str(path))
         if os.path.realpath(path) not in seen:
-            alone = compile_root(path).diagnostics
-            found += [item for item in alone if item.code != "E008"]
-    return in_order(found), len(files)
+            alone = compile_root(path, sources=sources)
+            compiled.append(alone)
+            found += [item for item in alone.diagnostics if item.code != "E008"]
+    suppressed = _once(item for other in compiled for item in other.suppressed)
+    return Checked(in_order(_without_used(found, suppressed)), tuple(sorted(files)), suppressed)
+
+
+def _once(suppressed: Iterable[Suppressed]) -> tuple[Suppressed, ...]:
+    """By place, each once: several systems may have read one file."""
+    found: dict[tuple[str, int, str, str], Suppressed] = {}
+    for item in suppressed:
+        assert item.diagnostic.span is not None  # else no comment would be about it
+        span = item.diagnostic.span
+        key = (span.source.path, span.start, item.diagnostic.code, item.diagnostic.message)
+        found.setdefault(key, item)
+    return tuple(found[key] for key in sorted(found))
+
+
+def _without_used(found: Sequence[Diagnostic], suppressed: Iterable[Suppressed]) -> Iterable[Diagnostic]:
+    """A comment in a file that several systems share has its use if it allows something in one of them."""
+    used = {(item.allow.source.path, item.allow.start) for item in suppressed}
+    wrong = has_errors(found)
+    for item in found:
+        place = (item.span.source.path, item.span.start) if item.span is not None else None
+        if item.code != "W011" or not (wrong or place in used):
+            yield item
 
 
 def _path(root: Path | Source) -> str:

@@ -151,6 +151,66 @@ def write_new(files: Mapping[Path, bytes], disk: Disk = DISK) -> Written:
     return Written(created=tuple(files))
 
 
+def write_over(files: Mapping[Path, tuple[bytes, bytes]], disk: Disk = DISK) -> Written:
+    """Change files of the user, each given as it was read and as it shall be: all of them, or none.
+
+    A file that no longer is what was read is an error (E009). A link stays, and what it leads to is changed.
+    """
+    folder = Path(os.path.commonpath([path.parent.absolute() for path in files])) if files else Path()
+    plan = _Plan(folder, force=False)
+    for path, (before, after) in files.items():
+        target = Path(os.path.realpath(path))
+        if _is(target, before):
+            plan.writes.append((target, after))
+            if not os.access(target, os.W_OK):
+                plan.refuse(path, "is read-only")
+        else:
+            plan.errors.append(_changed(path))
+    if plan.errors:
+        return Written(diagnostics=tuple(plan.errors))
+    try:
+        _carry_out(plan, disk)
+    except OSError as problem:
+        return Written(diagnostics=(_failed(problem, folder),))
+    return Written(changed=tuple(files))
+
+
+def write_report(path: Path, content: bytes, disk: Disk = DISK) -> Written:
+    """Write a file that replaces what was there: the whole of it at once, or (E009) nothing."""
+    plan = _Plan(path.parent, force=True)
+    if path.is_dir():
+        plan.refuse(path, "is a folder, and a file must go there")
+        return Written(diagnostics=tuple(plan.errors))
+    if os.path.lexists(path) and not path.is_file():  # a device, a pipe, a link that leads nowhere
+        return _write_into(path, content)
+    plan.writes.append((Path(os.path.realpath(path)), content))
+    try:
+        _carry_out(plan, disk)
+    except OSError as problem:
+        return Written(diagnostics=(_failed(problem, path),))
+    return Written(changed=(path,))
+
+
+def _write_into(path: Path, content: bytes) -> Written:
+    try:
+        path.write_bytes(content)
+    except OSError as problem:
+        return Written(diagnostics=(_failed(problem, path),))
+    return Written(changed=(path,))
+
+
+def _is(path: Path, content: bytes) -> bool:
+    try:
+        return path.read_bytes() == content
+    except OSError:
+        return False
+
+
+def _changed(path: Path) -> Diagnostic:
+    message = f"{path} has changed since it was read"
+    return Diagnostic("E009", message, None, hint="nothing was changed; try again", path=str(path))
+
+
 @dataclass(slots=True)
 class _Plan:
     """What is to be done, decided before anything is done."""

@@ -68,12 +68,24 @@ def wants_colour(choice: str, stream: IO[str]) -> bool:
 
 
 def print_diagnostics(diagnostics: Iterable[Diagnostic], choice: str, *, error: bool = True) -> None:
-    """All diagnostics for people, on standard error unless they are what the command is for."""
+    """All diagnostics for people, on standard error unless they are what the command is for.
+
+    On a terminal with colours, the codes are links to their pages.
+    """
     stream = sys.stderr if error else sys.stdout
     found = tuple(diagnostics)
     if found:
-        text = render_text(found, colour=wants_colour(choice, stream))
+        colour = wants_colour(choice, stream)
+        text = render_text(found, colour=colour, link=_page if colour and stream.isatty() else None)
         click.echo(text, file=stream, nl=False, color=True)
+
+
+def _page(code: str) -> str | None:
+    """The address of the page about a code, which is installed with the program."""
+    from aseme_dsl.diagnostics.pages import file_of
+
+    path = file_of(code)
+    return path.as_uri() if path is not None else None
 
 
 def print_json(result: dict[str, Any]) -> None:

@@ -20,6 +20,7 @@ from aseme_dsl.compiler.activity_use import (
     used_activities,
 )
 from aseme_dsl.compiler.aip_to_eac import aip_to_eac, read_protocol
+from aseme_dsl.compiler.allow import allow
 from aseme_dsl.compiler.blocks import Blocks, blocks_of
 from aseme_dsl.compiler.chart import World
 from aseme_dsl.compiler.damage import damage
@@ -124,9 +125,10 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     if not has_errors(found):  # else the line that starts a timer may be what is missing
         found += [problem for chart in charts for problem in check_timers(chart)]
 
-    diagnostics = in_order(_without_consequences(found))
+    diagnostics, suppressed = allow(loaded.files, in_order(_without_consequences(found)))
+    diagnostics = options.policy.apply(diagnostics)
     if has_errors(diagnostics) or symbols.system is None:
-        return Analysis(None, diagnostics, tuple(missing), _is_library(loaded))
+        return Analysis(None, diagnostics, tuple(missing), _is_library(loaded), suppressed)
     system = System(
         name=name,
         enums=symbols.enums,
@@ -145,7 +147,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
         sources=tuple(file.source for file in loaded.files),
         span=symbols.system.name.span,
     )
-    return Analysis(system, diagnostics, tuple(missing))
+    return Analysis(system, diagnostics, tuple(missing), suppressed=suppressed)
 
 
 def _places_of_roles(blocks: Blocks) -> dict[str, Span]:

@@ -1,15 +1,31 @@
 """Diagnostics: a problem in a document as data, and its renderings."""
 
-from aseme_dsl.diagnostics.model import CODES, Code, Diagnostic, Related, Severity, has_errors, in_order
+from aseme_dsl.diagnostics.model import (
+    CODES,
+    Code,
+    Diagnostic,
+    Edit,
+    Related,
+    Severity,
+    Suppressed,
+    has_errors,
+    in_order,
+)
+from aseme_dsl.diagnostics.policy import NO_POLICY, Policy, Setting
 from aseme_dsl.diagnostics.render import render_json, render_text
 from aseme_dsl.diagnostics.suggest import closest
 
 __all__ = [
     "CODES",
+    "NO_POLICY",
     "Code",
     "Diagnostic",
+    "Edit",
+    "Policy",
     "Related",
+    "Setting",
     "Severity",
+    "Suppressed",
     "closest",
     "has_errors",
     "in_order",

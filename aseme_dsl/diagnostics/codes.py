@@ -29,6 +29,12 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W001": ("warning", "the file is empty"),
     "W002": ("warning", "a generated file was edited and is left alone"),
     "W003": ("warning", "a diagram cannot be drawn"),
+    # Comments to asemec (W01x)
+    "W010": ("warning", "an allow without a reason"),
+    "W011": ("warning", "an allow that allows nothing"),
+    "W012": ("warning", "an allow of a code that does not exist"),
+    "W013": ("warning", "an allow of what cannot be allowed"),
+    "W014": ("warning", "a comment to asemec that means nothing"),
     # Syntax (E1xx)
     "E100": ("error", "something else was expected here"),
     "E101": ("error", "a formula is malformed"),

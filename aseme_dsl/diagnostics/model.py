@@ -27,11 +27,21 @@ class Related:
 
 
 @dataclass(frozen=True, slots=True)
+class Edit:
+    """A change of a text: `text` instead of what the span has; an empty span is a place to insert at."""
+
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Diagnostic:
     """A problem with its code, the place, and what to do about it.
 
     `span` is None only for problems that are in no text (a file that cannot be read); then `path` says
-    which file is meant. `fix` is the replacement of the span's text where there is one right answer.
+    which file is meant. `fix` is the replacement of the span's text where there is one right answer; an
+    answer that is elsewhere, or in several places, is in `edits` instead. `level` is the severity that a
+    project's policy has given it, None where it has said nothing.
     """
 
     code: str
@@ -41,6 +51,8 @@ class Diagnostic:
     hint: str | None = None
     fix: str | None = None
     path: str | None = None
+    edits: tuple[Edit, ...] = ()
+    level: Severity | None = None
 
     def __post_init__(self) -> None:
         if self.code not in CODES:
@@ -48,7 +60,23 @@ class Diagnostic:
 
     @property
     def severity(self) -> Severity:
-        return Severity(CODES[self.code].severity)
+        return self.level if self.level is not None else Severity(CODES[self.code].severity)
+
+    @property
+    def changes(self) -> tuple[Edit, ...]:
+        """What mends it, all of it together; empty where there is no one right answer."""
+        if self.edits or self.fix is None or self.span is None:
+            return self.edits
+        return (Edit(self.span, self.fix),)
+
+
+@dataclass(frozen=True, slots=True)
+class Suppressed:
+    """A problem that a comment in the source allows; `allow` is where the comment names its code."""
+
+    diagnostic: Diagnostic
+    allow: Span
+    reason: str
 
 
 def has_errors(diagnostics: Iterable[Diagnostic]) -> bool:
@@ -70,4 +98,14 @@ def in_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     return tuple(seen[k] for k in sorted(seen))
 
 
-__all__ = ["CODES", "Code", "Diagnostic", "Related", "Severity", "has_errors", "in_order"]
+__all__ = [
+    "CODES",
+    "Code",
+    "Diagnostic",
+    "Edit",
+    "Related",
+    "Severity",
+    "Suppressed",
+    "has_errors",
+    "in_order",
+]

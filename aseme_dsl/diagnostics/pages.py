@@ -21,6 +21,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from importlib import resources
+from pathlib import Path
 
 from aseme_dsl.diagnostics.codes import CODES
 
@@ -59,6 +60,18 @@ class Page:
     right: Example
 
 
+def markdown(code: str) -> str | None:
+    """The page of a code as it is written; None if it has none."""
+    file = resources.files("aseme_dsl.diagnostics") / "pages" / f"{code}.md"
+    return file.read_text("utf-8") if file.is_file() else None
+
+
+def file_of(code: str) -> Path | None:
+    """Where the page of a code is on disk; None if it has none, or the package is no folder on disk."""
+    path = Path(__file__).parent / "pages" / f"{code}.md"
+    return path if path.is_file() else None
+
+
 @cache
 def page(code: str) -> Page:
     """The page of a code.
@@ -68,11 +81,11 @@ def page(code: str) -> Page:
         ValueError: The page is malformed; the text says how.
     """
     entry = CODES[code]
-    file = resources.files("aseme_dsl.diagnostics") / "pages" / f"{code}.md"
-    if not file.is_file():
+    content = markdown(code)
+    if content is None:
         raise KeyError(code)
     try:
-        text, blocks = _parts(file.read_text("utf-8"))
+        text, blocks = _parts(content)
         wrong, right = (_example(blocks, use) for use in ("wrong", "right"))
     except ValueError as problem:
         raise ValueError(f"{code}.md: {problem}") from None

@@ -3,19 +3,29 @@
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
-from aseme_dsl.diagnostics.model import Diagnostic, Severity
+from aseme_dsl.diagnostics.model import Diagnostic, Severity, Suppressed
 from aseme_dsl.source import Span
 
 _COLOURS = {Severity.ERROR: "31", Severity.WARNING: "33", Severity.NOTE: "36"}
 _TAB = 4
+_LONG = 200
+"""Lines of more characters are shown only around the place."""
+_BEFORE, _INSIDE, _ALL = 80, 80, 180
+"""How many characters of a long line are shown before the place, of the place, and in all."""
+
+Link = Callable[[str], str | None]
+"""The address of the page about a code, or None if there is none."""
 
 
-def render_text(diagnostics: Iterable[Diagnostic], *, colour: bool = False) -> str:
-    """One block a problem: the code, the place, the line underlined, related places and a hint."""
-    return "\n".join(_block(item, colour) for item in diagnostics)
+def render_text(diagnostics: Iterable[Diagnostic], *, colour: bool = False, link: Link | None = None) -> str:
+    """One block a problem: the code, the place, the line underlined, related places and a hint.
+
+    With `link`, each code is a hyperlink to its page (OSC 8), which only a terminal understands.
+    """
+    return "\n".join(_block(item, colour, link) for item in diagnostics)
 
 
 def _paint(text: str, code: str, colour: bool) -> str:
@@ -23,43 +33,80 @@ def _paint(text: str, code: str, colour: bool) -> str:
 
 
 def _width(text: str) -> int:
-    """Columns on a terminal: tabs are expanded before, East Asian wide characters take two."""
+    """Columns on a terminal of a text that is shown: East Asian wide characters take two, marks none."""
     return sum(
-        0 if unicodedata.combining(char) else 2 if unicodedata.east_asian_width(char) in "WF" else 1
+        0
+        if unicodedata.category(char) in ("Mn", "Me")
+        else 2
+        if unicodedata.east_asian_width(char) in "WF"
+        else 1
         for char in text
     )
 
 
-def _excerpt(span: Span, mark: str, label: str, paint: str, colour: bool) -> list[str]:
-    line = span.source.line(span.line)
-    before = line[: span.column - 1].replace("\t", " " * _TAB)
-    inside = line[span.column - 1 : span.column - 1 + (span.end - span.start)].replace("\t", " " * _TAB)
-    shown = line.replace("\t", " " * _TAB)
-    if len(shown) > 200:  # a line of a machine-made file: show the neighbourhood of the place only
-        cut = max(0, len(before) - 80)
-        shown = ("…" if cut else "") + shown[cut : cut + 180] + "…"
-        before = ("…" if cut else "") + before[cut:]
-        inside = inside[:80]
-    number = str(span.line)
+def _visible(text: str) -> str:
+    """A line as it can be shown: tabs as blanks, and nothing that would move a terminal's cursor."""
+    if text.isprintable():
+        return text
+    text = text.replace("\t", " " * _TAB)
+    return "".join(char if char.isprintable() else "\ufffd" for char in text)
+
+
+def _line(
+    number: str, shown: str, before: str, inside: str, mark: str, paint: str, colour: bool
+) -> list[str]:
+    """A line of a text and below it the marks under `inside`, which follows `before` in it."""
+    bar = _paint("|", "34", colour)
     underline = " " * _width(before) + _paint(mark * max(1, _width(inside)), paint, colour)
-    gutter = " " * len(number)
-    return [
-        f" {_paint(number, '34', colour)} {_paint('|', '34', colour)} {shown}",
-        f" {gutter} {_paint('|', '34', colour)} {underline}{' ' + label if label else ''}",
-    ]
+    return [f" {_paint(number, '34', colour)} {bar} {shown}", f" {' ' * len(number)} {bar} {underline}"]
 
 
-def _block(item: Diagnostic, colour: bool) -> str:
+def _excerpt(span: Span, mark: str, paint: str, colour: bool) -> list[str]:
+    """The lines of a place: all of one line, the first and the last of several."""
+    first, column = span.source.position(span.start)
+    last, end = span.source.position(max(span.start, span.end))
+    if last > first and not span.source.line(last)[: end - 1].strip():
+        while last > first and not span.source.line(last)[: end - 1].strip():
+            last -= 1  # what is there besides blanks ends on an earlier line
+            end = len(span.source.line(last)) + 1
+    width = len(str(last))
+    line = span.source.line(first)
+    stop = end - 1 if last == first else len(line)
+    lines = _cut(line, column - 1, stop, str(first).rjust(width), mark, paint, colour)
+    if last > first:
+        if last > first + 1:
+            lines.append(f" {' ' * width} {_paint('|', '34', colour)} …")
+        line = span.source.line(last)
+        start = len(line) - len(line.lstrip())
+        lines += _cut(line, start, end - 1, str(last), mark, paint, colour)
+    return lines
+
+
+def _cut(line: str, start: int, stop: int, number: str, mark: str, paint: str, colour: bool) -> list[str]:
+    """The line with what is between `start` and `stop` marked; of a long one, the neighbourhood of that."""
+    before, inside, shown = _visible(line[:start]), _visible(line[start:stop]), _visible(line)
+    if len(shown) > _LONG:  # a line of a machine-made file
+        cut = max(0, len(before) - _BEFORE)
+        more = "…" if len(shown) > cut + _ALL else ""
+        shown = ("…" if cut else "") + shown[cut : cut + _ALL] + more
+        before = ("…" if cut else "") + before[cut:]
+        inside = inside[:_INSIDE]
+    bar = _paint("|", "34", colour)
+    underline = " " * _width(before) + _paint(mark * max(1, _width(inside)), paint, colour)
+    return [f" {_paint(number, '34', colour)} {bar} {shown}", f" {' ' * len(number)} {bar} {underline}"]
+
+
+def _block(item: Diagnostic, colour: bool, link: Link | None) -> str:
     paint = _COLOURS[item.severity]
-    head = _paint(f"{item.severity}[{item.code}]", paint + ";1", colour)
+    head = _paint(f"{item.severity}[{_linked(item.code, link)}]", paint + ";1", colour)
     if item.span is None:
         lines = [f"{item.path or '<input>'}: {head}: {item.message}"]
     else:
         lines = [f"{item.span}: {head}: {item.message}"]
-        lines += _excerpt(item.span, "^", "", paint, colour)
+        lines += _excerpt(item.span, "^", paint, colour)
     for related in item.related:
         lines.append(f"   {related.span}: {related.message}")
-        lines += _excerpt(related.span, "-", "", "34", colour)
+        lines += _excerpt(related.span, "-", "34", colour)
     if item.hint:
         first, *more = item.hint.splitlines()
         lines.append(f"   {_paint('hint', '32', colour)}: {first}")
@@ -67,7 +114,13 @@ def _block(item: Diagnostic, colour: bool) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _place(span: Span) -> dict[str, Any]:
+def _linked(code: str, link: Link | None) -> str:
+    address = link(code) if link is not None else None
+    return f"\x1b]8;;{address}\x1b\\{code}\x1b]8;;\x1b\\" if address else code
+
+
+def place_json(span: Span) -> dict[str, Any]:
+    """A place as plain data: the file, and the range in lines and columns from 1, its end exclusive."""
     line, column = span.source.position(span.start)
     end_line, end_column = span.source.position(span.end)
     return {
@@ -80,16 +133,30 @@ def _place(span: Span) -> dict[str, Any]:
 
 
 def render_json(diagnostics: Iterable[Diagnostic]) -> list[dict[str, Any]]:
-    """The same as plain data, for `--json`."""
+    """The same as plain data, for `--json`.
+
+    `edits` is everything that mends the problem; `fix` is the one replacement of the text at its place.
+    """
     return [
         {
             "code": item.code,
             "severity": str(item.severity),
             "message": item.message,
-            "place": _place(item.span) if item.span else ({"file": item.path} if item.path else None),
-            "related": [{"message": r.message, "place": _place(r.span)} for r in item.related],
+            "place": place_json(item.span) if item.span else ({"file": item.path} if item.path else None),
+            "related": [{"message": r.message, "place": place_json(r.span)} for r in item.related],
             "hint": item.hint,
             "fix": item.fix,
+            "edits": [{"place": place_json(edit.span), "text": edit.text} for edit in item.changes],
         }
         for item in diagnostics
+    ]
+
+
+def suppressed_json(suppressed: Iterable[Suppressed]) -> list[dict[str, Any]]:
+    """What comments in the sources allow, each with the comment's place and reason."""
+    found = tuple(suppressed)
+    items = render_json(item.diagnostic for item in found)
+    return [
+        {**data, "allowed": {"place": place_json(item.allow), "reason": item.reason}}
+        for data, item in zip(items, found, strict=True)
     ]

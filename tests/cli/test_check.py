@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
-from tests.cli.support import GOOD, Here, asemec
+from tests.cli.support import BAD, GOOD, Here, asemec
+from tests.conftest import Snapshot
+
+WARNED = GOOD[: GOOD.index("  control")].replace("(Walk | Stand)+", "Walk . Stand || Walk") + "}\n"
+"""A system with a warning (W300)."""
 
 
 def test_a_good_file(here: Here, folder: Path) -> None:
@@ -87,8 +92,7 @@ def test_what_cannot_be_read(here: Here, folder: Path) -> None:
 
 
 def test_strict_counts_warnings(here: Here, folder: Path) -> None:
-    text = GOOD[: GOOD.index("  control")] + "}\n"
-    (folder / "warned.aseme").write_text(text.replace("(Walk | Stand)+", "Walk . Stand || Walk"))
+    (folder / "warned.aseme").write_text(WARNED)
     done = here("check", "warned.aseme")
     assert "warning[W300]" in done.out
     assert done.code == 0
@@ -103,7 +107,166 @@ def test_json(here: Here, folder: Path) -> None:
     assert first["place"]["file"] == "bad.aseme"
     assert first["place"]["line"] == 8
     good = here("check", "--json", "good.aseme").json
-    assert good == {"format": 1, "files": 1, "errors": 0, "warnings": 0, "notes": 0, "diagnostics": []}
+    assert good == {
+        "format": 1,
+        "files": 1,
+        "errors": 0,
+        "warnings": 0,
+        "notes": 0,
+        "diagnostics": [],
+        "suppressed": [],
+    }
+
+
+class TestReports:
+    @pytest.mark.parametrize("form", ["text", "json", "sarif", "github", "junit"])
+    def test_what_it_says(self, here: Here, folder: Path, snapshot: Snapshot, form: str) -> None:
+        (folder / "allowed.aseme").write_text(
+            WARNED.replace("  liveness", "  // asemec: allow(W300) as in the paper\n  liveness")
+        )
+        done = here("check", "--format", form, "bad.aseme", "allowed.aseme")
+        assert done.code == 1
+        report = done.out
+        if form == "sarif":  # the texts of the pages are not what this is about
+            log = json.loads(report)
+            for rule in log["runs"][0]["tool"]["driver"]["rules"]:
+                assert rule["help"]["text"]
+                rule["help"] = {"text": "…"}
+            report = json.dumps(log, indent=2, ensure_ascii=False) + "\n"
+        snapshot(report, f"check.{form}")
+
+    @pytest.mark.parametrize("form", ["text", "json", "sarif", "github", "junit"])
+    def test_a_file_gets_what_would_be_printed(self, here: Here, folder: Path, form: str) -> None:
+        (folder / "report").write_text("the last one\n" * 1000)
+        printed = here("check", "--format", form, "bad.aseme")
+        done = here("check", "--format", form, "bad.aseme", "-o", "report")
+        assert (done.code, done.err) == (1, "")
+        assert done.out == "2 errors in 1 file\n"
+        assert (folder / "report").read_text("utf-8") == printed.out
+        assert sorted(path.name for path in folder.iterdir()) == ["bad.aseme", "good.aseme", "report"]
+
+    def test_a_report_that_cannot_be_written(self, here: Here, folder: Path) -> None:
+        (folder / "report").mkdir()
+        done = here("check", "good.aseme", "-o", "report")
+        assert done.code == 1
+        assert "error[E009]: report is a folder" in done.err
+        done = here("check", "good.aseme", "-o", "good.aseme/report")
+        assert done.code == 1
+        assert "error[E009]" in done.err
+
+    @pytest.mark.parametrize(
+        "arguments",
+        [
+            ("-o", "good.aseme"),
+            ("--json", "--format", "sarif"),
+            ("--format", "xml"),
+            ("--diff",),
+            ("--fix", "-"),
+            ("--fix", "--diff", "--json"),
+        ],
+    )
+    def test_wrong_use(self, here: Here, folder: Path, arguments: tuple[str, ...]) -> None:
+        before = (folder / "good.aseme").read_bytes()
+        assert here("check", "good.aseme", *arguments).code == 2
+        assert (folder / "good.aseme").read_bytes() == before
+
+    def test_strict_failures_of_junit(self, here: Here, folder: Path) -> None:
+        (folder / "warned.aseme").write_text(WARNED)
+        assert '<failure type="W300"' not in here("check", "--format", "junit", "warned.aseme").out
+        assert '<failure type="W300"' in here("check", "--strict", "--format", "junit", "warned.aseme").out
+
+
+class TestPolicy:
+    def write(self, folder: Path, text: str) -> None:
+        (folder / "warned.aseme").write_text(WARNED)
+        (folder / "pyproject.toml").write_text(f"[tool.asemec.diagnostics]\n{text}\n")
+
+    def test_a_warning_that_is_an_error(self, here: Here, folder: Path) -> None:
+        self.write(folder, 'W300 = "error"')
+        done = here("check", "warned.aseme")
+        assert done.code == 1
+        assert "error[W300]" in done.out
+        assert done.out.endswith("\n1 error in 1 file\n")
+        assert here("check", "--json", "warned.aseme").json["diagnostics"][0]["severity"] == "error"
+        assert here("check", "--format", "github", "warned.aseme").out.startswith("::error ")
+        assert here("build", "warned.aseme").code == 1
+        assert not (folder / "out").exists()
+
+    def test_a_group_that_is_off(self, here: Here, folder: Path) -> None:
+        self.write(folder, 'W3 = "off"')
+        assert here("check", "--strict", "warned.aseme").out == "1 file is fine\n"
+        assert "W300" not in here("build", "warned.aseme").err
+
+    def test_a_note_is_not_strict(self, here: Here, folder: Path) -> None:
+        self.write(folder, 'W300 = "note"')
+        done = here("check", "--strict", "warned.aseme")
+        assert done.code == 0
+        assert "note[W300]" in done.out
+
+    def test_files_of_its_own(self, here: Here, folder: Path) -> None:
+        self.write(folder, 'W3 = "error"\n\n[tool.asemec.diagnostics."drafts/*"]\nW300 = "off"')
+        (folder / "drafts").mkdir()
+        (folder / "drafts" / "draft.aseme").write_text(WARNED)
+        assert here("check", "drafts").code == 0
+        assert here("check", "warned.aseme").code == 1
+
+    def test_its_mistakes(self, here: Here, folder: Path) -> None:
+        self.write(
+            folder,
+            'w300 = "error"\nE200 = "off"\nW300 = "fatal"\nW301 = 3\nE201 = "error"\n'
+            '\n[tool.asemec.diagnostics."drafts/*"]\n"x" = "off"\nW3.y = 1',
+        )
+        done = here("check", "warned.aseme")
+        assert done.code == 1
+        places = [line.split(": ")[:1][0] for line in done.out.splitlines() if "error[E010]" in line]
+        assert places == [f"pyproject.toml:{line}:1" for line in (2, 3, 4, 5, 9, 10)]
+        assert "did you mean `W300`?" in done.out
+        assert "an error cannot be turned down or off" in done.out
+
+    def test_no_table(self, here: Here, folder: Path) -> None:
+        (folder / "pyproject.toml").write_text('[tool.asemec]\ndiagnostics = "off"\n')
+        assert "`diagnostics` must be a table: [tool.asemec.diagnostics]" in here("check", "good.aseme").out
+
+
+class TestFix:
+    def test_it_mends_and_says_what_is_left(self, here: Here, folder: Path) -> None:
+        text = BAD.replace("system Walker", "system Walker\r", 1).encode()
+        (folder / "bad.aseme").write_bytes(b"\xef\xbb\xbf" + text)
+        done = here("check", "--fix", "bad.aseme")
+        assert done.code == 1
+        lines = done.out.splitlines()
+        assert lines[0].startswith("bad.aseme:8:")
+        assert lines[0].endswith(": mended[E502]: `Sen` -> `Seen`")
+        assert lines[1] == "1 problem mended in 1 file"
+        assert lines[-1] == "1 error in 1 file"
+        after = (folder / "bad.aseme").read_bytes()
+        assert after == b"\xef\xbb\xbf" + text.replace(b"state.Sen.", b"state.Seen.")
+        assert "mended" not in here("check", "--fix", "bad.aseme").out
+
+    def test_diff_shows_it_and_writes_nothing(self, here: Here, folder: Path) -> None:
+        done = here("check", "--fix", "--diff", "bad.aseme")
+        assert done.code == 1
+        assert done.out.splitlines()[:2] == ["--- bad.aseme", "+++ bad.aseme"]
+        assert "+    enter Walk  : [eyes.state.Seen.ball]" in done.out
+        assert (folder / "bad.aseme").read_text() == BAD
+        assert here("check", "--fix", "--diff", "good.aseme").out == ""
+
+    def test_json_says_what_was_mended(self, here: Here, folder: Path) -> None:
+        result = here("check", "--fix", "--json", "bad.aseme").json
+        assert [item["fix"] for item in result["mended"]] == ["Seen"]
+        assert result["errors"] == 1
+
+    def test_what_two_systems_import_is_mended_once(self, here: Here, folder: Path) -> None:
+        (folder / "bad.aseme").unlink()
+        (folder / "good.aseme").unlink()
+        (folder / "shared.aseme").write_text("message Seen { boolean ball  boolean home }\n")
+        for name in ("One", "Two"):
+            text = GOOD.replace("system Walker", f'system {name}\nimport "shared.aseme"')
+            text = text.replace("message Seen { bool ball  bool home }\n", "")
+            (folder / f"{name}.aseme").write_text(text)
+        done = here("check", "--fix")
+        assert done.out.endswith("2 problems mended in 1 file\n\n3 files are fine\n")
+        assert (folder / "shared.aseme").read_text() == "message Seen { bool ball  bool home }\n"
 
 
 class TestConfiguration:

