@@ -38,6 +38,13 @@ class RunConfiguration:
     seed: int | None = None
     trace: Path | None = None
     """Where the trace goes."""
+    cancel_within: int | None = None
+    """With the rest, what a run in real time asks of the machine: see `runtime.real_time.RealTime`."""
+    threads: int | None = None
+    processes: int | None = None
+    process_memory: int | None = None
+    switch_interval: int | None = None
+    priority: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,6 +159,12 @@ def _keys(folder: Path) -> dict[str, _Convert | Mapping[str, _Convert] | _Policy
             "duration": _duration,
             "seed": _seed,
             "trace": path,
+            "cancel_within": _duration,
+            "threads": _count,
+            "processes": _count,
+            "process_memory": _memory,
+            "switch_interval": _duration,
+            "priority": _count,
         },
     }
 
@@ -188,6 +201,13 @@ def _duration(value: Any) -> int:
     if nanoseconds <= 0:
         raise _Wrong('a duration in quotes, such as "60s"')
     return nanoseconds
+
+
+def _memory(value: Any) -> int:
+    written = re.fullmatch(r"(\d+)\s*(MB|GB)", value) if isinstance(value, str) else None
+    if written is None or int(written[1]) == 0:
+        raise _Wrong('an amount of memory in quotes, such as "512MB"')
+    return int(written[1]) * (1_000_000 if written[2] == "MB" else 1_000_000_000)
 
 
 def _one_of(*choices: str) -> _Convert:

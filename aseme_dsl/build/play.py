@@ -5,11 +5,11 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from aseme_dsl.build.configuration import Configuration
+from aseme_dsl.build.configuration import Configuration, RunConfiguration
 from aseme_dsl.diagnostics import closest
 
 if TYPE_CHECKING:
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from aseme_dsl.runtime.loading import Loaded
     from aseme_dsl.runtime.plan import State
+    from aseme_dsl.runtime.real_time import RealTime
     from aseme_dsl.runtime.scripted import Scripted
     from aseme_dsl.runtime.team import RunResult, Team
     from aseme_dsl.runtime.trace import Listener
@@ -196,6 +197,7 @@ def play(
                 trace=trace,
                 listeners=listeners,
                 path=folders,
+                real_time=_real_time(project),
             )
         except (TeamError, ActivityError) as problem:
             raise PlayError(str(problem)) from problem
@@ -217,6 +219,14 @@ def _duration(request: Request, configuration: Configuration, world: object) -> 
         return configuration.run.duration
     # On a robot the end is Ctrl-C; virtual time would go on for ever.
     return None if request.real and world is None else PLAY_NS
+
+
+def _real_time(project: RunConfiguration | None) -> RealTime:
+    """What the project asks of the machine; the usual where it says nothing."""
+    from aseme_dsl.runtime.real_time import RealTime
+
+    said = {field.name: getattr(project, field.name, None) for field in fields(RealTime)}
+    return RealTime(**{name: value for name, value in said.items() if value is not None})
 
 
 class _Watch:

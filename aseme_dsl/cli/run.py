@@ -16,6 +16,7 @@ from aseme_dsl.cli.shared import (
     diagnostics_json,
     folder_option,
     json_option,
+    leave_at_once,
     one_system,
     print_diagnostics,
     print_json,
@@ -199,7 +200,10 @@ def command(
             raise click.UsageError(f"{problem}.") from problem
         raise click.ClickException(str(problem)) from problem
     telling.end()
-    return _print(played, loaded, report, folder, telling, as_json)
+    code = _print(played, loaded, report, folder, telling, as_json)
+    if played.result.left:
+        leave_at_once(code)
+    return code
 
 
 def _build(

@@ -53,6 +53,7 @@ class Execution:
         "has_returned",
         "held",
         "info",
+        "keeps",
         "kind",
         "number",
         "opens",
@@ -82,6 +83,8 @@ class Execution:
         self.dropped = 0
         self.timer: Timer | None = None
         self.generator: Generator[Any, None, Any] | None = None
+        self.keeps = ""
+        """In whose worker process the object of the code is kept; "" where each start has its own."""
         self.handle: Any = None
         """What the driver keeps for it."""
         self._chance: random.Random | None = None

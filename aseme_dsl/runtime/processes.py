@@ -9,9 +9,11 @@ from __future__ import annotations
 import contextlib
 import os
 import pickle
+import signal
 import subprocess
 import sys
 import threading
+from collections import deque
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from queue import SimpleQueue
@@ -57,54 +59,64 @@ class _Process:
         self.execution: Execution | None = None
         self.jobs: SimpleQueue[tuple[Execution, Snapshot] | None] = SimpleQueue()
         self.child: subprocess.Popen[bytes] | None = None
+        self.listens = False
+        """Whether the worker has begun, which takes a new one a while."""
+        self.killed = ""
+        """Why the worker was killed, while the activity has not been told."""
         self._sending = threading.Lock()
-        threading.Thread(target=self._work, name="aseme process", daemon=True).start()
+        self.thread = threading.Thread(target=self._work, name="aseme process", daemon=True)
+        self.thread.start()
 
-    def cancel(self) -> None:
-        """Tell the activity that runs that it is cancelled."""
-        with contextlib.suppress(OSError):  # the worker is gone, which its thread will see
-            self._send(("cancel",))
+    def cancel(self, execution: Execution) -> None:
+        """Tell an activity, if it is the one that runs, that it is cancelled.
 
-    def kill(self) -> None:
-        """End the worker by force if it is busy, else by closing what it listens to."""
-        child = self.child
-        if child is None:
-            return
-        if self.execution is not None:
-            child.kill()
-        elif child.stdin is not None:
-            child.stdin.close()
-        try:
-            child.wait(1.0)
-        except subprocess.TimeoutExpired:
-            child.kill()
-            child.wait()
-        _close(child)
+        Who sends just now looks for that afterwards; nobody waits for a worker that does not listen.
+        """
+        if self._sending.acquire(blocking=False):
+            with contextlib.suppress(OSError):  # the worker is gone, which its thread will see
+                if self.execution is execution:
+                    self._put(("cancel",))
+            self._sending.release()
+
+    def kill(self, reason: str) -> None:
+        """End the worker and with it what it runs; the next activity has a new one."""
+        self.killed = reason
+        if self.child is not None:
+            self.child.kill()
 
     def _work(self) -> None:
-        while (job := self.jobs.get()) is not None:
+        job = self.jobs.get()
+        while job is not None:
             execution, snapshot = job
+            self.killed = ""
+            self.execution = execution
             error = self._run(execution, snapshot)
-            self.execution = None
-            if self.child is not None and self.child.poll() is not None:
-                _close(self.child)
-                self.child = None  # the next job makes a new one
+            with self._sending:  # whoever cancels it now is too late
+                self.execution = None
+            if self.child is not None and (self.child.poll() is not None or _is_spent(error)):
+                self._end()
             execution.returned(error)
             self.pool.ended(execution)
-            self.pool.idle.append(self)
+            job = self.pool.next_for(self)
+        self._end()
 
     def _run(self, execution: Execution, snapshot: Snapshot) -> BaseException | None:
         """Have an activity run to its end; with which error, if any."""
         code = execution.code
         assert code is not None
+        if self.child is not None and self.child.poll() is not None:
+            self._end()  # it was killed while it was idle
         try:
             child = self.child or self._start()
             file = getattr(sys.modules.get(code.__module__), "__file__", None)
-            self._send(("run", code.__module__, file, code.__qualname__, snapshot))
-            if execution.cancelled:  # a cancellation before that would have been forgotten
-                self.cancel()
+            with self._sending:
+                self._put(("run", code.__module__, file, code.__qualname__, execution.keeps, snapshot))
+        except BrokenPipeError:
+            return self._ended()
         except Exception as error:  # what cannot be pickled, a worker that cannot start
             return ReportedError(f"it cannot be started in another process: {reason_of(error)}")
+        if execution.cancelled:  # a cancellation before that would have been forgotten
+            self.cancel(execution)
         refused: Exception | None = None
         assert child.stdout is not None
         while (data := get(child.stdout)) is not None:
@@ -112,34 +124,68 @@ class _Process:
                 kind, *rest = pickle.loads(data)
                 if kind == "end":
                     return refused or _error_of(*rest)
-                if refused is None:
+                if kind == "begun":
+                    self.listens = True
+                elif refused is None:
                     tell(execution, rest[0])
             except Exception as error:  # what the activity would have got, had it been here
                 refused = error
-                self.cancel()
-        return ReportedError(f"its process has ended with code {child.wait()}")
+                self.cancel(execution)
+        return self._ended()
+
+    def _ended(self) -> ReportedError:
+        """How the worker has come to its end, in the midst of an activity."""
+        if self.killed:
+            return ReportedError(self.killed)
+        assert self.child is not None
+        code = self.child.wait()
+        if code >= 0:
+            return ReportedError(f"its process has ended with code {code}")
+        try:
+            name = signal.Signals(-code).name
+        except ValueError:
+            name = f"signal {-code}"
+        return ReportedError(f"its process was killed by {name}")
 
     def _start(self) -> subprocess.Popen[bytes]:
         # What this process can import, the worker can, too, whether this package is installed or not.
         found = [*map(str, self.pool.path), *(entry or str(Path.cwd()) for entry in sys.path)]
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(dict.fromkeys(found))}
+        self.listens = False
         command = [sys.executable, "-m", "aseme_dsl.runtime.worker"]
+        if self.pool.memory is not None:
+            command.append(str(self.pool.memory))
         self.child = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment)
         return self.child
 
-    def _send(self, item: tuple[Any, ...]) -> None:
+    def _put(self, item: tuple[Any, ...]) -> None:
         child = self.child
         if child is not None and child.stdin is not None:
-            with self._sending:
-                put(child.stdin, item)
+            put(child.stdin, item)
+
+    def _end(self) -> None:
+        """End the worker, by force if it does not by itself."""
+        child, self.child = self.child, None
+        if child is None:
+            return
+        for pipe in (child.stdin, child.stdout):
+            if pipe is not None:
+                with contextlib.suppress(OSError):  # what was not sent yet cannot be sent any more
+                    pipe.close()
+        try:
+            child.wait(_LEAVE)
+        except subprocess.TimeoutExpired:
+            child.kill()
+            child.wait()
 
 
-def _close(child: subprocess.Popen[bytes]) -> None:
-    """Close the pipes to a worker that has ended."""
-    for pipe in (child.stdin, child.stdout):
-        if pipe is not None:
-            with contextlib.suppress(OSError):  # what was not sent yet cannot be sent any more
-                pipe.close()
+_LEAVE = 0.3
+"""How long, in seconds, an idle worker may take to end."""
+
+
+def _is_spent(error: BaseException | None) -> bool:
+    """Whether a worker is not to be used again: its memory is full."""
+    return isinstance(error, ReportedError) and str(error).startswith("MemoryError")
 
 
 def _error_of(kind: str | None, reason: str, frames: list[dict[str, Any]] | None) -> BaseException | None:
@@ -149,34 +195,106 @@ def _error_of(kind: str | None, reason: str, frames: list[dict[str, Any]] | None
 
 
 class Processes:
-    """The worker processes of a run: as many as activities have run in them at once."""
+    """Resident worker processes: as many as activities have run in them at once, up to a maximum."""
 
-    def __init__(self, path: Sequence[Path], ended: Callable[[Execution], None]) -> None:
+    def __init__(
+        self,
+        path: Sequence[Path],
+        maximum: int,
+        memory: int | None,
+        ended: Callable[[Execution], None],
+        complain: Callable[..., None],
+    ) -> None:
+        """`memory` is the address space that each may use, in bytes."""
         self.path = tuple(path)
+        self.memory = memory
         self.ended = ended
-        self.idle: list[_Process] = []
+        self._maximum = maximum
+        self._complain = complain
+        self._lock = threading.Lock()
         self._all: list[_Process] = []
+        self._idle: list[_Process] = []
+        self._kept: dict[str, _Process] = {}
+        self._waiting: deque[tuple[Execution, Snapshot]] = deque()
+        self._was_full = False
+        self._closed = False
 
     def launch(self, execution: Execution) -> None:
         """Run the code of an activity in a worker. Called while its agent is guarded."""
-        snapshot = snapshot_of(execution)
-        try:
-            process = self.idle.pop()
-        except IndexError:
-            process = _Process(self)
-            self._all.append(process)
-        process.execution = execution
-        execution.handle = process
-        process.jobs.put((execution, snapshot))
+        job = execution, snapshot_of(execution)
+        tell = False
+        with self._lock:
+            process = self._kept.get(execution.keeps) if execution.keeps else None
+            if process is None:
+                process = self._idle.pop() if self._idle and not execution.keeps else None
+                if process is None and (execution.keeps or len(self._all) < self._maximum):
+                    process = _Process(self)
+                    if execution.keeps:
+                        self._kept[execution.keeps] = process
+                    else:
+                        self._all.append(process)
+            if process is None:
+                self._waiting.append(job)
+                tell, self._was_full = not self._was_full, True
+            else:
+                execution.handle = process
+                process.jobs.put(job)
+        if tell:
+            self._complain(
+                f"all {len(self._all)} processes for activities are busy: {execution.activity} and others "
+                "wait until one is free",
+                execution.agent,
+                execution.activity,
+            )
+
+    def next_for(self, process: _Process) -> tuple[Execution, Snapshot] | None:
+        """What a worker whose activity has returned runs next."""
+        with self._lock:
+            if self._closed:
+                return None
+            if process in self._all:
+                if self._waiting:
+                    execution, snapshot = self._waiting.popleft()
+                    execution.handle = process
+                    return execution, snapshot
+                self._idle.append(process)
+        return process.jobs.get()
 
     def cancel(self, execution: Execution) -> None:
         """Tell an activity that its state was left."""
         process: _Process | None = execution.handle
-        if process is not None and process.execution is execution:
-            process.cancel()
+        if process is None:
+            with self._lock:
+                job = next((job for job in self._waiting if job[0] is execution), None)
+                if job is not None:
+                    self._waiting.remove(job)
+                process = execution.handle
+            if job is not None:
+                execution.returned(Cancelled())
+                self.ended(execution)
+        if process is not None:
+            process.cancel(execution)
+
+    def kill(self, execution: Execution, reason: str) -> bool:
+        """End an activity that does not listen, with its process; not one that cannot have heard yet."""
+        process: _Process | None = execution.handle
+        if process is None or process.execution is not execution or not process.listens:
+            return False
+        process.kill(reason)
+        return True
 
     def close(self) -> None:
-        """End all workers, by force those that do not end by themselves."""
-        for process in self._all:
+        """End all workers, by force those that are busy."""
+        with self._lock:
+            self._closed = True
+            everyone = [*self._all, *self._kept.values()]
+        for process in everyone:
+            execution = process.execution
+            if execution is not None:
+                process.kill("its process was killed: the run is over")
             process.jobs.put(None)
-            process.kill()
+
+    def join(self, seconds: Callable[[], float]) -> None:
+        """Wait for all workers to end, so many seconds at the most."""
+        for process in (*self._all, *self._kept.values()):
+            process.thread.join(seconds())

@@ -2,35 +2,42 @@
 
 A step has no thread of its own. Who posts an input appends it to the agent's intake and, if nobody else is
 stepping the agent, steps it; else whoever does takes the new input too before it lets go. So there is one
-order of inputs and no hand-over to another thread, which would wait for the interpreter's lock. The thread
-that calls `run` keeps the timers.
+order of inputs and no hand-over to another thread, which would wait for the interpreter's lock. A thread of
+its own keeps the timers; the one that calls `run` looks after what is stuck, and after what can wait.
 """
 
 from __future__ import annotations
 
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from queue import SimpleQueue
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from aseme_dsl.runtime.clock import SECOND, RealClock
-from aseme_dsl.runtime.context import Cancelled
-from aseme_dsl.runtime.timers import Timer, Timers
+from aseme_dsl.runtime.clock import SECOND, RealClock, shown
+from aseme_dsl.runtime.real_time import RealTime
+from aseme_dsl.runtime.stacks import place_of
+from aseme_dsl.runtime.threads import Threads
+from aseme_dsl.runtime.timekeeper import Timekeeper
+from aseme_dsl.runtime.timers import Timer
 
 if TYPE_CHECKING:
-    from asyncio import AbstractEventLoop
     from pathlib import Path
 
     from aseme_dsl.runtime.agent import Agent
     from aseme_dsl.runtime.execution import Execution
     from aseme_dsl.runtime.processes import Processes
+    from aseme_dsl.runtime.real_loop import RealLoop
 
-SWITCH = 1e-4
-"""How long, in seconds, a thread that computes may keep the interpreter from one that has an input."""
-GRACE = 2.0
+GRACE = 1.0
 """How long, in seconds, activities that were cancelled at the end of a run may take to return."""
+LEAVE = 0.3
+"""How long, in seconds, threads and processes may take to end after that."""
+LOOK = 0.25
+"""How often, in seconds, somebody looks for what is stuck, and for what can wait."""
+PAUSE = 0.01
+"""How long, in seconds, at least passes between two questions whether the run is over."""
 
 
 class _Depth(threading.local):
@@ -41,54 +48,44 @@ class _Depth(threading.local):
         self.woken: list[Agent] = []
 
 
-class _Worker:
-    """A resident thread that runs activities, one after the other."""
-
-    def __init__(self, driver: RealDriver, number: int) -> None:
-        self.driver = driver
-        self.queue: SimpleQueue[Execution | None] = SimpleQueue()
-        self.thread = threading.Thread(target=self._work, name=f"aseme activity {number}", daemon=True)
-        self.thread.start()
-
-    def _work(self) -> None:
-        while (execution := self.queue.get()) is not None:
-            execution.run()
-            self.driver.ended(execution)
-            self.driver.idle.append(self)
-
-
 class RealDriver:
     """Drives a team in real time."""
 
-    def __init__(self, path: Sequence[Path] = (), origin: int | None = None) -> None:
+    def __init__(
+        self, path: Sequence[Path] = (), options: RealTime | None = None, origin: int | None = None
+    ) -> None:
         """`path` are the folders where worker processes find what they import; `origin` is the clock's."""
         self.clock = RealClock(origin)
+        self.options = options or RealTime()
         self.agents: Sequence[Agent] = ()
         self.until: int | None = None
         """The moment after which nothing is done any more."""
         self.advance: Callable[[int], None] = lambda moment: None
-        """Called after timers were due."""
+        """Called now and then, for what can wait."""
         self.settled: Callable[[], str | None] = lambda: None
         """Called when an agent has ended or, with `watch`, stepped; a reason ends the run."""
         self.watch = False
-        self.complain: Callable[[str], None] = lambda text: None
-        """Called for an activity that does not end, and an error in a callback of the event loop."""
+        self.complain: Callable[..., None] = lambda text, agent="", activity=None: None
+        """Told what is stuck or cannot be had, and errors in callbacks of the event loop."""
         self.reason = ""
-        self.idle: list[_Worker] = []
+        self.left: tuple[str, ...] = ()
+        """Activities, agents and threads of activities that had not ended when the run was over."""
         self._path = tuple(path)
-        self._workers: list[_Worker] = []
-        self._live: set[Execution] = set()
-        self._timers = Timers()
+        self._live: dict[Execution, Timer | None] = {}
+        self._timekeeper = Timekeeper(self.clock, self._fail)
         self._condition = threading.Condition()
         self._stop: str | None = None
         self._news = False
+        self._urgent = False
         self._error: BaseException | None = None
         self._locks: dict[str, threading.Lock] = {}
         self._owners: dict[str, int] = {}
+        self._long: dict[str, tuple[int, int, int]] = {}
+        self._others: set[threading.Thread] = set()
         self._depth = _Depth()
         self._making = threading.Lock()
-        self._loop: AbstractEventLoop | None = None
-        self._loop_thread: threading.Thread | None = None
+        self._threads = Threads(self.options.threads, self.ended, self._complain)
+        self._loop: RealLoop | None = None
         self._processes: Processes | None = None
 
     # ---- the driver's interface --------------------------------------------------------------
@@ -97,14 +94,11 @@ class RealDriver:
         """Take these agents, in the team's order."""
         self.agents = agents
         self._locks = {agent.name: threading.Lock() for agent in agents}
+        self._others = set(threading.enumerate())
 
     def at(self, moment: int, call: Callable[[], None], background: bool = False) -> Timer:
         """Make a call at a moment, in the thread of the timers; at once, if that has passed."""
-        with self._condition:
-            timer = self._timers.add(moment, call, background)
-            if self._timers.next() == moment:
-                self._condition.notify()
-            return timer
+        return self._timekeeper.at(moment, call, background)
 
     def owns(self, agent: Agent) -> bool:
         """Whether this thread is the one that steps the agent just now."""
@@ -141,13 +135,16 @@ class RealDriver:
                 while agent.intake:
                     agent.process(agent.take())
             except BaseException as error:  # of the runtime itself: nobody above may swallow it
-                self._error = error
-                self.stop("error")
+                self._fail(error)
             finally:
                 del self._owners[agent.name]
                 lock.release()
-            if agent.over or self.watch:
+            if agent.over:
                 self._tell()
+            elif self.watch and not self._news:
+                self._news = True
+                with self._condition:
+                    self._condition.notify()
 
     @contextmanager
     def guard(self, agent: Agent) -> Iterator[None]:
@@ -167,81 +164,108 @@ class RealDriver:
     def launch(self, execution: Execution) -> None:
         """Run the code of an activity where its kind belongs."""
         with self._making:
-            self._live.add(execution)
+            self._live[execution] = None
         if execution.kind == "async":
-            self._launch_async(execution)
+            self._async().launch(execution)
         elif execution.kind == "process":
-            self._launch_process(execution)
+            self._elsewhere().launch(execution)
         else:
-            execution.handle = threading.Event()
-            try:
-                worker = self.idle.pop()
-            except IndexError:
-                with self._making:
-                    worker = _Worker(self, len(self._workers) + 1)
-                    self._workers.append(worker)
-            worker.queue.put(execution)
+            self._threads.launch(execution)
 
     def cancel(self, execution: Execution) -> None:
-        """Tell an activity that its state was left."""
-        if execution.kind == "async":
-            if self._loop is not None:
-                self._loop.call_soon_threadsafe(_cancel_task, execution)
-        elif execution.kind == "process":
-            if self._processes is not None:
-                self._processes.cancel(execution)
-        elif execution.handle is not None:
-            execution.handle.set()
+        """Tell an activity that its state was left, and see to it that it does not stay for ever."""
+        self._tell_of_cancellation(execution)
+        self._give_time(execution)
+
+    def _give_time(self, execution: Execution) -> None:
+        timer = self.at(self.clock.now() + self.options.cancel_within, lambda: self._overdue(execution))
+        with self._making:
+            if execution in self._live:
+                self._live[execution] = timer
+            else:
+                timer.cancel()
 
     def wait(self, execution: Execution, duration: int) -> None:
         """Let time pass in the activity's own thread."""
-        if execution.cancelled or execution.handle.wait(duration / SECOND):
-            raise Cancelled
+        self._threads.wait(execution, duration)
 
     def ended(self, execution: Execution) -> None:
         """The code of an activity has come to its end, and its agent knows."""
-        with self._condition:
-            self._live.discard(execution)
+        with self._making:
+            timer = self._live.pop(execution, None)
+        if timer is not None:
+            timer.cancel()
         if self._stop is not None:
             self._tell()
 
     # ---- where activities run ----------------------------------------------------------------
 
-    def _launch_async(self, execution: Execution) -> None:
-        from aseme_dsl.runtime.real_loop import start_loop
+    def _async(self) -> RealLoop:
+        from aseme_dsl.runtime.real_loop import RealLoop
 
         with self._making:
             if self._loop is None:
-                self._loop, self._loop_thread = start_loop(self.complain)
-        self._loop.call_soon_threadsafe(self._begin_task, execution)
+                self._loop = RealLoop(self.ended, self._complain)
+            return self._loop
 
-    def _begin_task(self, execution: Execution) -> None:
-        from aseme_dsl.runtime.virtual_loop import run_async
-
-        assert self._loop is not None
-        task = execution.handle = self._loop.create_task(run_async(execution))
-        task.add_done_callback(lambda done: self.ended(execution))
-
-    def _launch_process(self, execution: Execution) -> None:
+    def _elsewhere(self) -> Processes:
         from aseme_dsl.runtime.processes import Processes
 
         with self._making:
             if self._processes is None:
-                self._processes = Processes(self._path, self.ended)
-        self._processes.launch(execution)
+                options = self.options
+                self._processes = Processes(
+                    self._path, options.processes, options.process_memory, self.ended, self._complain
+                )
+            return self._processes
+
+    def _tell_of_cancellation(self, execution: Execution) -> None:
+        if execution.kind == "async":
+            self._async().cancel(execution)
+        elif execution.kind == "process":
+            self._elsewhere().cancel(execution)
+        else:
+            self._threads.cancel(execution)
+
+    def _overdue(self, execution: Execution) -> None:
+        """A cancelled activity has not returned in time: report it, and get rid of it where that can be."""
+        with self._making:
+            if execution not in self._live:
+                return
+        text = f"has not ended {shown(self.options.cancel_within)} after it was cancelled"
+        if execution.kind == "process":
+            if self._elsewhere().kill(execution, f"it {text}, and was killed"):
+                self._report(execution, f"{text}: its process is killed")
+            else:
+                self._give_time(execution)
+            return
+        place = ""
+        if execution.kind == "async":
+            self._tell_of_cancellation(execution)
+        else:
+            place = self._threads.give_up(execution)
+        self._report(execution, f"{text}{place}")
+
+    def _report(self, execution: Execution, text: str) -> None:
+        name = execution.activity
+        self._complain(f"activity {name} {text}", execution.agent, name)
+
+    def _complain(self, text: str, agent: str = "", activity: str | None = None) -> None:
+        self.complain(text, agent, activity)
 
     # ---- the loop ----------------------------------------------------------------------------
 
     def run(self) -> None:
-        """Keep the timers until `until` is reached, `settled` gives a reason or `stop` is called.
+        """Go on until `until` is reached, `settled` gives a reason or `stop` is called.
 
         Then the agents are stopped and their activities cancelled; what has not returned after a while is
         complained about. Raises what the runtime itself raises, never what activities raise.
         """
         before = sys.getswitchinterval()
-        sys.setswitchinterval(min(SWITCH, before))
+        sys.setswitchinterval(min(self.options.switch_interval / SECOND, before))
         try:
-            self._keep_time()
+            self._timekeeper.start(self.until, self.options.priority, self._complain)
+            self._look_after()
             self._close()
         finally:
             sys.setswitchinterval(before)
@@ -254,64 +278,111 @@ class RealDriver:
             self._stop = reason
         self._tell()
 
+    def _fail(self, error: BaseException) -> None:
+        self._error = error
+        self.stop("error")
+
     def _tell(self) -> None:
-        """There is news for the thread that keeps the timers."""
+        """There is news for the thread that runs, which cannot wait."""
         with self._condition:
-            self._news = True
+            self._news = self._urgent = True
             self._condition.notify()
 
-    def _keep_time(self) -> None:
+    def _look_after(self) -> None:
+        """Ask whether the run is over when there are news, and look after everything now and then."""
+        next_look = time.monotonic() + LOOK
         while self._stop is None:
-            self._news = False
+            self._news = self._urgent = False
             now = self.clock.now()
             reason = "time" if self.until is not None and now >= self.until else self.settled()
             if reason is not None:
                 self.stop(reason)
                 break
-            with self._condition:
-                timer = self._timers.take(now)
-            if timer is not None:
-                if timer.call is not None:
-                    timer.call()
-                continue
-            self.advance(now)
+            if time.monotonic() >= next_look:
+                next_look = time.monotonic() + LOOK
+                self.advance(now)
+                self._look_for_the_stuck()
+            rest = min(next_look - time.monotonic(), 5 * PAUSE if self.watch else LOOK)
+            if self.until is not None:
+                rest = min(rest, (self.until - self.clock.now()) / SECOND)
             with self._condition:
                 if not self._news:
-                    self._condition.wait(self._rest())
+                    self._condition.wait(max(0.0, rest))
+                if self.watch and not self._urgent:
+                    # Who steps does not ring meanwhile.
+                    self._condition.wait_for(lambda: self._urgent, min(PAUSE, max(0.0, rest)))
         self.reason = self._stop or ""
 
-    def _rest(self) -> float | None:
-        """The seconds until something is due."""
-        moments = [m for m in (self._timers.next(), self.until) if m is not None]
-        return max(0.0, (min(moments) - self.clock.now()) / SECOND) if moments else None
+    def _look_for_the_stuck(self) -> None:
+        """Report, once, a step or an event loop in which nothing has moved since long."""
+        patience = max(2, round(self.options.cancel_within / SECOND / LOOK))
+        if self._loop is not None:
+            self._loop.look(patience)
+        found: dict[str, tuple[int, int, int]] = {}
+        for agent in self.agents if self._owners else ():
+            thread = self._owners.get(agent.name)
+            if thread is None:
+                continue
+            known, steps, looks = self._long.get(agent.name, (thread, agent.steps, 0))
+            if (known, steps) == (thread, agent.steps):
+                found[agent.name] = thread, agent.steps, looks + 1
+                if looks == patience:
+                    since = shown(self.options.cancel_within)
+                    self._complain(
+                        f"{agent.name} has been in one step for {since}{place_of(thread)}: a `step` activity "
+                        "or a function must not block",
+                        agent.name,
+                    )
+        self._long = found
 
     def _close(self) -> None:
-        for agent in self.agents:
-            with self.guard(agent):
-                agent.stop()
-        deadline = self.clock.now() + int(GRACE * SECOND)
+        begun = time.monotonic()
+
+        def rest(seconds: float) -> float:
+            return max(0.0, begun + seconds - time.monotonic())
+
+        self._timekeeper.stop(0.2)
+        stuck = [agent.name for agent in self.agents if not self._stop_agent(agent, rest)]
         with self._condition:
-            while self._live and (rest := deadline - self.clock.now()) > 0:
-                self._condition.wait(min(rest / SECOND, 0.05))
+            while self._live and (seconds := rest(GRACE)) > 0:
+                self._condition.wait(min(seconds, 0.05))
+        with self._making:
             left = sorted(self._live, key=lambda execution: (execution.agent, execution.label))
         for execution in left:
-            self.complain(
+            self._complain(
                 f"activity {execution.activity} of {execution.agent} has not ended {GRACE:g} s after it was "
-                "cancelled"
+                "cancelled",
+                execution.agent,
+                execution.activity,
             )
-        for worker in self._workers:
-            worker.queue.put(None)
-        if self._processes is not None:
-            self._processes.close()
-        if self._loop is not None and self._loop_thread is not None:
-            self._loop.call_soon_threadsafe(self._loop.stop)
-            self._loop_thread.join(GRACE)
-        if not left:
-            for worker in self._workers:
-                worker.thread.join(GRACE)
+        started = [
+            thread for thread in threading.enumerate() if not thread.daemon and thread not in self._others
+        ]
+        for thread in started:  # Python would wait for them before it ends
+            thread.join(rest(GRACE))
+        started = [thread for thread in started if thread.is_alive()]
+        for thread in started:
+            self._complain(f"the thread {thread.name}, which an activity has started, still runs")
+        for name in stuck:
+            self._complain(f"{name} could not be stopped: it is still in a step", name)
+        activities = [f"{item.agent}: {item.activity}" for item in left]
+        self.left = (*activities, *stuck, *(thread.name for thread in started))
+        pools = [pool for pool in (self._threads, self._processes, self._loop) if pool is not None]
+        for pool in pools:
+            pool.close()
+        for pool in pools:
+            pool.join(lambda: rest(GRACE + LEAVE))
 
-
-def _cancel_task(execution: Execution) -> None:
-    task: Any = execution.handle
-    if task is not None:
-        task.cancel()
+    def _stop_agent(self, agent: Agent, rest: Callable[[float], float]) -> bool:
+        """Stop an agent, unless it is stuck in a step."""
+        lock = self._locks[agent.name]
+        if not lock.acquire(timeout=max(0.001, rest(GRACE / 2))):
+            return False
+        self._owners[agent.name] = threading.get_ident()
+        try:
+            agent.stop()
+        finally:
+            del self._owners[agent.name]
+            lock.release()
+        self.wake(agent)
+        return True

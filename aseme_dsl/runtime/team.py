@@ -21,6 +21,7 @@ from aseme_dsl.runtime.loading import Loaded, importing
 from aseme_dsl.runtime.plan import Plan
 from aseme_dsl.runtime.radio import Radio
 from aseme_dsl.runtime.real import RealDriver
+from aseme_dsl.runtime.real_time import RealTime
 from aseme_dsl.runtime.scripted import Scripted
 from aseme_dsl.runtime.trace import Listener, Trace
 from aseme_dsl.runtime.transport import LOCAL, Peer, Transport, TransportError
@@ -58,6 +59,8 @@ class RunResult:
     time: int
     agents: tuple[AgentResult, ...]
     trace_error: str | None = None
+    left: tuple[str, ...] = ()
+    """What of the activities still runs, in spite of its cancellation: it ends with this process."""
 
     @property
     def failed(self) -> bool:
@@ -90,13 +93,15 @@ class Team:
         here: Iterable[str] | None = None,
         transport: Transport = LOCAL,
         origin: int | None = None,
+        real_time: RealTime | None = None,
     ) -> None:
         """Put the agents, given with their charts in the team's order, on a bus.
 
         `until` is in ns; `stop` is asked at every instant at which nothing is left to do, and ends the run
         with the reason that it gives. `bodies` are the agents' bodies where there is no world. `path` are
         folders with modules that activities and functions import. `messages` are the message classes by name,
-        which scripts and kept states need; `schema` is how they become bytes, which radio needs.
+        which scripts and kept states need; `schema` is how they become bytes, which radio needs. `real_time`
+        is what a run with the real clock asks of the machine.
 
         `here` names the agents that run in this process, if not all do; the others run elsewhere, and
         `transport` carries messages to them. `origin` is when the run began, in ns of the machine's monotonic
@@ -151,7 +156,7 @@ class Team:
         if with_radio and schema is None:
             raise TeamError(f"{with_radio[0]} has a radio, but the messages have no schema for it")
         self.trace = Trace(trace, listeners)
-        self.driver = self._driver(clock, origin)
+        self.driver = self._driver(clock, real_time, origin)
         self.transport = transport
         self.bus = Bus(self.driver, self.trace, state_directory, transport)
         self.conversations = Conversations(self.driver, self.trace, transport)
@@ -190,11 +195,13 @@ class Team:
 
     # ---- making ------------------------------------------------------------------------------
 
-    def _driver(self, clock: str, origin: int | None) -> VirtualDriver | RealDriver:
+    def _driver(
+        self, clock: str, real_time: RealTime | None, origin: int | None
+    ) -> VirtualDriver | RealDriver:
         if clock == "virtual":
             driver: VirtualDriver | RealDriver = VirtualDriver()
         else:
-            driver = RealDriver(self._path, origin)
+            driver = RealDriver(self._path, real_time, origin)
             driver.watch = self._stop is not None
         driver.until = self._until
         return driver
@@ -275,7 +282,8 @@ class Team:
             raise
         now = driver.clock.now()
         results = tuple(self._result(agent) for agent in self.agents)
-        return RunResult(driver.reason, now, results, self.trace.error)
+        left = driver.left if isinstance(driver, RealDriver) else ()
+        return RunResult(driver.reason, now, results, self.trace.error, left)
 
     def _end(self, reason: str) -> None:
         """Keep what is to be kept, write the last line, close the trace."""
@@ -346,8 +354,8 @@ class Team:
         self.world.advance(self.driver.clock.now())
         self.driver.at(self.world.now_ns + self.world.step_ns, self._move_world)
 
-    def _complain(self, text: str) -> None:
-        self.trace.fault(self.driver.clock.now(), "", text)
+    def _complain(self, text: str, agent: str = "", activity: str | None = None) -> None:
+        self.trace.fault(self.driver.clock.now(), agent, text, activity=activity)
 
     def _result(self, agent: Agent) -> AgentResult:
         chart = agent.chart

@@ -25,6 +25,8 @@ from aseme_dsl.runtime.snapshot import run_snapshot
 from aseme_dsl.runtime.timers import Timer, Timers
 
 if TYPE_CHECKING:
+    import asyncio
+
     from aseme_dsl.runtime.agent import Agent
     from aseme_dsl.runtime.execution import Execution
     from aseme_dsl.runtime.virtual_loop import VirtualLoop
@@ -273,11 +275,17 @@ class VirtualDriver:
 
         if self._loop is None:
             self._loop = VirtualLoop(self)
-        execution.handle = self._loop.create_task(run_async(execution))
+        task = execution.handle = self._loop.create_task(run_async(execution))
+        task.add_done_callback(lambda done: _end_task(execution, done))
 
     def soon(self, call: Callable[[], None]) -> None:
         """Make a call in its turn at this instant."""
         self._jobs.append(call)
+
+
+def _end_task(execution: Execution, task: asyncio.Task[None]) -> None:
+    if task.cancelled():  # before it began: nothing of it has run that could say so
+        execution.returned(Cancelled())
 
 
 def _nothing(value: object) -> None:

@@ -29,6 +29,8 @@ class _Worker:
         self.answers = answers
         self.jobs: SimpleQueue[bytes | None] = SimpleQueue()
         self.cancelled = threading.Event()
+        self.kept: dict[str, Any] = {}
+        """What runs again and again: the objects of modules, by who keeps them."""
 
     def listen(self) -> None:
         """Put jobs in order, and pass on a cancellation while one runs."""
@@ -40,6 +42,8 @@ class _Worker:
                 self.jobs.put(data)
         self.cancelled.set()
         self.jobs.put(None)
+        time.sleep(_ORPHAN)  # what still runs then runs for nobody
+        os._exit(1)
 
     def work(self) -> None:
         """Run jobs until there are no more."""
@@ -47,13 +51,16 @@ class _Worker:
             kind: str | None = None
             reason, frames = "", None
             try:
-                _, module, file, name, snapshot = pickle.loads(data)
-                self._run(_class(module, file, name), snapshot)
+                _, module, file, name, keep, snapshot = pickle.loads(data)
+                code = self.kept.pop(keep, None) or _class(module, file, name)()
+                self._run(code, snapshot)
+                if keep:
+                    self.kept[keep] = code
             except BaseException as error:  # whatever it is, the agent must hear of it
                 kind, reason, frames = type(error).__name__, reason_of(error), frames_of(error)
             put(self.answers, ("end", kind, reason, frames))
 
-    def _run(self, kind: type[Any], snapshot: Snapshot) -> None:
+    def _run(self, code: Any, snapshot: Snapshot) -> None:
         begun = time.monotonic_ns()
 
         def tell(told: Told) -> None:
@@ -70,9 +77,11 @@ class _Worker:
             wait,
             self.cancelled.is_set,
         )
-        kind().execute(Context(port))
+        code.execute(Context(port))
 
 
+_ORPHAN = 2.0
+"""How long, in seconds, an activity may go on whose robot is gone."""
 _CANCEL = pickle.dumps(("cancel",))
 
 
@@ -108,8 +117,16 @@ def _loaded(module: str, file: str) -> ModuleType:
 
 
 def main() -> None:
-    """Serve the process at the other end of standard input and output; what is printed goes to its errors."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the team is told, and tells us
+    """Serve the process at the other end of standard input and output; what is printed goes to its errors.
+
+    The first argument, if there is one, is how many bytes of address space there are.
+    """
+    for number in (signal.SIGINT, signal.SIGTERM):  # the team is told, and tells us
+        signal.signal(number, signal.SIG_IGN)
+    if len(sys.argv) > 1:
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (int(sys.argv[1]), int(sys.argv[1])))
     requests = os.fdopen(os.dup(0), "rb")
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
@@ -117,6 +134,7 @@ def main() -> None:
         os.dup2(nothing.fileno(), 0)
     worker = _Worker(requests, answers)
     threading.Thread(target=worker.listen, daemon=True).start()
+    put(answers, ("begun",))
     with contextlib.suppress(BrokenPipeError):  # nobody listens any more
         worker.work()
 

@@ -1,0 +1,22 @@
+"""Stacks: where a thread is in its code just now, for the report of one that is stuck."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import traceback
+from pathlib import Path
+
+_RUNTIME = str(Path(__file__).parent)
+_THREADING = threading.__file__
+
+
+def place_of(thread: int | None) -> str:
+    """What a thread does: " (at walk.py:12 in execute)", of code that is not the runtime's; "" if unknown."""
+    frame = sys._current_frames().get(thread) if thread is not None else None
+    if frame is None:
+        return ""
+    for entry in reversed(traceback.extract_stack(frame)):
+        if not entry.filename.startswith(_RUNTIME) and entry.filename != _THREADING:
+            return f" (at {Path(entry.filename).name}:{entry.lineno} in {entry.name})"
+    return ""

@@ -1,0 +1,137 @@
+"""Threads: the resident threads in which activities of kind `thread` run."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Callable
+from queue import SimpleQueue
+from typing import TYPE_CHECKING
+
+from aseme_dsl.runtime.clock import SECOND
+from aseme_dsl.runtime.context import Cancelled
+from aseme_dsl.runtime.stacks import place_of
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.execution import Execution
+
+
+class _Worker:
+    """A resident thread that runs activities, one after the other."""
+
+    def __init__(self, pool: Threads, number: int) -> None:
+        self.pool = pool
+        self.queue: SimpleQueue[Execution | None] = SimpleQueue()
+        self.execution: Execution | None = None
+        self.thread = threading.Thread(target=self._work, name=f"aseme activity {number}", daemon=True)
+        self.thread.start()
+
+    def _work(self) -> None:
+        execution = self.queue.get()
+        while execution is not None:
+            self.execution = execution
+            execution.run()
+            self.execution = None
+            self.pool.ended(execution)
+            execution = self.pool.next_for(self)
+
+
+class Threads:
+    """As many threads as activities have run in them at once, up to a maximum. For use from any thread."""
+
+    def __init__(
+        self, maximum: int, ended: Callable[[Execution], None], complain: Callable[..., None]
+    ) -> None:
+        self.ended = ended
+        self._maximum = maximum
+        self._complain = complain
+        self._lock = threading.Lock()
+        self._workers: set[_Worker] = set()
+        self._idle: list[_Worker] = []
+        self._given_up: set[_Worker] = set()
+        self._waiting: deque[Execution] = deque()
+        self._made = 0
+        self._was_full = False
+
+    def launch(self, execution: Execution) -> None:
+        """Run the code of an activity in a thread that is free, or in a new one."""
+        execution.handle = threading.Event()
+        self._place(execution)
+
+    def _place(self, execution: Execution) -> None:
+        problem = ""
+        with self._lock:
+            worker = self._idle.pop() if self._idle else None
+            if worker is None and len(self._workers) < self._maximum:
+                try:
+                    worker = _Worker(self, self._made + 1)
+                except RuntimeError as error:  # the system gives no more
+                    problem = f" ({error})"
+                else:
+                    self._made += 1
+                    self._workers.add(worker)
+            if worker is not None:
+                worker.queue.put(execution)
+                return
+            self._waiting.append(execution)
+            tell, self._was_full = not self._was_full, True
+        if tell:
+            self._complain(
+                f"all {len(self._workers)} threads for activities are busy{problem}: {execution.activity} "
+                "and others wait until one is free",
+                execution.agent,
+                execution.activity,
+            )
+
+    def next_for(self, worker: _Worker) -> Execution | None:
+        """What a worker whose activity has returned runs next; None if it is not wanted any more."""
+        with self._lock:
+            if worker in self._given_up:
+                self._given_up.discard(worker)
+                return None
+            if self._waiting:
+                return self._waiting.popleft()
+            self._idle.append(worker)
+        return worker.queue.get()
+
+    def cancel(self, execution: Execution) -> None:
+        """Tell an activity that its state was left."""
+        execution.handle.set()
+        with self._lock:
+            if execution not in self._waiting:
+                return
+            self._waiting.remove(execution)
+        execution.returned(Cancelled())
+        self.ended(execution)
+
+    def give_up(self, execution: Execution) -> str:
+        """Count no more on the thread of an activity that does not return; where it is in its code."""
+        with self._lock:
+            worker = next((item for item in self._workers if item.execution is execution), None)
+            if worker is None:
+                return ""
+            self._workers.discard(worker)
+            self._given_up.add(worker)
+            following = self._waiting.popleft() if self._waiting else None
+        if following is not None:
+            self._place(following)
+        return place_of(worker.thread.ident)
+
+    def wait(self, execution: Execution, duration: int) -> None:
+        """Let time pass in the activity's own thread. Raises Cancelled."""
+        if execution.cancelled or execution.handle.wait(duration / SECOND):
+            raise Cancelled
+
+    def close(self) -> None:
+        """Let the threads end that are idle."""
+        with self._lock:
+            idle, self._idle = self._idle, []
+            self._given_up |= self._workers - set(idle)
+        for worker in idle:
+            worker.queue.put(None)
+
+    def join(self, seconds: Callable[[], float]) -> None:
+        """Wait for the threads that are about to end, so many seconds at the most."""
+        for worker in tuple(self._workers):
+            if worker.execution is None:
+                worker.thread.join(seconds())

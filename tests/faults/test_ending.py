@@ -1,0 +1,132 @@
+"""A run ends on SIGINT and SIGTERM whatever its activities do, and leaves nothing behind."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import textwrap
+from pathlib import Path
+
+import psutil
+import pytest
+
+from tests.cli.support import command
+
+TEXT = """
+system Stubborn
+srm robot {
+  liveness { robot = Deaf || Busy || Blocking || Starter || Looping || Ready }
+  activities { Busy as process }
+}
+"""
+ACTIVITIES = {
+    "deaf": """
+        import time
+        class Deaf:
+            def execute(self, context):
+                while True:
+                    try:
+                        time.sleep(1000)
+                    except BaseException:
+                        pass
+        """,
+    "busy": """
+        class Busy:
+            def execute(self, context):
+                while True:
+                    pass
+        """,
+    "blocking": """
+        import time
+        class Blocking:
+            async def execute(self, context):
+                time.sleep(1000)
+        """,
+    "starter": """
+        import threading, time
+        class Starter:
+            def execute(self, context):
+                threading.Thread(target=time.sleep, args=(1000,), name="mine", daemon=False).start()
+                context.wait(1000)
+        """,
+    "looping": """
+        class Looping:
+            def execute(self, context):
+                while True:
+                    pass
+        """,
+    "ready": """
+        import time
+        class Ready:
+            def execute(self, context):
+                context.wait(1)
+                context.log("ready")
+                context.wait(1000)
+        """,
+}
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_a_run_whose_activities_never_would(number: int, tmp_path: Path) -> None:
+    folder = tmp_path / "activities"
+    folder.mkdir()
+    (tmp_path / "stubborn.aseme").write_text(TEXT)
+    for name, text in ACTIVITIES.items():
+        (folder / f"{name}.py").write_text(textwrap.dedent(text))
+    started = subprocess.Popen(
+        command("run", "stubborn.aseme", "--real", "--activities", "activities"),
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert started.stdout is not None
+    try:
+        for line in started.stdout:
+            if line.endswith("ready\n"):
+                break
+        children = psutil.Process(started.pid).children(recursive=True)
+        assert children
+        started.send_signal(number)
+        out, err = started.communicate(timeout=30)  # the activities would take 1000 s and more
+    finally:
+        started.kill()
+    assert started.returncode == 130, err
+    assert "stopped" in out
+    lines = [json.loads(line) for line in (tmp_path / "out/trace.jsonl").read_text().splitlines()]
+    assert lines[-1]["kind"] == "finish" and lines[-1]["reason"] == "interrupted"
+    reasons = " ".join(line["reason"] for line in lines if line["kind"] == "fault")
+    for name in ("Deaf", "Busy", "Blocking", "Looping"):
+        assert f"activity {name} of robot has not ended" in reasons
+    assert "the thread mine, which an activity has started, still runs" in reasons
+    gone, alive = psutil.wait_procs(children, timeout=10)
+    assert gone and not alive
+
+
+def test_workers_end_when_their_robot_is_killed(tmp_path: Path) -> None:
+    """kill -9: nobody tells the workers, they notice."""
+    folder = tmp_path / "activities"
+    folder.mkdir()
+    (tmp_path / "busy.aseme").write_text(
+        "system Stubborn srm robot { liveness { robot = Busy || Ready } activities { Busy as process } }"
+    )
+    for name in ("busy", "ready"):
+        (folder / f"{name}.py").write_text(textwrap.dedent(ACTIVITIES[name]))
+    started = subprocess.Popen(
+        command("run", "busy.aseme", "--real", "--activities", "activities"),
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert started.stdout is not None
+    try:
+        for line in started.stdout:
+            if line.endswith("ready\n"):
+                break
+        children = psutil.Process(started.pid).children(recursive=True)
+    finally:
+        started.kill()
+    started.communicate(timeout=30)
+    gone, alive = psutil.wait_procs(children, timeout=30)
+    assert gone and not alive

@@ -1,0 +1,78 @@
+"""Thousands of starts and cancellations leave no threads, files, processes or timers behind."""
+
+from __future__ import annotations
+
+import gc
+import os
+from pathlib import Path
+
+import psutil
+
+from aseme_dsl.runtime import activities_in
+from aseme_dsl.runtime.real_time import RealTime
+from tests.faults.test_activities import folder
+from tests.runtime.playing import MS, make
+
+STARTS = int(os.environ.get("FAULT_STARTS", "600"))
+"""How many starts of each kind; more when there is time."""
+
+TEXT = """
+system S
+srm R {
+  liveness { R = Sitting~ || Waiting~ || Stepping~ || Thinking~ || Boss }
+  control R {
+    repeat Sitting : again    repeat Waiting : again
+    repeat Stepping : again   repeat Thinking : again
+  }
+}
+"""
+MODULES = {
+    "sitting": "class Sitting:\n    def execute(self, context):\n        context.wait(1000)\n",
+    "waiting": "class Waiting:\n    async def execute(self, context):\n        await context.sleep(1000)\n",
+    "stepping": "class Stepping:\n    def execute(self, context):\n        yield 1000\n",
+    "thinking": (
+        "class Thinking:\n    kind = 'process'\n    def execute(self, context):\n        context.wait(1000)\n"
+    ),
+    "boss": (
+        "class Boss:\n    async def execute(self, context):\n        while True:\n"
+        "            await context.sleep(0.002)\n            context.raise_event('again')\n"
+    ),
+}
+
+
+def test_starts_and_cancellations_leave_nothing_behind(tmp_path: Path) -> None:
+    counts: dict[str, int] = {}
+    levels: list[tuple[int, int, int]] = []
+    me = psutil.Process()
+
+    def count(record: dict[str, object]) -> None:
+        if record.get("what") == "late":
+            name = str(record["activity"])
+            counts[name] = counts.get(name, 0) + 1
+
+    def enough(team: object) -> str | None:
+        done = min(counts.get(name, 0) for name in ("Sitting", "Waiting", "Stepping", "Thinking"))
+        if done >= STARTS * (len(levels) + 1) // 4:
+            gc.collect()
+            levels.append((me.num_threads(), me.num_fds(), len(me.children())))
+        return "enough" if done >= STARTS else None
+
+    before = me.num_threads(), me.num_fds(), len(me.children())
+    team, _ = make(
+        TEXT,
+        activities_in(folder(tmp_path, **MODULES)),
+        clock="real",
+        path=[tmp_path],
+        stop=enough,
+        listeners=[count],
+        real_time=RealTime(cancel_within=2000 * MS),
+        until=60_000 * MS,
+    )
+    result = team.run()
+    assert result.reason == "enough" and not result.left
+    assert len(set(levels)) == 1, levels
+    import threading
+
+    print(threading.enumerate())
+    after = me.num_threads(), me.num_fds(), len(me.children())
+    assert after == before

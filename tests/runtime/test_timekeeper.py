@@ -1,0 +1,109 @@
+"""The thread of the timers: order, deadlines, priorities; and time that jumps."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+import pytest
+
+from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.clock import MILLISECOND, RealClock
+from aseme_dsl.runtime.real_time import RealTime
+from aseme_dsl.runtime.timekeeper import Timekeeper, may_raise_priority
+from tests.runtime.playing import MS, play
+
+
+def keeper() -> tuple[Timekeeper, RealClock, list[BaseException]]:
+    clock = RealClock()
+    errors: list[BaseException] = []
+    return Timekeeper(clock, errors.append), clock, errors
+
+
+def test_calls_are_made_in_the_order_of_their_moments_and_never_early() -> None:
+    kept, clock, errors = keeper()
+    made: list[tuple[int, int]] = []
+    done = threading.Event()
+    for moment in (30, 10, 20):
+        kept.at(moment * MS, lambda moment=moment: made.append((moment, clock.now())))  # type: ignore[misc]
+    kept.at(40 * MS, done.set)
+    kept.start(None)
+    # One that comes while the thread sleeps, and is the earliest.
+    kept.at(1 * MS, lambda: made.append((1, clock.now())))
+    assert done.wait(10)
+    assert kept.stop(10) and not errors
+    assert [moment for moment, _ in made] == [1, 10, 20, 30]
+    assert all(now >= moment * MS for moment, now in made)
+
+
+def test_nothing_is_called_after_the_end() -> None:
+    kept, clock, _ = keeper()
+    made: list[int] = []
+    kept.at(5 * MS, lambda: made.append(5))
+    kept.at(15 * MS, lambda: made.append(15))
+    kept.start(10 * MS)
+    while clock.now() < 30 * MS:
+        time.sleep(0.001)
+    assert kept.stop(10)
+    assert made == [5]
+
+
+def test_a_call_that_raises_is_told_and_the_last_one() -> None:
+    kept, _, errors = keeper()
+    made: list[int] = []
+
+    def wrong() -> None:
+        raise ValueError("wrong")
+
+    kept.at(0, wrong)
+    kept.at(1, lambda: made.append(1))
+    kept.start(None)
+    assert kept.stop(10)
+    while not errors:
+        time.sleep(0.001)
+    assert isinstance(errors[0], ValueError) and not made
+
+
+def test_a_priority_that_is_not_to_be_had_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object) -> None:
+        raise PermissionError(1, "Operation not permitted")
+
+    monkeypatch.setattr("os.sched_setscheduler", refuse)
+    run = play(
+        "system S srm R { liveness { R = Work } activities { Work takes 10ms } }",
+        clock="real",
+        real_time=RealTime(priority=10),
+    )
+    assert run.result.reason == "finished"
+    (fault,) = run.of("fault")
+    assert fault["reason"] == (
+        "a real-time priority is not permitted here (Operation not permitted): it needs `ulimit -r 10` or "
+        "CAP_SYS_NICE"
+    )
+    assert may_raise_priority() is not None
+
+
+def test_a_clock_on_the_wall_that_jumps_moves_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only the monotonic clock is looked at: the date may be set while a team plays."""
+    true, jumps = time.time, iter(range(0, 10**9, 3600))
+
+    def jumping() -> float:
+        return true() + 86400 * 365 * (-1) ** next(jumps) * 10
+
+    monkeypatch.setattr("time.time", jumping)
+    monkeypatch.setattr("time.time_ns", lambda: int(jumping() * 1e9))
+
+    class Work:
+        def execute(self, context: Context) -> None:
+            context.wait(0.02)
+
+    class Listen:
+        async def execute(self, context: Context) -> None:
+            await context.sleep(0.02)
+
+    text = """system S srm R { liveness { R = Work . Listen . Rest } activities { Rest takes 20ms } }"""
+    run = play(text, {"Work": Work, "Listen": Listen}, clock="real", until=60_000 * MS)
+    assert run.result.reason == "finished"
+    moments = [record["time"] for record in run.records]
+    assert moments == sorted(moments)
+    assert 60 * MILLISECOND <= run.result.time < 60_000 * MS
