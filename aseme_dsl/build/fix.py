@@ -13,6 +13,9 @@ from aseme_dsl.build.project import Checked, check
 from aseme_dsl.build.write import DISK, Disk, Written, write_over
 from aseme_dsl.diagnostics import Diagnostic, Edit
 
+UNSURE = frozenset(("W200",))
+"""Codes whose fix is for people to decide: two names may be meant to be close."""
+
 ROUNDS = 50
 """How often files are checked again, at most: each mended mistake may uncover others."""
 
@@ -132,7 +135,7 @@ def _is_mendable(item: Diagnostic) -> bool:
     def is_ours(path: str) -> bool:
         return path.endswith(".aseme") and path != STANDARD_INPUT and not path.startswith("stdlib/")
 
-    return all(is_ours(edit.span.source.path) for edit in item.changes)
+    return item.code not in UNSURE and all(is_ours(edit.span.source.path) for edit in item.changes)
 
 
 def _state(texts: Mapping[str, str]) -> tuple[tuple[str, str], ...]:

@@ -22,7 +22,7 @@ from aseme_dsl.compiler.formula_to_statechart import Outline, expand_protocol, t
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.scopes import TypedParticipant
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
 
 PROCESS = "process"
@@ -225,7 +225,9 @@ def _unknown_control(written: tree.Aip, control: tree.Control, known: Iterable[s
     else:
         hint = "its participants are " + ", ".join(str(p.name) for p in written.participants)
     message = f"{written.name} has no participant and no formula called `{name}`"
-    return Diagnostic("E403", message, control.name.span, hint=hint, fix=near if name != PROCESS else None)
+    return Diagnostic(
+        "E403", message, control.name.span, hint=hint, fix=surely(name, known) if name != PROCESS else None
+    )
 
 
 def _ambiguous_control(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -19,7 +20,8 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.messages import Comm
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
 from aseme_dsl.compiler.formulas import cut
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
+from aseme_dsl.source import Span
 
 _POINTS = (NodeType.START, NodeType.CONDITION)
 
@@ -84,14 +86,26 @@ def check_timers(chart: Statechart) -> Iterator[Diagnostic]:
         for value in values_of(transition.expression):
             if isinstance(value, Expired) and region not in started.get(value.timer, ()):
                 hint = f"start it on the way there: / start_timer({value.timer}, 1s)"
+                edits: tuple[Edit, ...] = ()
                 if value.timer in started:
                     hint = (
                         "a timer belongs to the region that starts it; this is another one of the same role"
                     )
                 elif near := closest(value.timer, started):
                     hint = f"did you mean `{near}`?"
+                    if near == surely(value.timer, started):
+                        edits = _renamed(value, near)
                 message = f"the timer `{value.timer}` is never started here, so it never expires"
-                yield Diagnostic("W501", message, value.span, hint=hint)
+                yield Diagnostic("W501", message, value.span, hint=hint, edits=edits)
+
+
+def _renamed(value: Expired, name: str) -> tuple[Edit, ...]:
+    """The timer of `expired(timer)` by another name, where it is written so."""
+    written = re.search(rf"\b{value.timer}\b", value.span.text)
+    if written is None:
+        return ()
+    start = value.span.start + written.start()
+    return (Edit(Span(value.span.source, start, start + len(value.timer)), name),)
 
 
 def _is_left(chart: Statechart, node: Node, left: set[str]) -> bool:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from aseme_dsl.diagnostics import Diagnostic, Related, closest, has_errors
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, has_errors, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
@@ -185,7 +185,7 @@ def _not_found(item: tree.Import, known: Iterable[str]) -> Diagnostic:
     name = item.target.text
     near = closest(name, known)
     hint = f"did you mean `{near}`?" if near else "the standard library has " + ", ".join(sorted(known))
-    fix = near
+    fix = surely(name, known)
     if (Path(item.span.source.path).parent / f"{name}.aseme").is_file():
         hint, fix = f'a neighbour file is imported by its path: import "{name}.aseme"', f'"{name}.aseme"'
     return Diagnostic("E004", f"the standard library has no `{name}`", item.target.span, hint=hint, fix=fix)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from aseme_dsl.compiler.builtins import PERFORMATIVES
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
 
@@ -31,7 +31,7 @@ def unknown(
         hint = f"did you mean `{near}`?"
     elif hint is None and 0 < len(pool) <= 8:
         hint = "there " + ("is " if len(pool) == 1 else "are ") + listed(pool)
-    return Diagnostic(code, f"{what} `{name.text}`", name.span, hint=hint, fix=near)
+    return Diagnostic(code, f"{what} `{name.text}`", name.span, hint=hint, fix=surely(name.text, pool))
 
 
 def declared_twice(what: str, name: tree.Name, first: Span) -> Diagnostic:

@@ -14,7 +14,7 @@ from aseme_dsl.compiler.checker import Checker, a
 from aseme_dsl.compiler.library import providers
 from aseme_dsl.compiler.names import listed, unknown
 from aseme_dsl.compiler.scope import TypedLet
-from aseme_dsl.diagnostics import Related, closest
+from aseme_dsl.diagnostics import Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
 
@@ -269,7 +269,13 @@ def _wrong_class(checker: Checker, topic: tree.Name, comm: tree.Name) -> None:
         return
     near = closest(comm.text, COMM_TYPES)
     hint = f"did you mean `{near}`?" if near else "there are `signal`, `state` and `data`"
-    checker.report("E503", f"there is no communication class `{comm}`", comm.span, hint, fix=near)
+    checker.report(
+        "E503",
+        f"there is no communication class `{comm}`",
+        comm.span,
+        hint,
+        fix=surely(comm.text, COMM_TYPES),
+    )
 
 
 def _no_channel(checker: Checker, topic: Topic, comm: tree.Name, message: tree.Name) -> None:

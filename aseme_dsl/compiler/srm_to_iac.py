@@ -20,7 +20,7 @@ from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.names import unknown
 from aseme_dsl.compiler.scopes import TypedRole
 from aseme_dsl.compiler.symbols import Symbols
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
 
@@ -220,7 +220,11 @@ def _bindings(
             )
             message = f"{part.protocol}.{part.participant} has no activity `{abstract}`"
             related = (Related(part.formulas.named[part.formulas.root].span, "its process"),)
-            found.append(Diagnostic("E206", message, item.abstract.span, related, hint=hint, fix=near))
+            found.append(
+                Diagnostic(
+                    "E206", message, item.abstract.span, related, hint=hint, fix=surely(abstract, activities)
+                )
+            )
         elif formulas is not None and own in formulas.named:
             found.append(
                 Diagnostic(
@@ -305,7 +309,7 @@ def _foreign_controls(
             else:
                 hint = "it has no formulas"
             message = f"{written.name} has no formula `{name}`"
-            yield Diagnostic("E403", message, control.name.span, hint=hint, fix=near)
+            yield Diagnostic("E403", message, control.name.span, hint=hint, fix=surely(name, own))
 
 
 def _helps(plays: Plays, name: str, protocols: Mapping[str, Protocol]) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, term_key, ungrouped
 from aseme_dsl.compiler.formula_to_statechart import Way
 from aseme_dsl.compiler.formulas import QUOTED, Formulas, cut
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
 
 _LISTED = 8
@@ -164,11 +164,8 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
         for name, item in named.items()
         if name != terms.formula and any(_spelt(node, key) for node in _terms(item.formula))
     ]
-    near = (
-        closest(key, (place for place in terms.places if len(place) <= QUOTED))
-        if len(key) <= QUOTED
-        else None
-    )
+    short = [place for place in terms.places if len(place) <= QUOTED] if len(key) <= QUOTED else []
+    near = closest(key, short)
     inside = next((owner for owner, other in terms.played.items() if _has_term(other, key)), None)
     if elsewhere:
         name = elsewhere[0]
@@ -183,13 +180,9 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
         hint = f"did you mean `{_named(terms.places[near][0])}`?"
     else:
         hint = f"its terms are {listed(_named(places[0]) for places in terms.places.values())}"
-    fix = (
-        near
-        if not elsewhere and inside is None and near is not None and "\n" not in written.span.text
-        else None
-    )
-    if fix is not None and written.occurrence is not None:
-        fix = None
+    fix = None
+    if not elsewhere and inside is None and written.occurrence is None and "\n" not in written.span.text:
+        fix = surely(key, short)
     return Diagnostic("E400", message, written.span, related, hint=hint, fix=fix)
 
 

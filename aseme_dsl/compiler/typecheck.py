@@ -261,7 +261,7 @@ def _event(checker: Checker, written: tree.Event) -> amola.Event | None:
                 return None
             if name.text in checker.scope.lets or name.text in checker.scope.variables:
                 hint = f"write `[{name}]`; a name without brackets is an event that an activity raises"
-                checker.report("E517", f"`{name}` is a value, not an event", span, hint)
+                checker.report("E517", f"`{name}` is a value, not an event", span, hint, fix=f"[{name}]")
                 return None
             return amola.Raised(name.text, span)
 
@@ -330,7 +330,9 @@ def _action(checker: Checker, written: tree.Action) -> amola.Action | None:
             value = _whole(checker, inner)
             if value is None:
                 return None
-            hint = "`=` assigns" if isinstance(value, amola.Compare) and value.operator == "==" else None
+            hint = None
+            if isinstance(value, amola.Compare) and value.operator == "==":
+                hint = "`=` assigns"
             checker.report("W500", "the value is computed and dropped", span, hint)
             return amola.Evaluate(value, span)
 

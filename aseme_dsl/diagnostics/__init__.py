@@ -13,7 +13,7 @@ from aseme_dsl.diagnostics.model import (
 )
 from aseme_dsl.diagnostics.policy import NO_POLICY, Policy, Setting
 from aseme_dsl.diagnostics.render import render_json, render_text
-from aseme_dsl.diagnostics.suggest import closest
+from aseme_dsl.diagnostics.suggest import closest, surely
 
 __all__ = [
     "CODES",
@@ -31,4 +31,5 @@ __all__ = [
     "in_order",
     "render_json",
     "render_text",
+    "surely",
 ]

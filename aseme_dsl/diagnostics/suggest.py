@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from difflib import get_close_matches
+from difflib import SequenceMatcher, get_close_matches
 from itertools import islice
 
+_CLOSE = 0.65
+"""How much of two names must agree for one to be taken for the other, from 0 to 1."""
+_CLEARLY = 0.1
+"""By how much more a candidate must agree than every other one to be the only answer."""
 _MANY = 200
 """With more candidates than this, only those that begin or end like the name are compared with it."""
 
@@ -15,14 +19,32 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     pool = sorted(set(candidates))
     folded: dict[str, str] = {}
     for candidate in pool:
-        folded.setdefault(candidate.replace("_", "").lower(), candidate)
-    exact = folded.get(name.replace("_", "").lower())
+        folded.setdefault(_folded(candidate), candidate)
+    exact = folded.get(_folded(name))
     if exact is not None and exact != name:
         return exact
-    wanted = name.replace("_", "").lower()
+    wanted = _folded(name)
     if len(folded) > _MANY:
         # Comparing is slow, and a large file may have many wrong names: look only where a slip is likely.
         likely = (item for item in folded if item[:2] == wanted[:2] or item[-2:] == wanted[-2:])
         folded = {item: folded[item] for item in islice(likely, _MANY)}
-    matches = get_close_matches(wanted, folded, n=1, cutoff=0.65)
+    matches = get_close_matches(wanted, folded, n=1, cutoff=_CLOSE)
     return folded[matches[0]] if matches else None
+
+
+def surely(name: str, candidates: Iterable[str]) -> str | None:
+    """The closest candidate if no other one is about as close: what may be put in place of `name`."""
+    pool = set(candidates)
+    near = closest(name, pool)
+    if near is None:
+        return None
+    wanted, best = _folded(name), _folded(near)
+    if wanted == best:
+        return near if sum(_folded(other) == wanted for other in pool) == 1 else None
+    least = SequenceMatcher(None, best, wanted).ratio() - _CLEARLY
+    others = {folded for other in pool if (folded := _folded(other)) != best}
+    return None if get_close_matches(wanted, others, n=1, cutoff=max(least, _CLOSE)) else near
+
+
+def _folded(name: str) -> str:
+    return name.replace("_", "").lower()

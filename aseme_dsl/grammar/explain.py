@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar.lexer import UNITS, Lexed, shown
 from aseme_dsl.grammar.recovery import BLOCKS, begins_declaration
 from aseme_dsl.grammar.terminals import Mistake
@@ -188,9 +188,8 @@ class _Explanation:
             meant = closest(word, candidates)
             if meant is not None:
                 message = f"{shown(word)} is no word of the language here"
-                return Diagnostic(
-                    "E100", message, self._span(index), hint=f"did you mean {shown(meant)}?", fix=meant
-                )
+                hint = f"did you mean {shown(meant)}?"
+                return Diagnostic("E100", message, self._span(index), hint=hint, fix=surely(word, candidates))
         return None
 
     def _no_colon(self) -> Diagnostic | None:

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.formula import RESERVED, Malformed, is_hyphen
 from aseme_dsl.grammar.lexer import UNITS, shown
@@ -22,6 +23,8 @@ DEEPEST = 100
 
 _LOGIC = {"||": "||", "or": "||", "&&": "&&", "and": "&&"}
 _COMPARISON = ("<", "<=", ">", ">=", "==", "!=")
+_CHAINS = ({"<", "<="}, {">", ">="}, {"=="})
+"""Comparisons that mean one thing where they are chained: `a < b <= c` is `a < b && b <= c`."""
 _SUM = ("+", "-")
 _PRODUCT = ("*", "/", "%")
 _BINDING = (
@@ -201,6 +204,7 @@ class _Reader:
                 f"{shown(first)} is an action: '/' is missing before it",
                 first,
                 "write / before actions",
+                f"/ {first}" if start == 0 else None,
             )
         if first == "after" and following == "(":
             opener = self.take()
@@ -292,7 +296,7 @@ class _Reader:
                 return left
             at = self.tokens[self.index]
             if negation is not None and binding > 2:
-                raise self._negated(negation, at)
+                raise self._negated(negation, at, binding)
             self.index += 1
             if binding <= 2:
                 operands = [left, self.expression(binding + 1)]
@@ -454,26 +458,43 @@ class _Reader:
             hint="give a part of it a name: let NAME = …",
         )
 
-    def _negated(self, negation: tree.Unary, operator: Token) -> Malformed:
+    def _negated(self, negation: tree.Unary, operator: Token, binding: int) -> Malformed:
+        """Parentheses around a comparison are right however it is read: `(!a) == b` is `!(a == b)`."""
         inner = self.source.text[negation.operand.span.start : negation.operand.span.end]
-        return self.error(
+        edits: tuple[Edit, ...] = ()
+        if operator in _COMPARISON and not isinstance(negation.operand, tree.Unary):
+            try:
+                self.index += 1
+                end = self.expression(binding + 1).span.end
+            except Malformed:
+                end = 0
+            if end and self.next not in _COMPARISON:
+                start = negation.operand.span.start
+                opened = Edit(Span(self.source, start, start), "(")
+                edits = (opened, Edit(Span(self.source, end, end), ")"))
+        found = self.error(
             "E107",
             f"'!' before {shown(operator)} can be read in two ways",
             operator,
             hint=f"write !({inner} {operator} …) or (!{inner}) {operator} …",
             related=(Related(Span(self.source, negation.span.start, negation.span.start + 1), "this '!'"),),
         )
+        return Malformed(replace(found.diagnostic, edits=edits))
 
     def _chained(self, left: tree.Expression, operator: Token) -> Malformed:
         assert isinstance(left, tree.Binary)
         middle = left.right.span.text
-        return self.error(
+        found = self.error(
             "E107",
             f"comparisons do not chain: {shown(left.operator)} and {shown(operator)} need parentheses",
             operator,
             hint=f"write {left.span.text} && {middle} {operator} …" if len(left.span.text) < 60 else None,
             related=(Related(left.operator_span, "the first comparison"),),
         )
+        if not any({left.operator, operator} <= chain for chain in _CHAINS):
+            return found
+        between = Edit(Span(self.source, operator.start, operator.start), f"&& {middle} ")
+        return Malformed(replace(found.diagnostic, edits=(between,)))
 
     def _no_from(self) -> Malformed:
         if self.index == len(self.tokens):
@@ -517,9 +538,14 @@ class _Reader:
             return self.unexpected("'/' and an action, or the end of the entry,")
         if self.next == "=":
             at = self.tokens[self.index]
-            return self.error(
+            found = self.error(
                 "E102", "an assignment is an action: '/' is missing before it", at, "write / before actions"
             )
+            if self.index > 1:
+                return found
+            start = self.tokens[0].start
+            slash = Edit(Span(self.source, start, start), "/ ")
+            return Malformed(replace(found.diagnostic, edits=(slash,)))
         return self.unexpected("'[', '/' or the end of the entry")
 
 
