@@ -12,7 +12,7 @@ from aseme_dsl.build.configuration import Configuration
 from aseme_dsl.build.counting import Count, amount
 from aseme_dsl.build.manifest import hash_of
 from aseme_dsl.build.write import DISK, Disk, Planned, Written, write
-from aseme_dsl.diagnostics import Diagnostic, in_order
+from aseme_dsl.diagnostics import NO_POLICY, Diagnostic, Policy, has_errors, in_order
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
@@ -43,11 +43,16 @@ class Choice:
     labels: str = "plain"
     """`original`: states are named as the original tools name them."""
     force: bool = False
+    policy: Policy = NO_POLICY
+    """How bad the project finds each kind of problem."""
 
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """What a build did. With an error among the diagnostics, it changed nothing."""
+    """What a build did. With an error among the diagnostics, it changed nothing.
+
+    (But for W002 that a project's policy takes for an error: what is edited and no longer generated stays.)
+    """
 
     system: str
     folder: Path
@@ -79,6 +84,9 @@ def build(system: System, folder: Path, choice: Choice, disk: Disk = DISK) -> Re
         files += _proto(system)
     for name in backends:
         files += _code(system, name, folder, choice)
+    problems = choice.policy.apply(diagnostics)
+    if has_errors(problems):
+        return Report(system.name, folder, notes=tuple(notes), diagnostics=in_order(problems))
     written = write(
         folder,
         files,
@@ -88,7 +96,7 @@ def build(system: System, folder: Path, choice: Choice, disk: Disk = DISK) -> Re
         force=choice.force,
         disk=disk,
     )
-    found = in_order((*diagnostics, *written.diagnostics))
+    found = in_order((*problems, *choice.policy.apply(written.diagnostics)))
     code = [file for file in files if file.part in backends]
     count = _count(system, code, written) if code else None
     return Report(system.name, folder, written, count, tuple(notes), found)
@@ -113,6 +121,7 @@ def choose(
         configuration.expressions or "numbered",
         labels or configuration.labels or "plain",
         force,
+        configuration.diagnostics,
     )
 
 

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.build.configuration import find_configuration
-from aseme_dsl.build.draw import into_file
 from aseme_dsl.build.scaffold import scaffold
-from aseme_dsl.build.write import DISK, Disk
+from aseme_dsl.build.write import DISK, Disk, write_file
 from aseme_dsl.compiler import Options, analyse
 from aseme_dsl.diagnostics import Diagnostic, has_errors, in_order
 from aseme_dsl.source import Source
@@ -61,7 +60,7 @@ def complete(root: Path | Source, *, write: bool = True, disk: Disk = DISK) -> C
     if has_errors(found):
         return Completed(source.path, source.text, source.text, (), found)
     if write and not isinstance(root, Source) and result.text != source.text:
-        written = into_file(path.resolve(), result.text.encode("utf-8"), disk)
+        written = write_file(path.resolve(), result.text.encode("utf-8"), disk)
         if written.diagnostics:
             return Completed(source.path, source.text, source.text, (), written.diagnostics)
     return Completed(source.path, source.text, result.text, result.added, found)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import secrets
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-from aseme_dsl.build.write import DISK, Disk, Planned, Written, mode_of, write
-from aseme_dsl.diagnostics import Diagnostic, closest
+from aseme_dsl.build.write import DISK, Disk, Planned, Written, write
+from aseme_dsl.diagnostics import closest
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
@@ -84,19 +83,3 @@ def into_folder(system: System, folder: Path, drawn: Drawn, *, force: bool, disk
     source = PurePath(system.span.source.path).name if system.span else system.name
     files = [Planned(name, content, FOLDER) for name, content in drawn.files]
     return write(folder, files, parts=frozenset(), system=system.name, source=source, force=force, disk=disk)
-
-
-def into_file(path: Path, content: bytes, disk: Disk = DISK) -> Written:
-    """Write one picture to the file that was named for it, over what is there."""
-    temporary = path.with_name(f".asemec-{secrets.token_hex(4)}.new")
-    try:
-        existed = path.exists()
-        try:
-            disk.create(temporary, content, mode_of(path))
-            disk.rename(temporary, path)
-        finally:
-            disk.remove(temporary)
-    except OSError as problem:
-        message = f"{path} cannot be written: {problem.strerror or problem}"
-        return Written(diagnostics=(Diagnostic("E009", message, None, path=str(path)),))
-    return Written(changed=(path,)) if existed else Written(created=(path,))

@@ -175,28 +175,25 @@ def write_over(files: Mapping[Path, tuple[bytes, bytes]], disk: Disk = DISK) -> 
     return Written(changed=tuple(files))
 
 
-def write_report(path: Path, content: bytes, disk: Disk = DISK) -> Written:
-    """Write a file that replaces what was there: the whole of it at once, or (E009) nothing."""
+def write_file(path: Path, content: bytes, disk: Disk = DISK) -> Written:
+    """Write one file that was named for it, over what is there: the whole of it at once, or (E009) nothing.
+
+    A link stays, and what it leads to is written; so does a device or a pipe, which takes the content.
+    """
     plan = _Plan(path.parent, force=True)
+    existed = os.path.lexists(path)
     if path.is_dir():
         plan.refuse(path, "is a folder, and a file must go there")
         return Written(diagnostics=tuple(plan.errors))
-    if os.path.lexists(path) and not path.is_file():  # a device, a pipe, a link that leads nowhere
-        return _write_into(path, content)
     plan.writes.append((Path(os.path.realpath(path)), content))
     try:
-        _carry_out(plan, disk)
+        if path.exists() and not path.is_file():
+            path.write_bytes(content)
+        else:
+            _carry_out(plan, disk)
     except OSError as problem:
         return Written(diagnostics=(_failed(problem, path),))
-    return Written(changed=(path,))
-
-
-def _write_into(path: Path, content: bytes) -> Written:
-    try:
-        path.write_bytes(content)
-    except OSError as problem:
-        return Written(diagnostics=(_failed(problem, path),))
-    return Written(changed=(path,))
+    return Written(changed=(path,)) if existed else Written(created=(path,))
 
 
 def _is(path: Path, content: bytes) -> bool:

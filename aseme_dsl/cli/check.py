@@ -121,9 +121,9 @@ def _report(
     if output is None:
         click.echo(text, nl=False)
         return False
-    from aseme_dsl.build.write import write_report
+    from aseme_dsl.build.write import write_file
 
-    written = write_report(output, text.encode("utf-8", "backslashreplace"))
+    written = write_file(output, text.encode("utf-8", "backslashreplace"))
     print_diagnostics(written.diagnostics, colour)
     if fixed is not None:
         _print_mended(fixed)

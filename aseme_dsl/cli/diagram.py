@@ -77,7 +77,8 @@ def command(
 ) -> int:
     """Draw and write; 1 if the file has errors or a drawing cannot be made or written."""
     from aseme_dsl.build.build import with_labels
-    from aseme_dsl.build.draw import NoSuchDrawing, choose, draw_all, into_file, into_folder
+    from aseme_dsl.build.draw import NoSuchDrawing, choose, draw_all, into_folder
+    from aseme_dsl.build.write import write_file
     from aseme_dsl.diagrams import FORMATS, DrawingFailed, Expressions, Layout, NoSuchState, Options
 
     compiled = one_system(file)
@@ -114,7 +115,7 @@ def command(
         sys.stdout.buffer.write(drawn.files[0][1])
         return 0
     if to_file:
-        written = into_file(Path(output), drawn.files[0][1])
+        written = write_file(Path(output), drawn.files[0][1])
     else:
         written = into_folder(compiled.system, Path(output), drawn, force=force)
     return print_written(written, drawn.notes, as_json, colour)

@@ -127,6 +127,8 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
 
     diagnostics, suppressed = allow(loaded.files, in_order(_without_consequences(found)))
     diagnostics = options.policy.apply(diagnostics)
+    accepted = {id(item.diagnostic) for item in suppressed}
+    missing = [item for item in missing if id(item.note) not in accepted]
     if has_errors(diagnostics) or symbols.system is None:
         return Analysis(None, diagnostics, tuple(missing), _is_library(loaded), suppressed)
     system = System(

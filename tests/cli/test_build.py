@@ -339,6 +339,11 @@ def test_without_graphviz_there_are_texts_and_a_warning(
     assert done.err.count("warning[W003]") == 1
     assert {path.suffix for path in (folder / "out/diagrams").iterdir()} == {".dot"}
     assert (folder / "out/monas/Walker/robot/step.py").exists()
+    (folder / "pyproject.toml").write_text('[tool.asemec.diagnostics]\nW003 = "error"\n')
+    done = here("build", "good.aseme", "-o", "other")
+    assert done.code == 1
+    assert done.err.count("error[W003]") == 1
+    assert not (folder / "other").exists()
 
 
 BACKEND = '''\

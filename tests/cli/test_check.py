@@ -145,6 +145,16 @@ class TestReports:
         assert (folder / "report").read_text("utf-8") == printed.out
         assert sorted(path.name for path in folder.iterdir()) == ["bad.aseme", "good.aseme", "report"]
 
+    def test_a_report_goes_where_a_link_leads_and_into_a_pipe(self, here: Here, folder: Path) -> None:
+        (folder / "link").symlink_to("there.json")
+        assert here("check", "good.aseme", "--json", "-o", "link").code == 0
+        assert (folder / "link").is_symlink()
+        assert (folder / "there.json").read_text().startswith("{")
+        assert here("check", "good.aseme", "--json", "-o", "/dev/stdout").code == 0
+        assert Path("/dev/null").is_char_device()
+        assert here("check", "good.aseme", "-o", "/dev/null").code == 0
+        assert Path("/dev/null").is_char_device()
+
     def test_a_report_that_cannot_be_written(self, here: Here, folder: Path) -> None:
         (folder / "report").mkdir()
         done = here("check", "good.aseme", "-o", "report")

@@ -125,6 +125,13 @@ class TestWhatIsWrongWithIt:
         assert codes(guard(comment)) == ["W300"]
 
 
+def test_what_is_allowed_to_be_missing_is_not_missing() -> None:
+    text = "system A\nsag {\n  actor a {\n    goal be_there %s\n  }\n}\nsrm a { liveness { a = Walk } }\n"
+    assert [item.note.code for item in analysis(text % "").missing] == ["N700"]
+    found = analysis(text % "// asemec: allow(N700) it needs no robot")
+    assert (found.missing, found.diagnostics) == ((), ())
+
+
 def test_what_is_allowed_is_allowed_whatever_the_policy_says() -> None:
     policy = Policy((Setting("W300", Severity.ERROR), Setting("W011", None)))
     source = Source("guard.aseme", guard("// asemec: allow(W300, W301) it is read well"))
