@@ -26,3 +26,8 @@ def _declared() -> dict[str, tuple[str, ...]]:
             if path.stem not in found.get(name, ()):
                 found[name] = (*found.get(name, ()), path.stem)
     return found
+
+
+def declared_by(library: str) -> frozenset[str]:
+    """The names that a file of the standard library declares; none if there is no such file."""
+    return frozenset(name for name, files in _declared().items() if library in files)

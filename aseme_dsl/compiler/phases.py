@@ -23,6 +23,7 @@ from aseme_dsl.compiler.aip_to_eac import aip_to_eac, read_protocol
 from aseme_dsl.compiler.allow import allow
 from aseme_dsl.compiler.blocks import Blocks, blocks_of
 from aseme_dsl.compiler.chart import World
+from aseme_dsl.compiler.consequences import without_consequences
 from aseme_dsl.compiler.damage import damage
 from aseme_dsl.compiler.flow import check_flow, check_reach, check_timers
 from aseme_dsl.compiler.load import Loaded, load
@@ -34,7 +35,7 @@ from aseme_dsl.compiler.statecharts import build_statechart, read_statechart
 from aseme_dsl.compiler.suc_to_aip import read_aip, suc_to_aip
 from aseme_dsl.compiler.suc_to_srm import read_srm, suc_to_srm
 from aseme_dsl.compiler.usecases import use_cases
-from aseme_dsl.diagnostics import Diagnostic, has_errors, in_order
+from aseme_dsl.diagnostics import Diagnostic, has_errors
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Source, Span
 
@@ -125,7 +126,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     if not has_errors(found):  # else the line that starts a timer may be what is missing
         found += [problem for chart in charts for problem in check_timers(chart)]
 
-    diagnostics, suppressed = allow(loaded.files, in_order(_without_consequences(found)))
+    diagnostics, suppressed = allow(loaded.files, without_consequences(found))
     diagnostics = options.policy.apply(diagnostics)
     accepted = {id(item.diagnostic) for item in suppressed}
     missing = [item for item in missing if id(item.note) not in accepted]
@@ -181,39 +182,6 @@ def _formulas(blocks: Blocks) -> list[tree.NamedFormula]:
 
 def _described_in(blocks: Blocks) -> Iterable[tree.Activity]:
     return (item for block in blocks.roles for item in block.activities)
-
-
-def _without_consequences(found: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """Every problem that does not follow from another one.
-
-    A loop that may be empty (E303) is also a cycle that never rests (W403), and has an option without a
-    condition (E405); a number that could not be read
-    (E108) may be of another type than what it was taken for; a participant that no formula uses (N702) may
-    be what an activity is misspelt for (W200).
-    """
-    found = list(found)
-    loops = [item.span for item in found if item.code == "E303" and item.span is not None]
-    misspelt = {place.span for item in found if item.code == "W200" for place in item.related}
-    numbers = [item.span for item in found if item.code == "E108" and item.span is not None]
-
-    def follows(item: Diagnostic) -> bool:
-        span = item.span
-        if span is None:
-            return False
-        if item.code == "N702":
-            return span in misspelt
-        if item.code in ("E405", "W403"):
-            return any(_is_in(span, loop) for loop in loops)
-        return item.code in _ABOUT_TYPES and any(_is_in(number, span) for number in numbers)
-
-    return [item for item in found if not follows(item)]
-
-
-_ABOUT_TYPES = ("E500", "E504", "E505", "E506", "E509", "E514", "E515", "W500")
-
-
-def _is_in(inner: Span, outer: Span) -> bool:
-    return inner.source is outer.source and outer.start <= inner.start and inner.end <= outer.end
 
 
 _IMPORTABLE = (

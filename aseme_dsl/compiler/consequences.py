@@ -1,0 +1,251 @@
+"""Consequences: of the diagnostics of all phases, those that only follow from others are left out.
+
+One cause gives one message. A phase knows only its own part; here all are seen together. What is said twice
+is not wrong, but it hides what has to be mended first.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from aseme_dsl.compiler.library import declared_by
+from aseme_dsl.diagnostics import Diagnostic, Related, Severity, in_order
+from aseme_dsl.source import Source, Span
+
+_ABSENCES = frozenset("E200 E204 E205 E206 E207 E212 E400 E403 E501 E502 E508 E511 E512 E513".split())
+_ABSENT = re.compile(r"\b(?:there is no|has no|carries no|does not carry|does not list|no formula has)\b")
+_ELSEWHERE = ("it is a ", "it is in ", "say whose", "a constant is written")
+"""How a hint begins that knows the name: nothing is missing, it is only not what is wanted here."""
+_STRUCTURE = frozenset("E100 E101 E102 E104 E110 E111 E112".split())
+"""After these, words may not be what they seem."""
+_SLIPPED = (frozenset(["E200", "E202"]), frozenset(["E201", "E202"]), frozenset(["E100", "E204"]))
+"""Errors that together on one line mean that its words are not in their places."""
+_DECLARES = re.compile(r"\s*(?:var|sends|receives|topic|state|data|signal|message|enum)\b")
+"""How a line begins that declares several names."""
+_SHOWN = 3
+"""How many other places of one cause are shown."""
+
+_Line = tuple[Source, int]
+_WORD = re.compile(r"[A-Za-z_]\w*")
+
+
+def without_consequences(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """The diagnostics in the order of their places, each cause once."""
+    ordered = list(in_order(found))
+    broken = _broken(ordered)
+    ordered = _folded(_without_rest_of_line(ordered, broken))
+    return tuple(_without_followers(_without_what_was_not_read(ordered, broken)))
+
+
+def _is_absence(item: Diagnostic) -> bool:
+    """Whether a name is said not to be there: it may be misspelt, or unreadable, where it is declared."""
+    return (
+        item.code in _ABSENCES
+        and item.span is not None
+        and _ABSENT.search(item.message) is not None
+        and not (item.hint or "").startswith(_ELSEWHERE)
+    )
+
+
+def _line(span: Span) -> _Line:
+    return span.source, span.line
+
+
+def _broken(found: Iterable[Diagnostic]) -> dict[_Line, int]:
+    """Of each line whose structure is wrong the place from which on nothing is certain."""
+    errors: dict[_Line, list[tuple[Span, str]]] = {}
+    activities: Counter[_Line] = Counter()
+    for item in found:
+        if item.span is not None and item.severity is Severity.ERROR:
+            activities[_line(item.span)] += item.code == "E204" and _is_absence(item)
+            errors.setdefault(_line(item.span), []).append((item.span, item.code))
+    broken = {}
+    for line, there in errors.items():
+        codes = {code for _, code in there}
+        wrong = next((span for span, code in there if code in _STRUCTURE), None)
+        before = [span for span, _ in there if wrong is not None and span.end <= wrong.start]
+        twice = activities[line] > 1  # a clause's word is taken for an activity
+        if twice or any(pair <= codes for pair in _SLIPPED) or "E216" in codes:
+            broken[line] = there[0][0].start
+        elif wrong is not None and before and not line[0].text[before[-1].end : wrong.start].strip():
+            broken[line] = before[-1].start
+        elif wrong is not None:
+            broken[line] = wrong.start
+    return broken
+
+
+def _without_rest_of_line(found: Iterable[Diagnostic], broken: dict[_Line, int]) -> list[Diagnostic]:
+    """Without errors behind the place where the structure of a line is wrong, up to the first of the next."""
+
+    def is_behind(item: Diagnostic) -> bool:
+        span = item.span
+        if span is None or item.severity is not Severity.ERROR:
+            return False
+        source, line = _line(span)
+        begins = not source.line(line)[: span.column - 1].strip()
+        if item.code in _STRUCTURE and begins and (source, line - 1) in broken:
+            return True
+        return span.start > broken.get((source, line), span.start)
+
+    return [item for item in found if not is_behind(item)]
+
+
+def _folded(found: list[Diagnostic]) -> list[Diagnostic]:
+    """The absence of one name said once, with its other places."""
+    places: dict[tuple[str, str], list[Diagnostic]] = {}
+    for item in found:
+        if _is_absence(item):
+            places.setdefault((item.code, item.message), []).append(item)
+    kept = []
+    for item in found:
+        same = places.get((item.code, item.message), [item])
+        if item is same[0]:
+            kept.append(item if len(same) == 1 else _merged(same))
+    return kept
+
+
+def _merged(same: list[Diagnostic]) -> Diagnostic:
+    first = same[0]
+    edits = tuple(edit for item in same for edit in item.changes)
+    return replace(first, related=(*first.related, *_also(same[1:])), edits=edits)
+
+
+def _also(others: list[Diagnostic]) -> Iterator[Related]:
+    more = len(others) - _SHOWN
+    for number, item in enumerate(others[:_SHOWN], 1):
+        further = f", and at {more} more places" if more > 0 and number == _SHOWN else ""
+        if item.span is not None:
+            yield Related(item.span, "also here" + further)
+
+
+def _without_what_was_not_read(found: list[Diagnostic], broken: dict[_Line, int]) -> list[Diagnostic]:
+    """Without the absence of names that may stand where something is wrong."""
+    ended = {_line(item.span) for item in found if item.span is not None and _goes_on(item)}
+    unread: set[str] = set()
+    unused: set[str] = set()
+    for item in found:
+        if item.code == "E302" and item.span is not None:
+            unread.update(_WORD.findall(_around(item.span.source, item.span.start, False)))
+            unused.add(item.span.text)
+    nameless = {match[1] for item in found if (match := _NAMELESS.match(item.message))}
+    for line, place in broken.items():
+        unread.update(_WORD.findall(_around(line[0], place, line in ended)))
+    unread |= {name for word in tuple(unread) for name in declared_by(word)}
+    unsure = _unsure(found)
+    formulas_read = not any(item.code == "E101" for item in found)
+    said: set[str] = set()
+    kept = []
+    for item in found:
+        if _is_absence(item) and item.span is not None:
+            words = set(_WORD.findall(item.span.text))
+            line = _line(item.span)
+            of_type = item.message.startswith("there is no type")
+            if (
+                (words & unread and line not in broken)
+                or any(words & names for other, names in unsure.items() if other != line and not of_type)
+                or (item.code == "E403" and item.fix in unused)
+                or (item.code == "E204" and not formulas_read)
+                or any(kind in item.message for word in nameless for kind in _WHAT[word])
+                or (words <= said and item.code in _OF_A_PROCESS)
+            ):
+                continue
+            said |= words
+        kept.append(item)
+    return kept
+
+
+def _goes_on(item: Diagnostic) -> bool:
+    """Whether what is wrong at the end of a line may be what stands on the next."""
+    span = item.span
+    if span is None or item.code not in ("E100", "E101"):
+        return False
+    rest = span.source.line(span.line)[span.column - 1 + span.end - span.start :]
+    return item.message.endswith(" ends") or not rest.strip()
+
+
+_NAMELESS = re.compile(r"expected a name after '(message|enum|topic|state|data|signal|aip|participant)'")
+_WHAT = {
+    "message": ("no message", "no type", "does not carry", "does not list"),
+    "enum": ("no type", "no topic, variable, let or enum"),
+    "topic": ("no topic",),
+    "state": ("does not carry", "carries no"),
+    "data": ("does not carry", "carries no"),
+    "signal": ("does not carry", "carries no"),
+    "aip": ("no protocol",),
+    "participant": ("no participant",),
+}
+"""What is missing where a declaration has lost its name."""
+_OF_A_PROCESS = frozenset("E205 E206 E212 E400 E403".split())
+"""Absences in what a formula or a protocol has: a name misspelt there is missing in control and clauses."""
+
+
+def _unsure(found: list[Diagnostic]) -> dict[_Line, set[str]]:
+    """What lines may have been meant to declare that name something that is not there."""
+    unsure: dict[_Line, set[str]] = {}
+    for item in found:
+        if not _is_absence(item) or item.span is None:
+            continue
+        line = item.span.source.line(item.span.line)
+        if _DECLARES.match(line) or item.message.startswith("there is no type"):
+            names = set(_WORD.findall(line)) - {item.span.text}
+            unsure.setdefault(_line(item.span), set()).update(names, {item.fix} if item.fix else set())
+    return unsure
+
+
+def _around(source: Source, place: int, ended: bool) -> str:
+    """The entry in which something is wrong: by its indentation, as nothing else is certain there."""
+    lines = source.text.splitlines()
+    first = here = min(source.position(place)[0], len(lines)) - 1
+    while first > 0 and _indentation(lines[first]) > _indentation(lines[first - 1]):
+        if lines[first - 1].rstrip().endswith("{"):
+            break
+        first -= 1
+    last = here + 1
+    if ended:
+        while last < len(lines) and not lines[last].strip():
+            last += 1
+        last += 1
+    while last < len(lines) and _indentation(lines[last]) > _indentation(lines[first]):
+        last += 1
+    return "\n".join(lines[first:last])
+
+
+def _indentation(line: str) -> int:
+    return len(line) - len(line.lstrip())
+
+
+def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
+    """Without what other kinds of problems bring with them.
+
+    A loop that may be empty (E303) is also a cycle that never rests (W403), and has an option without a
+    condition (E405); a number that could not be read (E108) may be of another type than what it was taken
+    for; a participant that no formula uses (N702) may be what an activity is misspelt for (W200).
+    """
+    loops = [item.span for item in found if item.code == "E303" and item.span is not None]
+    misspelt = {place.span for item in found if item.code == "W200" for place in item.related}
+    numbers = [item.span for item in found if item.code == "E108" and item.span is not None]
+
+    def follows(item: Diagnostic) -> bool:
+        span = item.span
+        if span is None:
+            return False
+        if item.code == "N702":
+            return span in misspelt
+        if item.code in ("E405", "W403"):
+            return any(_is_in(span, loop) for loop in loops)
+        return item.code in _ABOUT_TYPES and any(_is_in(number, span) for number in numbers)
+
+    return [item for item in found if not follows(item)]
+
+
+_ABOUT_TYPES = ("E500", "E504", "E505", "E506", "E509", "E514", "E515", "W500")
+
+
+def _is_in(inner: Span, outer: Span) -> bool:
+    return inner.source is outer.source and outer.start <= inner.start and inner.end <= outer.end
+
+
+__all__ = ["without_consequences"]
