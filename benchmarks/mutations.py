@@ -13,8 +13,7 @@ from collections import Counter
 from itertools import islice
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT))
+sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import Severity
@@ -32,7 +31,7 @@ def main() -> None:
         "--show", type=int, default=0, metavar="N", help="show N answers that are not as wished"
     )
     options = parser.parse_args()
-    files = options.files or sorted((ROOT / "tests" / "acceptance").glob("*.aseme"))
+    files = options.files or sorted((Path(__file__).parents[1] / "tests" / "acceptance").glob("*.aseme"))
     total: Counter[tuple[str, str]] = Counter()
     slowest = 0.0
     shown = 0

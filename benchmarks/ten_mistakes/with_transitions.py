@@ -1,6 +1,5 @@
-from world import Ball, Phase, is_still
-
 from transitions import Machine
+from world import Ball, Phase, is_still
 
 
 class Kicker:

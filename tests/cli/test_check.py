@@ -275,7 +275,7 @@ class TestFix:
             text = text.replace("message Seen { bool ball  bool home }\n", "")
             (folder / f"{name}.aseme").write_text(text)
         done = here("check", "--fix")
-        assert done.out.endswith("2 problems mended in 1 file\n\n3 files are fine\n")
+        assert done.out.endswith("1 problem mended in 1 file\n\n3 files are fine\n")
         assert (folder / "shared.aseme").read_text() == "message Seen { bool ball  bool home }\n"
 
 
