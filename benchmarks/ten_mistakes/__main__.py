@@ -78,8 +78,8 @@ def report(peers: Path) -> str:
 HEAD = f"""# Ten mistakes, seven tools
 
 The same small behaviour was written for each tool as its documentation shows it: a robot looks for a ball,
-then kicks it or walks towards it. Then the same slip was made in each. This page is what each tool said: when the
-text was loaded, or else in a match of six events in which every branch is taken. It is written by
+then kicks it or walks towards it. Then the same slip was made in each. This page is what each tool said: when
+the text was loaded, or else in a match of six events in which every branch is taken. It is written by
 `python benchmarks/ten_mistakes --write docs/ten-mistakes.md`; the texts are in `benchmarks/ten_mistakes/`.
 
 Versions: {", ".join(f"{NAMES.get(name, name)} {item[0]}" for name, item in PYTHON_PEERS.items())}, XState
