@@ -53,6 +53,8 @@ class Telling:
         self._width = max(map(len, self._roles or self._plans), default=1)
         self._doing: dict[tuple[str, str], str] = {}
         self._faults: Counter[tuple[str, str]] = Counter()
+        self._followed: dict[str, Plan] = {}
+        """The plans of agents that have changed to another one."""
         self._shown_at = 0.0
         self._status = False
 
@@ -78,7 +80,9 @@ class Telling:
             return what == "crash" or (what == "start" and self._activities)
         if kind == "step":
             return self._transitions
-        return kind in ("fault", "error") or (kind == "log" and self._activities)
+        if kind in ("fault", "error", "swap", "select"):
+            return True
+        return kind == "log" and self._activities
 
     def __call__(self, record: Mapping[str, Any]) -> None:
         """A line of the trace."""
@@ -95,6 +99,8 @@ class Telling:
             if self._transitions:
                 for taken in record.get("taken", ()):
                     self._took(record, taken["transitions"])
+        elif kind in ("swap", "select"):
+            self._changed(record)
         elif kind in ("fault", "error"):
             self._wrong(record, "fault" if kind == "fault" else "failure", record["reason"], record.get("at"))
 
@@ -117,6 +123,23 @@ class Telling:
             self._doing[record["agent"], region] = activity
             self._say(record, activity)
 
+    def _changed(self, record: Mapping[str, Any]) -> None:
+        """An agent follows another plan or another version of its own, or was refused that."""
+        from aseme_dsl.runtime.plan import plans
+
+        what = record["plan"] if record["kind"] == "select" else "the new version"
+        reasons = record.get("reasons") or ([record["reason"]] if "reason" in record else [])
+        if reasons:
+            about = {"agent": ", ".join(record.get("agents", ())), **record}
+            for reason in reasons:
+                self._wrong(about, "fault", f"it does not change to {what}: {reason}", None)
+            return
+        found = next((plan for plan in plans() if plan.model == record["model"]), None)
+        if found is not None:
+            self._followed[record["agent"]] = found
+        if self._progress:
+            self._say(record, f"goes on with {what}" if record["kind"] == "swap" else f"changes to {what}")
+
     def _took(self, record: Mapping[str, Any], numbers: Sequence[int]) -> None:
         """A transition, or the parts of a compound one."""
         plan = self._plan(record["agent"])
@@ -127,6 +150,8 @@ class Telling:
 
     def _plan(self, agent: str) -> Plan:
         """The plan of an agent; one that plays alone may be called anything."""
+        if agent in self._followed:
+            return self._followed[agent]
         role = self._alone or self._roles.get(agent, agent)
         return self._plans.get(role) or next(iter(self._plans.values()))
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import re
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -107,7 +109,7 @@ def _call(name: str, required: Sequence[Any], optional: Iterable[tuple[str, Any,
     return f"{name}({', '.join(parts)})"
 
 
-def _state(node: Node, flat: FlatChart) -> str:
+def _state(node: Node, flat: FlatChart, placed: bool = True) -> str:
     branch = f"{node.origin.owner}.{node.origin.name}" if flat.is_branch(node) else None
     return _call(
         "State",
@@ -116,12 +118,12 @@ def _state(node: Node, flat: FlatChart) -> str:
             ("parent", node.parent, None),
             ("activity", node.activity, None),
             ("branch", branch, None),
-            ("at", place(node.span), ""),
+            ("at", place(node.span) if placed else "", ""),
         ],
     )
 
 
-def _transition(transition: Transition) -> str:
+def _transition(transition: Transition, placed: bool = True) -> str:
     expression = transition.expression
     condition = None if expression.condition is None else value_term(expression.condition)
     return _call(
@@ -135,7 +137,7 @@ def _transition(transition: Transition) -> str:
             ("condition", condition, None),
             ("actions", tuple(action_term(action) for action in expression.actions), ()),
             ("text", e.expression_text(expression), ""),
-            ("at", place(transition.span), ""),
+            ("at", place(transition.span) if placed else "", ""),
         ],
     )
 
@@ -276,5 +278,55 @@ def _branch(system: System, node: Node) -> str:
     return _call(
         "BranchInfo",
         [node.label, node.origin.owner, node.origin.name],
-        [("sends", sends, ()), ("receives", receives, ())],
+        [
+            ("sends", sends, ()),
+            ("receives", receives, ()),
+            ("version", protocol_version(system, node.origin.owner), ""),
+        ],
     )
+
+
+def protocol_version(system: System, protocol: str) -> str:
+    """A hash of how a system plays a protocol: of every branch of it, in every role, and its messages.
+
+    Two robots may take part in one run of the protocol if theirs is the same, whatever else differs: places
+    in the source and what is around a branch do not count, nor does the code of activities.
+    """
+    aip = next((item for item in system.aips if item.name == protocol), None)
+    parts: list[str] = []
+    named: set[str] = set()
+    for participant in aip.participants if aip is not None else ():
+        pairs = [(m.performative, m.message) for m in (*participant.sends, *participant.receives)]
+        parts.append(repr((participant.name, pairs)))
+        named.update(message for _, message in pairs)
+    parts += [
+        repr((item.name, [(f.name, f.label, str(f.type)) for f in item.fields]))
+        for item in system.messages
+        if item.name in named
+    ]
+    for chart in system.iacs:
+        flat = FlatChart(chart)
+        for branch in flat.branches:
+            if branch.origin.owner == protocol:
+                parts.append(_branch_text(system, chart, flat, branch))
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
+
+
+def _branch_text(system: System, chart: Statechart, flat: FlatChart, branch: Node) -> str:
+    """All that a branch is, with its labels as if it were a root."""
+    inside = [n for n in chart.nodes if n.label == branch.label or n.label.startswith(branch.label + ".")]
+    labels = {node.label for node in inside}
+    used = {node.activity for node in inside}
+    items = [
+        *(_state(node, flat, placed=False) for node in inside),
+        *(
+            _transition(transition, placed=False)
+            for transition in chart.transitions
+            if transition.source in labels and transition.source != branch.label
+        ),
+        *(_variable(system, variable) for variable in chart.variables if variable.scope in labels),
+        *(_activity(system, activity) for activity in system.activities if activity.name in used),
+    ]
+    around = branch.parent or ""
+    text = "\n".join((branch.origin.name, *items)).replace(f"parent={around!r}", "")
+    return re.sub(rf"(?<![\w.]){re.escape(branch.label)}(?![\w])", "~", text)

@@ -230,6 +230,7 @@ class _Generator:
             if node.type is NodeType.BASIC
         }
         variables = {v.name: tuple(self._copies(v.name)) for v in self.chart.variables}
+        times = {label: self._time(label) for label in sorted(self.flat.timed)}
         lines = [
             f"class {self.class_name}(Chart):",
             f'    """Runs the statechart {self.chart.name} of {self.chart.system}."""',
@@ -242,6 +243,10 @@ class _Generator:
             f"    RUNNING: ClassVar[Mapping[str, tuple[str, str, int]]] = {running!r}",
             f"    VARIABLES: ClassVar[Mapping[str, tuple[str, ...]]] = {variables!r}",
             f"    MESSAGES: ClassVar[Mapping[str, Any]] = {self._message_classes()}",
+            f"    TIMES: ClassVar[Mapping[str, str]] = {times!r}",
+            "    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = (",
+            *(f"        {labels!r}," for labels in self._leaf_labels()),
+            "    )",
             "",
             "    def __init__(self, agent: str) -> None:",
             "        super().__init__(agent)",
@@ -829,24 +834,24 @@ class _Generator:
         self._due()
         self._configuration()
 
-    def _configuration(self) -> None:
-        names = {
-            region.number: tuple(
+    def _leaf_labels(self) -> list[tuple[str, ...]]:
+        """The labels of each region's leaves by their numbers."""
+        return [
+            tuple(
                 label
                 for node in self.flat.leaves(region.number)
                 for label in [node.label] * (2 if node.type is NodeType.BASIC else 1)
             )
             for region in self.flat.regions
-        }
-        self.tables += ["", "_LABELS: tuple[tuple[str, ...], ...] = ("]
-        self.tables += [f"    {labels!r}," for labels in names.values()]
-        self.tables += [")"]
+        ]
+
+    def _configuration(self) -> None:
         method = _Method(self._names(0))
         numbers = ", ".join(f"self.r{region.number}" for region in self.flat.regions)
         method.add(
             2,
             f"numbers = ({numbers},)",
-            "return tuple(labels[n] for labels, n in zip(_LABELS, numbers, strict=True) if n >= 0)",
+            "return tuple(labels[n] for labels, n in zip(self.LEAVES, numbers, strict=True) if n >= 0)",
         )
         self._method("configuration(self) -> tuple[str, ...]", "The labels of the active leaves.", method)
 

@@ -4,21 +4,24 @@ from __future__ import annotations
 
 import itertools
 from collections import deque
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime import context as c
 from aseme_dsl.runtime.activities import ActivityFinder
 from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.body import Body
-from aseme_dsl.runtime.bus import Bus
+from aseme_dsl.runtime.bus import SELECT, Bus
+from aseme_dsl.runtime.carry import Carried
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.conversation import Conversations
+from aseme_dsl.runtime.convert import Messages, arrived, converted, like, mailed
 from aseme_dsl.runtime.execution import Execution, Executions, frames_of, reason_of
 from aseme_dsl.runtime.inputs import (
     Arrived,
     Cancel,
+    Completed,
     Crashed,
     Fault,
     FunctionResult,
@@ -87,6 +90,10 @@ class Agent:
         self.trace = trace
         self.seed = seed
         self.body = body
+        self.messages: Messages = {}
+        """The message classes of the agent's plan, from when messages of other versions may come."""
+        self.chosen: Callable[[Agent, str, str], None] = _not_here
+        """Is told of a message that says which plan is to run, and by whom it is."""
         self.executions = Executions(self, find)
         self.intake: deque[Posted | Errand] = deque()
         self.steps = 0
@@ -185,7 +192,9 @@ class Agent:
             if not isinstance(item, Posted):
                 item()
             elif self._counts(item):
-                inputs.append(item)
+                renewed = self._renewed(item, None) if self.messages else item
+                if renewed is not None:
+                    inputs.append(renewed)
         self._inputs = None
         if self.over or not (inputs or self._wanted):
             return
@@ -199,6 +208,9 @@ class Agent:
             return False
         if isinstance(item.input, Mail):
             return self.conversations.arrives(self, item.input, item.conversation)
+        if isinstance(item.input, Arrived) and item.input.channel == SELECT:
+            self.chosen(self, item.input.message.plan, item.input.sender)
+            return SELECT in self.chart.READERS
         return True
 
     def _step(self, inputs: list[Posted]) -> None:
@@ -300,6 +312,105 @@ class Agent:
             self._due = None
         self.executions.cancel_all()
         self.conversations.gone(self)
+
+    # ---- another plan ------------------------------------------------------------------------
+
+    def go_on(self, carried: Carried, find: ActivityFinder, messages: Messages, changed: bool) -> None:
+        """Take over a chart that stands where the present one stands. Called while the agent is guarded.
+
+        `changed` says whether the plan differs: then something may be enabled that was not.
+        """
+        self._adopt(carried.chart)
+        self.messages = messages
+        labels = carried.labels
+        self.executions.carry(labels, find)
+        self._prepared = {
+            (branch if branch is None else labels.get(branch, ""), name): self.understood(content)
+            for (branch, name), content in self._prepared.items()
+        }
+        with self.conversations.still():  # nobody posts mail for a branch by its old name
+            self.conversations.carry(self, labels, messages)
+            renewed = (
+                self._renewed(item, labels) if isinstance(item, Posted) else item for item in self.take()
+            )
+            self.intake.extendleft([item for item in renewed if item is not None][::-1])
+        for effect in carried.effects:
+            self._carried_out[type(effect)](effect)
+        if changed:
+            self.errand(self._want)
+        if carried.chart.started:
+            self._sleep(self.driver.clock.now())
+
+    def begin_as(self, chart: Chart, find: ActivityFinder, messages: Messages) -> None:
+        """Leave the present plan, and enter another. Called while the agent is guarded, between two steps."""
+        old = self.chart
+        if old.started:
+            old.effects.clear()
+            old.leave()
+            for effect in old.effects:
+                self._carried_out[type(effect)](effect)
+        with self.conversations.still():
+            self.conversations.gone(self, f"{self.name} has left its plan")
+            items = [item for item in self.take() if _is_for_any_plan(item)]
+            chart.tokens = old.tokens
+            self._adopt(chart)
+            self.messages = messages
+            self.executions.forget(find)
+            self._prepared.clear()
+            self.intake.extendleft(items[::-1])
+        if self._inputs is not None:  # it chose this itself, in a message that came with others
+            self._inputs[:] = [item for item in self._inputs if _is_for_any_plan(item)]
+        self.begin()
+
+    def _adopt(self, chart: Chart) -> None:
+        self.chart = chart
+        self.plan = chart.PLAN
+        self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
+        self._crashed.clear()
+        self.recent.clear()
+        self._configuration = chart.configuration() if chart.started and self.trace.active else ()
+        if not self.driver.clock.virtual:
+            chart.pending = self._pending
+        if self._due is not None:
+            self._due.cancel()
+            self._due = None
+
+    def _renewed(self, item: Posted, labels: Mapping[str, str] | None) -> Posted | None:
+        """An input with its message and, by `labels`, its labels as the agent's plan has them, or None."""
+        found = item.input
+        try:
+            match found:
+                case Arrived(channel):
+                    if channel in self.chart.READERS:
+                        found = arrived(found, self.messages)
+                    if labels is not None and found.written_by is not None:
+                        found = replace(found, written_by=labels.get(found.written_by, ""))
+                case Mail():
+                    found = mailed(found, self.messages)
+                    if labels is not None:
+                        found = replace(found, branch=labels[found.branch])
+                case Completed(label) | Crashed(label):
+                    if labels is not None:
+                        found = replace(found, label=labels[label])
+                case Written(variable):
+                    name, _, scope = variable.partition("@")
+                    key = f"{name}@{labels[scope]}" if scope and labels is not None else variable
+                    example = self.chart.variable(key)
+                    found = Written(key, like(found.value, example, self.messages))
+        except LookupError as error:
+            text = f"an input of {item.identity[0]} is left out: {error.args[0]}"
+            self.trace.fault(self.driver.clock.now(), self.name, text)
+            return None
+        return item if found is item.input else replace(item, input=found)
+
+    def understood(self, content: Any) -> Any:
+        """The content of an agent message as the agent's plan has it; as it is, where it has none."""
+        if not self.messages:
+            return content
+        try:
+            return converted(content, self.messages)
+        except LookupError:
+            return content
 
     def cycle(self) -> str:
         """The transitions taken last, for messages about what does not end."""
@@ -447,6 +558,15 @@ class Agent:
 
 def _identities(inputs: Iterable[Posted]) -> list[Identity]:
     return [item.identity for item in inputs]
+
+
+def _is_for_any_plan(item: Posted | Errand) -> bool:
+    """Whether what has come in means something to another plan than the one that it came for."""
+    return not isinstance(item, Posted) or isinstance(item.input, Arrived | Happened)
+
+
+def _not_here(agent: Agent, plan: str, by: str) -> None:
+    """Nobody knows other plans."""
 
 
 def _nothing(effect: object) -> None:

@@ -20,7 +20,7 @@ published is told in the trace.
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -37,6 +37,10 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.agent import Agent
     from aseme_dsl.runtime.driver import Driver
     from aseme_dsl.runtime.radio import Radio
+
+
+SELECT = "runtime.signal.SelectPlan"
+"""The channel on which a message says which plan its receiver, or else its sender, is to run."""
 
 
 class _Held:
@@ -80,6 +84,7 @@ class Bus:
         self._rules: dict[str, ChannelInfo] = {}
         self._reads: dict[str, dict[str, frozenset[str | None]]] = {}
         self._writes: dict[str, frozenset[str]] = {}
+        self._plans: dict[str, Plan] = {}
         self._roles: dict[str, str] = {}
         """The role of each agent, in the team's order."""
         self._routes: dict[tuple[str, str], _Route] = {}
@@ -97,12 +102,21 @@ class Bus:
 
     def join_elsewhere(self, name: str, plan: Plan) -> None:
         """An agent of the team runs in another process, with this plan; it counts in the team's order."""
+        self._plans[name] = plan
         for info in plan.channels:
             self._rules.setdefault(info.name, info)
         self._roles[name] = plan.name
         self._reads[name] = _reads(plan)
         self._writes[name] = _writes(plan)
         self._routes.clear()
+
+    def renew(self, plans: Mapping[str, Plan]) -> None:
+        """Agents follow these plans now: take their rules instead."""
+        with self._lock:
+            self._plans.update(plans)
+            self._rules.clear()
+            for name, plan in self._plans.items():
+                self.join_elsewhere(name, plan)
 
     # ---- publishing --------------------------------------------------------------------------
 
@@ -189,9 +203,15 @@ class Bus:
     ) -> None:
         now = self._driver.clock.now()
         identity = agent.identity()
+        message = agent.understood(message)  # of an activity that began under another version
         rules = self._rules.get(channel)
         radio = self._radios.get(agent.name) if rules is not None and rules.radio is not None else None
-        route = self._receivers(agent.name, channel) if host is None else self._route((host,))
+        if host is not None:
+            route = self._route((host,))
+        elif channel == SELECT:
+            route = self._route((agent.name,))
+        else:
+            route = self._receivers(agent.name, channel)
         if radio is not None:
             route = self._route((agent.name,) if agent.name in route.names else ())
         self.trace.message(
@@ -326,7 +346,7 @@ class Bus:
                     measured=moment,
                     host=host,
                 )
-            if channel in self._reads[agent.name]:
+            if channel in self._reads[agent.name] or channel == SELECT:
                 agent.post(identity, Arrived(channel, message, sender, moment, identity))
 
     def _objection(self, agent: Agent, channel: str, sender: str, host: str | None) -> str | None:

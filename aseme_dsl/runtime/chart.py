@@ -108,6 +108,10 @@ class Chart:
     VARIABLES: ClassVar[Mapping[str, tuple[str, ...]]] = {}
     """The slots that hold a variable: one, or one for each region that uses it."""
     REGIONS: ClassVar[tuple[str, ...]] = ()
+    TIMES: ClassVar[Mapping[str, str]] = {}
+    """The slots that hold when a state was entered, for those states where it matters."""
+    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = ()
+    """The labels of each region's leaves by their numbers."""
 
     def __init__(self, agent: str) -> None:
         self.agent = agent

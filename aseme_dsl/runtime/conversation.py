@@ -11,11 +11,13 @@ unexpected: it is told in the trace and answered `not_understood`.
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.as_json import to_json
+from aseme_dsl.runtime.convert import Messages, mailed
 from aseme_dsl.runtime.inputs import Identity, Mail
 from aseme_dsl.runtime.plan import BranchInfo, Plan
 from aseme_dsl.runtime.trace import Trace
@@ -79,6 +81,8 @@ class AclMessage:
     participant: str
     to: str
     identity: Identity
+    version: str = ""
+    """The version of the protocol that the sender plays (`BranchInfo.version`)."""
 
 
 @dataclass(slots=True)
@@ -164,6 +168,7 @@ class Conversations:
                 info.participant,
                 part,
                 identity,
+                info.version,
             )
             self._tell_sent(acl)
             if not receivers:
@@ -222,6 +227,8 @@ class Conversations:
         """The transport has brought a message for an agent, with what its sender knows of who takes part."""
         with self._driver.holding(), self._lock:
             self._tell_received(agent, acl)
+            played = (info.version for info in agent.plan.branches if info.protocol == acl.protocol)
+            acl = replace(acl, version=next(played, ""))  # the transport brings only what is of our model
             conversation = self._conversations.get(acl.conversation)
             if conversation is None:
                 past = self._over.pop(acl.conversation, set())
@@ -258,14 +265,15 @@ class Conversations:
         if (agent.name, acl.to) in conversation.past:
             self._unexpected(agent, acl, "its part in the conversation is over")
             return
-        info = next(
-            (
-                info
-                for info in agent.plan.branches
-                if (info.protocol, info.participant) == (acl.protocol, acl.to) and self._receives(info, acl)
-            ),
-            None,
-        )
+        played = [
+            info
+            for info in agent.plan.branches
+            if (info.protocol, info.participant) == (acl.protocol, acl.to)
+        ]
+        if played and played[0].version != acl.version:
+            self._unexpected(agent, acl, f"{acl.sender} plays another version of {acl.protocol}")
+            return
+        info = next((info for info in played if self._receives(info, acl)), None)
         if info is None or agent.over:
             reason = f"{agent.name} has ended" if agent.over else f"{agent.role} does not receive it"
             self._unexpected(agent, acl, reason)
@@ -303,7 +311,7 @@ class Conversations:
             place.info.label,
             acl.performative,
             acl.message,
-            acl.content,
+            agent.understood(acl.content),
             acl.participant,
             acl.sender,
             acl.identity,
@@ -337,6 +345,7 @@ class Conversations:
             acl.to,
             acl.participant,
             agent.identity(),
+            acl.version,
         )
         self._tell_sent(answer)
         self._bring(acl.sender, answer)
@@ -425,18 +434,64 @@ class Conversations:
                 mail.participant,
                 info.participant,
                 mail.identity,
+                info.version,
             )
             self._unexpected(agent, acl, "its part in the conversation is over")
             return False
 
-    def gone(self, agent: Agent) -> None:
-        """An agent has ended: it takes part in nothing more, and what waited for it is answered."""
+    def gone(self, agent: Agent, reason: str = "") -> None:
+        """An agent has ended or left its plan: it takes part in nothing, and what waited is answered."""
         with self._driver.holding(), self._lock:
             for branch in list(self._branches[agent.name]):
                 self.left(agent, branch)
             queue, self._queues[agent.name] = self._queues[agent.name], []
             for acl, _ in queue:
-                self._unexpected(agent, acl, f"{agent.name} has ended")
+                self._unexpected(agent, acl, reason or f"{agent.name} has ended")
+
+    # ---- another plan ------------------------------------------------------------------------
+
+    def renew(self, plans: Mapping[str, Plan]) -> None:
+        """Agents follow these plans now."""
+        with self._lock:
+            self._plans.update(plans)
+
+    @contextmanager
+    def still(self) -> Iterator[None]:
+        """Inside, nobody else sends, joins or leaves; agents that are woken step afterwards."""
+        with self._driver.holding(), self._lock:
+            yield
+
+    def inside(self, agent: Agent) -> list[tuple[BranchInfo, str]]:
+        """The conversations that an agent takes part in, each with the branch that does."""
+        with self._lock:
+            places = self._branches[agent.name].values()
+            return [(place.info, place.conversation) for place in places if place.conversation is not None]
+
+    def carry(self, agent: Agent, labels: Mapping[str, str], messages: Messages) -> None:
+        """The agent goes on under its new plan, in which the states have these labels.
+
+        What it was invited to and now plays in another way is answered `not_understood`.
+        """
+        with self._driver.holding(), self._lock:
+            self._plans[agent.name] = agent.plan
+            infos = {info.label: info for info in agent.plan.branches}
+            places = self._branches[agent.name]
+            for branch in [item for item in places if labels.get(item) not in infos]:
+                self.left(agent, branch)
+            carried: dict[str, _Branch] = {}
+            for branch, place in places.items():
+                label = labels[branch]
+                place.info = infos[label]
+                place.waiting = _mails(place.waiting, label, messages)
+                place.taken = {
+                    (mail.performative, mail.message, mail.sender): mail
+                    for mail in _mails(place.taken.values(), label, messages)
+                }
+                carried[label] = place
+            self._branches[agent.name] = carried
+            queue, self._queues[agent.name] = self._queues[agent.name], []
+            for acl, _ in queue:
+                self._deliver(agent, replace(acl, content=agent.understood(acl.content)))
 
     # ---- the trace ---------------------------------------------------------------------------
 
@@ -516,3 +571,12 @@ class Conversations:
             untaken=untaken,
             peer=peer,
         )
+
+
+def _mails(items: Iterable[Mail], branch: str, messages: Messages) -> list[Mail]:
+    """Mail for the branch as it is called now; what there is no message for any more is left out."""
+    found: list[Mail] = []
+    for item in items:
+        with suppress(LookupError):
+            found.append(mailed(item if item.branch == branch else replace(item, branch=branch), messages))
+    return found

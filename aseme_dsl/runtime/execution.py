@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 import traceback
-from collections.abc import Generator
+from collections.abc import Generator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -247,6 +247,8 @@ class Executions:
         self._find = find
         self._infos = {info.name: info for info in agent.plan.activities}
         self._nodes: dict[str, _Node] = {}
+        self._former: list[_Node] = []
+        """What the present plan does not have and is cancelled, but has not come to its end yet."""
         self._noted: set[tuple[str, str]] = set()
         self._late_codeless: set[str] = set()
 
@@ -283,7 +285,7 @@ class Executions:
         if execution.timer is not None:
             execution.timer.cancel()
         if execution.code is None or execution.has_returned:
-            self._free(node, execution)
+            self._free(execution)
         elif execution.generator is not None:
             self._close(execution)
         else:
@@ -300,7 +302,44 @@ class Executions:
 
     def running(self) -> list[Execution]:
         """What has not come to its end yet, cancelled or not."""
-        return [node.current for node in self._nodes.values() if node.current is not None]
+        nodes = (*self._nodes.values(), *self._former)
+        return [node.current for node in nodes if node.current is not None]
+
+    # ---- another plan ------------------------------------------------------------------------
+
+    def carry(self, labels: Mapping[str, str], find: ActivityFinder) -> None:
+        """Go on under the agent's new plan, in which the states have these labels.
+
+        What runs keeps running, with the code that it has; what starts later has the new plan's.
+        """
+        nodes, self._nodes = self._nodes, {}
+        self._find = find
+        self._infos = {info.name: info for info in self.agent.plan.activities}
+        for old, node in nodes.items():
+            label = labels.get(old)
+            if label is None:  # nothing is active there
+                if node.current is not None:
+                    self._former.append(node)
+                continue
+            self._nodes[label] = node
+            start = Start(label, self.agent.plan.by_label[label].activity or "", 0)
+            fresh = self._node(start)
+            node.info, node.code, node.kind = fresh.info, fresh.code, fresh.kind
+            node.error, node.branch = fresh.error, fresh.branch
+            if node.next is not None:
+                node.next = Start(label, node.next.activity, node.next.token)
+            execution = node.current
+            if execution is not None:
+                execution.start = Start(label, execution.start.activity, execution.start.token)
+                execution.branch = node.branch
+                execution.board = self.agent.chart.board_of(label)
+
+    def forget(self, find: ActivityFinder) -> None:
+        """Go on under the agent's new plan, of which nothing runs yet; everything has been cancelled."""
+        self._former += [node for node in self._nodes.values() if node.current is not None]
+        self._nodes = {}
+        self._find = find
+        self._infos = {info.name: info for info in self.agent.plan.activities}
 
     # ---- beginning ---------------------------------------------------------------------------
 
@@ -445,7 +484,7 @@ class Executions:
                 reason=None if error is None else reason_of(error),
                 traceback=None if error is None else frames_of(error),
             )
-            self._free(self._nodes[execution.label], execution)
+            self._free(execution)
         elif execution.opens is None or error is not None:
             self._end(execution)
 
@@ -475,13 +514,16 @@ class Executions:
                 dropped=len(execution.held) or None,
             )
             agent.post(identity, Crashed(start.label, start.token, reason))
-        self._free(self._nodes[start.label], execution)
+        self._free(execution)
 
-    def _free(self, node: _Node, execution: Execution) -> None:
-        if node.current is execution:
+    def _free(self, execution: Execution) -> None:
+        node = self._nodes.get(execution.label)
+        if node is not None and node.current is execution:
             node.current = None
             node.last_end = self.agent.driver.clock.now()
             self._begin_when_free(node)
+        else:
+            self._former = [item for item in self._former if item.current is not execution]
 
     # ---- what an activity does ---------------------------------------------------------------
 

@@ -7,12 +7,13 @@ for in the folders given as `path`. These folders are on `sys.path` only inside 
 
 from __future__ import annotations
 
+import ast
 import importlib
 import itertools
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, is_dataclass
+from dataclasses import dataclass, field, is_dataclass
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -22,6 +23,8 @@ from aseme_dsl.runtime.as_json import member_types
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.plan import Plan
 from aseme_dsl.runtime.wire import Schema
+
+Modules = dict[str, ModuleType]
 
 _numbers = itertools.count(1)
 
@@ -43,6 +46,8 @@ class Loaded:
     """The hash of all its models."""
     folder: Path | None = None
     path: tuple[Path, ...] = ()
+    modules: Modules = field(default_factory=dict, repr=False, compare=False)
+    """The modules of its package, by the names under which they import each other."""
 
     @property
     def plans(self) -> tuple[Plan, ...]:
@@ -81,8 +86,75 @@ def importing(folders: Sequence[Path]) -> Iterator[None]:
                 sys.path.remove(entry)
 
 
-def load_system(folder: Path, path: Sequence[Path] = ()) -> Loaded:
+def load_beside(folder: Path, running: Loaded | None, path: Sequence[Path] = ()) -> Loaded:
+    """Import another version of a system that is running, which stays in its place.
+
+    If the messages of both are the same, they are the same classes in both, so that activities of the one
+    and of the other understand each other's.
+
+    Raises:
+        LoadError: as `load_system`.
+    """
+    names = (folder.parent.name, f"{folder.parent.name}.{folder.name}")
+    before = {name: module for name, module in sys.modules.items() if _is_inside(name, names)}
+    same: Modules = {}
+    if running is not None and running.folder is not None:
+        module = running.modules.get(f"{names[1]}.messages")
+        if module is not None and _code(running.folder / "messages.py") == _code(folder / "messages.py"):
+            same[f"{names[1]}.messages"] = module
+    try:
+        return load_system(folder, path, same)
+    finally:
+        for name in [name for name in sys.modules if _is_inside(name, names)]:
+            del sys.modules[name]
+        sys.modules.update(before)
+
+
+def _is_inside(name: str, packages: tuple[str, ...]) -> bool:
+    return name in packages or name.startswith(tuple(f"{package}." for package in packages))
+
+
+def _code(path: Path) -> str | None:
+    """A module's code without its documentation, which tells where things stand in the source."""
+    try:
+        tree = ast.parse(path.read_text("utf-8"))
+    except (OSError, ValueError, SyntaxError):
+        return None
+    for node in ast.walk(tree):
+        body = getattr(node, "body", None)
+        if isinstance(body, list):
+            node.body = [  # type: ignore[attr-defined]
+                item
+                for item in body
+                if not (isinstance(item, ast.Expr) and isinstance(item.value, ast.Constant))
+            ]
+    return ast.dump(tree)
+
+
+@contextmanager
+def standing_in(modules: Modules) -> Iterator[None]:
+    """Inside, these modules are in the place of those of the same names."""
+    before = {name: sys.modules.get(name) for name in modules}
+    sys.modules.update(modules)
+    try:
+        yield
+    finally:
+        for name, module in before.items():
+            if module is None:
+                sys.modules.pop(name, None)
+            else:
+                sys.modules[name] = module
+
+
+def put_in_place(modules: Modules) -> None:
+    """From now on these are the modules of their names."""
+    sys.modules.update(modules)
+
+
+def load_system(folder: Path, path: Sequence[Path] = (), same: Modules | None = None) -> Loaded:
     """Import the generated package in `folder` (`build/monas/Kouretes`), afresh each time.
+
+    `same` are modules of it that need not be imported again.
 
     Raises:
         LoadError: it is not there, cannot be imported, or is not a generated package.
@@ -98,6 +170,7 @@ def load_system(folder: Path, path: Sequence[Path] = ()) -> Loaded:
     if known is not None and folder.parent not in [Path(p).resolve() for p in getattr(known, "__path__", [])]:
         _forget(parent)  # it stands for another folder of that name
     with importing(folders):
+        sys.modules.update(same or {})
         package = _import(name, folder)
         messages = _import(f"{name}.messages", folder)
         charts = getattr(package, "CHARTS", None)
@@ -112,8 +185,11 @@ def load_system(folder: Path, path: Sequence[Path] = ()) -> Loaded:
         for kind in classes.values():
             member_types(kind)  # while their module can be found under its name
     system = str(getattr(package, "SYSTEM", folder.name))
+    schema = getattr(messages, "SCHEMA", None)
     model = str(getattr(package, "MODEL", ""))
-    return Loaded(system, charts, team, classes, getattr(messages, "SCHEMA", None), model, folder, folders)
+    modules = {key: module for key, module in sys.modules.items() if _is_inside(key, (name,))}
+    modules[parent] = sys.modules[parent]
+    return Loaded(system, charts, team, classes, schema, model, folder, folders, modules)
 
 
 def _has_module(folder: Path, name: str) -> bool:

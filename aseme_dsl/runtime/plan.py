@@ -114,6 +114,8 @@ class BranchInfo:
     participant: str
     sends: tuple[tuple[str, str], ...] = ()
     receives: tuple[tuple[str, str], ...] = ()
+    version: str = ""
+    """The hash of how the system plays the protocol: those who play the same may meet in one run of it."""
 
 
 @dataclass(frozen=True)

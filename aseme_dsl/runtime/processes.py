@@ -218,6 +218,7 @@ class Processes:
         self._waiting: deque[tuple[Execution, Snapshot]] = deque()
         self._was_full = False
         self._closed = False
+        self._retired: list[_Process] = []
 
     def launch(self, execution: Execution) -> None:
         """Run the code of an activity in a worker. Called while its agent is guarded."""
@@ -250,7 +251,7 @@ class Processes:
     def next_for(self, process: _Process) -> tuple[Execution, Snapshot] | None:
         """What a worker whose activity has returned runs next."""
         with self._lock:
-            if self._closed:
+            if self._closed or process in self._retired:
                 return None
             if process in self._all:
                 if self._waiting:
@@ -283,11 +284,23 @@ class Processes:
         process.kill(reason)
         return True
 
+    def renew(self, path: Sequence[Path]) -> None:
+        """From now on workers import from here: those that there are end when they have done what they do."""
+        with self._lock:
+            self.path = tuple(path)
+            self._retired += [*self._all, *self._kept.values()]
+            idle = [process for process in self._retired if process.execution is None]
+            self._all.clear()
+            self._idle.clear()
+            self._kept.clear()
+        for process in idle:
+            process.jobs.put(None)
+
     def close(self) -> None:
         """End all workers, by force those that are busy."""
         with self._lock:
             self._closed = True
-            everyone = [*self._all, *self._kept.values()]
+            everyone = [*self._all, *self._kept.values(), *self._retired]
         for process in everyone:
             execution = process.execution
             if execution is not None:
@@ -296,5 +309,5 @@ class Processes:
 
     def join(self, seconds: Callable[[], float]) -> None:
         """Wait for all workers to end, so many seconds at the most."""
-        for process in (*self._all, *self._kept.values()):
+        for process in (*self._all, *self._kept.values(), *self._retired):
             process.thread.join(seconds())

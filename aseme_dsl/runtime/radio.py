@@ -46,6 +46,14 @@ class Radio:
         self._every = LISTEN
         self._lost = False
 
+    def renew(self, schema: Schema) -> None:
+        """The agent follows another plan: say and hear its channels, with the numbers of this schema."""
+        self._schema = schema
+        self._rules = {info.name: info for info in self._agent.plan.channels}
+        for entry in [entry for entry in self._waiting if entry[0] not in self._rules]:
+            self._waiting.remove(entry)
+            self._tell("unsaid", entry[0], entry[2], entry[3], "its channel is not in the new plan")
+
     def begin(self, step: int | None) -> None:
         """Listen from now on: after every step of the world, which lasts `step` ns."""
         self._every = step or LISTEN
@@ -111,7 +119,7 @@ class Radio:
             self._waiting.pop(0)
 
     def _packed(self, channel: str, host: str | None, message: Any) -> bytes:
-        payload = self._schema.pack(channel, message)
+        payload = self._schema.pack(channel, self._agent.understood(message))
         place = 0 if host is None else self._team.index(host) + 1
         number = place * len(self._schema.radio) + payload[0]
         if number >= KINDS:

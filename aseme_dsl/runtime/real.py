@@ -161,6 +161,13 @@ class RealDriver:
         if agent.intake:
             self.wake(agent)
 
+    def renew(self, path: Sequence[Path]) -> None:
+        """Activities of another version begin now: their processes import what they need from here."""
+        with self._making:
+            self._path = tuple(path)
+            if self._processes is not None:
+                self._processes.renew(self._path)
+
     def launch(self, execution: Execution) -> None:
         """Run the code of an activity where its kind belongs."""
         with self._making:

@@ -11,18 +11,21 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from aseme_dsl.runtime.activities import ActivityError, ActivityFinder
+from aseme_dsl.runtime.activities import ActivityFinder
 from aseme_dsl.runtime.agent import Agent
 from aseme_dsl.runtime.body import World
 from aseme_dsl.runtime.bus import Bus
+from aseme_dsl.runtime.carry import knowledge_of, variables_of
 from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.clock import shown
 from aseme_dsl.runtime.conversation import Conversations
-from aseme_dsl.runtime.loading import Loaded, importing
+from aseme_dsl.runtime.loading import Loaded, importing, put_in_place, standing_in
 from aseme_dsl.runtime.plan import Plan
 from aseme_dsl.runtime.radio import Radio
 from aseme_dsl.runtime.real import RealDriver
 from aseme_dsl.runtime.real_time import RealTime
 from aseme_dsl.runtime.scripted import Scripted
+from aseme_dsl.runtime.swap import WITHIN, Swap, Version, activity_errors, plan_record, version_of
 from aseme_dsl.runtime.trace import Listener, Trace
 from aseme_dsl.runtime.transport import LOCAL, Peer, Transport, TransportError
 from aseme_dsl.runtime.virtual import VirtualDriver
@@ -94,6 +97,8 @@ class Team:
         transport: Transport = LOCAL,
         origin: int | None = None,
         real_time: RealTime | None = None,
+        version: Version | None = None,
+        carried: Callable[[], Sequence[Version]] = tuple,
     ) -> None:
         """Put the agents, given with their charts in the team's order, on a bus.
 
@@ -102,6 +107,9 @@ class Team:
         folders with modules that activities and functions import. `messages` are the message classes by name,
         which scripts and kept states need; `schema` is how they become bytes, which radio needs. `real_time`
         is what a run with the real clock asks of the machine.
+
+        `version` is the system that the agents are of, with all its plans; `carried` gives, when somebody
+        asks for a plan of another system, what the robots carry besides.
 
         `here` names the agents that run in this process, if not all do; the others run elsewhere, and
         `transport` carries messages to them. `origin` is when the run began, in ns of the machine's monotonic
@@ -143,6 +151,10 @@ class Team:
         self._has_run = False
         self._messages = dict(messages or {})
         find: ActivityFinder = activities if callable(activities) else dict(activities).get
+        plans = {chart.PLAN.name: chart for _, chart in members}
+        self.version = version or Version(self.system, plans, find, self._messages, schema)
+        self._others = carried
+        self._changes: list[Swap] = []
         with importing(self._path):
             charts = {chart.PLAN.name: chart for name, chart in members if name in mine}
             self._check_activities(charts.values(), find)
@@ -177,7 +189,7 @@ class Team:
             for name, chart in members
             if name in mine
         )
-        self._radios: list[Radio] = []
+        self._radios: dict[str, Radio] = {}
         running = {agent.name: agent for agent in self.agents}
         for name in names:
             agent = running.get(name)
@@ -187,10 +199,10 @@ class Team:
                 continue
             radio = None
             if schema is not None and agent.name in with_radio:
-                radio = Radio(agent, self.bus, schema, names)
-                self._radios.append(radio)
+                radio = self._radios[agent.name] = Radio(agent, self.bus, schema, names)
             self.bus.join(agent, radio)
             self.conversations.join(agent)
+            agent.chosen = self._chosen
         self.driver.bring(self.agents)
 
     # ---- making ------------------------------------------------------------------------------
@@ -207,16 +219,9 @@ class Team:
         return driver
 
     def _check_activities(self, charts: Iterable[type[Chart]], find: ActivityFinder) -> None:
-        errors: list[str] = []
-        for chart in charts:
-            for state in chart.PLAN.states:
-                if state.activity is not None:
-                    try:
-                        find(state.activity)
-                    except ActivityError as error:
-                        errors.append(str(error))
+        errors = activity_errors(charts, find)
         if errors:
-            raise TeamError("\n".join(dict.fromkeys(errors)))
+            raise TeamError("\n".join(errors))
 
     def _checked(
         self, script: tuple[Scripted, ...], members: Sequence[tuple[str, type[Chart]]]
@@ -230,6 +235,167 @@ class Team:
                 known = ", ".join(sorted(read)) or "none"
                 raise TeamError(f"nobody in the team reads {item.channel}; there are {known}")
         return script
+
+    # ---- other plans -------------------------------------------------------------------------
+
+    def swap(
+        self, version: Version, *, at: int = 0, within: int = WITHIN, agents: Iterable[str] | None = None
+    ) -> Swap:
+        """Have the agents (all, or these) change to another version in virtual time: at the moment `at`, or
+        within `within` ns from then, as soon as no conversation is in the way.
+
+        Raises:
+            LookupError: there is no such agent.
+            TeamError: the clock is real; there, a `Swap` is prepared and finished by who asks for it.
+        """
+        if not self.driver.clock.virtual:
+            raise TeamError("in real time a swap is prepared and finished, not scheduled")
+        change = Swap(self, version, agents)
+        moment = max(at, self.driver.clock.now())
+
+        def begin() -> None:
+            if change.check() and not change.hold() and change.state == "waiting":
+                self._changes.append(change)
+                self.driver.at(moment + within, lambda: self._too_late(change, within))
+            elif change.state == "prepared":
+                change.finish()
+
+        self.driver.at(moment, begin)
+        return change
+
+    def _try_changes(self) -> None:
+        """The swaps that wait, now that nothing is left to do at this instant."""
+        for change in list(self._changes):
+            if change.hold():
+                change.finish()
+            if change.state != "waiting":
+                self._changes.remove(change)
+
+    def _too_late(self, change: Swap, within: int) -> None:
+        if change in self._changes:
+            self._changes.remove(change)
+            change.refuse(f"{reason} after {shown(within)}" for reason in change.reasons)
+
+    def select(self, agent: str, plan: str, *, at: int = 0) -> None:
+        """Have an agent leave its plan and enter another at a moment of virtual time; the trace tells how
+        that went. Raises KeyError for an agent that there is not.
+        """
+        chosen = self.agent(agent)
+
+        def choose() -> None:
+            self.choose(chosen, plan, "operator")
+
+        self.driver.at(max(at, self.driver.clock.now()), choose)
+
+    def choose(self, agent: Agent, plan: str, by: str) -> str | None:
+        """Let an agent leave its plan and enter another: one of the team's system, or of another that the
+        robot carries (`player`, `Kouretes.player`). Called while the agent is guarded, between two steps.
+
+        Gives the reason if it was refused. An agent that follows the plan already goes on with it.
+        """
+        found = self._carried_plan(plan)
+        if isinstance(found, str):
+            return self._refuse(agent, plan, by, found)
+        version, kind = found
+        if agent.over:
+            return self._refuse(agent, plan, by, f"{agent.name} has ended")
+        if kind.PLAN.model == agent.plan.model:
+            return None
+        with importing(version.path), standing_in(version.modules):
+            errors = activity_errors((kind,), version.find)
+        if errors:
+            return self._refuse(agent, plan, by, "; ".join(errors))
+        if version is not self.version:
+            put_in_place(version.modules)
+            self.tell_apart()
+        chart = kind(agent.name)
+        messages = version.messages if agent.messages else {}
+        variables_of(agent.chart, chart, version.messages)
+        knowledge_of(agent.chart, chart, version.messages)
+        before = agent.plan
+        now = self.driver.clock.now()
+        self.trace.write(
+            "select",
+            now,
+            agent=agent.name,
+            plan=f"{kind.PLAN.system}.{kind.PLAN.name}",
+            by=by,
+            before=before.model,
+            model=kind.PLAN.model,
+            source=kind.PLAN.source,
+            states=plan_record(kind.PLAN),
+        )
+        agent.begin_as(chart, version.find, messages)
+        self.renew(agent, version)
+        return None
+
+    def _carried_plan(self, plan: str) -> tuple[Version, type[Chart]] | str:
+        """The chart of a plan's name, or why there is none."""
+        try:
+            versions = [self.version]
+            if plan not in self.version.charts:
+                versions += [item for item in self._others() if item.system != self.version.system]
+        except Exception as error:  # another package in the folder, of anybody
+            return f"what the robot carries cannot be loaded: {error}"
+        found = [
+            (item, chart)
+            for item in versions
+            for name, chart in item.charts.items()
+            if plan in (name, f"{item.system}.{name}")
+        ]
+        known = ", ".join(f"{item.system}.{name}" for item in versions for name in item.charts)
+        if len(found) > 1:
+            return f"several plans are called {plan}; there are {known}"
+        return found[0] if found else f"there is no plan {plan}; there are {known}"
+
+    def _refuse(self, agent: Agent, plan: str, by: str, reason: str) -> str:
+        now = self.driver.clock.now()
+        self.trace.write("select", now, agent=agent.name, plan=plan, by=by, reason=reason)
+        return reason
+
+    def _chosen(self, agent: Agent, plan: str, by: str) -> None:
+        """A message says which plan an agent is to run: it does so before its next step."""
+
+        def choose() -> None:
+            self.choose(agent, plan, by)
+
+        agent.errand(choose)
+
+    def tell_apart(self) -> None:
+        """From now on agents of several versions may meet: each takes messages as its own plan has them."""
+        for agent in self.agents:
+            agent.messages = agent.messages or self.version.messages
+
+    def adopt(self, version: Version) -> None:
+        """The whole team, here and elsewhere, is of this version now."""
+        same = version.messages.items() == self.version.messages.items()
+        if isinstance(self.driver, RealDriver) and not same:
+            self.driver.renew(version.path)
+        self.version = version
+        for name, plan in self.elsewhere.items():
+            if plan.name in version.charts:
+                self.elsewhere[name] = version.charts[plan.name].PLAN
+        if version.schema is not None:
+            self.transport.renew(version.schema, version.model)
+        self.bus.renew(self.elsewhere)
+        self.conversations.renew(self.elsewhere)
+
+    def renew(self, agent: Agent, version: Version) -> None:
+        """An agent follows another plan: the bus and its radio go by that."""
+        plans = {agent.name: agent.plan}
+        self.bus.renew(plans)
+        self.conversations.renew(plans)
+        radio = self._radios.get(agent.name)
+        has_radio = any(info.radio is not None for info in agent.plan.channels)
+        if version.schema is None or not has_radio or agent.body is None:
+            return
+        if radio is not None:
+            radio.renew(version.schema)
+            return
+        names = [item.name for item in self.agents]
+        radio = self._radios[agent.name] = Radio(agent, self.bus, version.schema, names)
+        self.bus.join(agent, radio)
+        radio.begin(self.world.step_ns if self.world is not None else None)
 
     # ---- running -----------------------------------------------------------------------------
 
@@ -321,7 +487,7 @@ class Team:
                     self._giving(item)()
             for agent in self.agents:
                 agent.begin()
-        for radio in self._radios:
+        for radio in self._radios.values():
             radio.begin(self.world.step_ns if self.world is not None else None)
         if self.world is not None and (self._stop is not None or not driver.clock.virtual):
             self._move_world()
@@ -339,6 +505,8 @@ class Team:
         return give
 
     def _settled(self) -> str | None:
+        if self._changes:
+            self._try_changes()
         if all(agent.over for agent in self.agents):
             return "finished"
         return self._stop(self) if self._stop is not None else None
@@ -411,9 +579,11 @@ def make_team(
     else:
         raise TeamError(f"{loaded.name} declares no team: say which plan to run; it has {known}")
     path = (*loaded.path, *options.pop("path", ()))
+    find: ActivityFinder = activities if callable(activities) else dict(activities).get
     return Team(
         members,
-        activities,
+        find,
+        version=version_of(loaded, find),
         system=loaded.name,
         messages=loaded.messages,
         schema=loaded.schema,

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.conversation import AclMessage
     from aseme_dsl.runtime.plan import ChannelInfo
     from aseme_dsl.runtime.team import Team
+    from aseme_dsl.runtime.wire import Schema
 
 Answer = Callable[[dict[str, Any]], dict[str, Any]]
 """What answers a control request, given and returned as JSON objects. May be called from any thread."""
@@ -110,6 +111,10 @@ class Transport(Protocol):
         """Put a control request to an agent elsewhere. Raises TransportError if no answer comes."""
         ...
 
+    def renew(self, schema: Schema, model: str) -> None:
+        """The agents of this process go on under another version of the model."""
+        ...
+
     def answer(self, answer: Answer) -> None:
         """Have control requests from elsewhere answered by this."""
         ...
@@ -159,6 +164,9 @@ class Local:
     def ask(self, name: str, request: dict[str, Any], timeout: float = 1.0) -> dict[str, Any]:
         """There is nobody elsewhere."""
         raise TransportError(f"{name} does not run in another process")
+
+    def renew(self, schema: Schema, model: str) -> None:
+        """Nothing: there is nobody to tell."""
 
     def answer(self, answer: Answer) -> None:
         """Nobody elsewhere asks."""

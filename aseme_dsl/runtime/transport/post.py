@@ -329,6 +329,14 @@ class Post:
                     return answer
         raise TransportError(f"{name} does not answer")
 
+    def renew(self, schema: Schema, model: str) -> None:
+        """The agents of this process go on under another version of the model.
+
+        What is on its way to or from an agent of the other version is refused when it arrives, and told.
+        """
+        self._schema = schema
+        self.model = model
+
     def answer(self, answer: Answer) -> None:
         """Have control requests from elsewhere answered by this."""
         self._answer = answer
