@@ -256,7 +256,8 @@ def _empty_loop(formulas: Formulas, loop: Formula) -> Diagnostic:
         related = (Related(named.formula.span, f"`{body.name}` may be empty"),)
     hint = "let the body take at least one activity"
     if body.operator in (Operator.OPTION, Operator.ZERO_OR_MORE):
-        inside = canonical(body.operands[0])
+        operand = body.operands[0]
+        inside = f"({canonical(operand)})" if operand.operator in INFIX else canonical(operand)
         simpler = inside + ("~" if loop.operator is Operator.FOREVER else "*")
         hint = f"write `{simpler}`" if len(simpler) <= QUOTED else hint
     return Diagnostic(

@@ -42,6 +42,10 @@ _MEANT = {
 }
 
 
+_WRITTEN = {"&&": "||", "&": "||", ",": ".", ";": ".", "->": ".", "/": "|"}
+"""What the operators of other languages are here."""
+
+
 class Malformed(Exception):
     """Carries the one diagnostic of a formula or expression."""
 
@@ -282,7 +286,7 @@ class _Reader:
                 "E101", f"an operator is missing between {shown(previous)} and {shown(token)}", token, hint
             )
         hint = _MEANT.get(token, _OPERATORS)
-        fix = "||" if token in ("&&", "&") else None
+        fix = _WRITTEN.get(token)
         following = self.tokens[index + 1] if index + 1 < len(self.tokens) else None
         if token == "-" and following is not None and is_hyphen(previous, token, following):
             hint, fix = f"names are written with '_': {previous}_{following}", "_"

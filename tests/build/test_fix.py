@@ -68,6 +68,7 @@ def mended(text: str) -> str:
         ("[eyes.state.Seen.ball]", "after(2 s)"),
         ("[eyes.state.Seen.ball]", "after(2sec)"),
         ("[eyes.state.Seen.ball]", "read_messages"),
+        ("(Walk | Stand)+ }", "(Walk / Stand)+ }"),
     ],
 )
 def test_it_leaves_no_error(right: str, wrong: str) -> None:
@@ -91,6 +92,11 @@ def test_it_leaves_no_error(right: str, wrong: str) -> None:
 def test_parentheses(wrong: str, right: str) -> None:
     text = ROBOT.replace("eyes.state.Seen.ball", wrong, 1)
     assert mended(text) == ROBOT.replace("eyes.state.Seen.ball", right, 1)
+
+
+def test_operators_of_other_languages() -> None:
+    text = "system S\nsrm s { liveness { s = A -> B ; C, (D / E) [F] && G } }\n"
+    assert "s = A . B . C. (D | E) . [F] || G }" in mended(text)
 
 
 def test_a_timer_that_another_is_meant_by() -> None:
