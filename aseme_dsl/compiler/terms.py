@@ -183,6 +183,8 @@ def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
     fix = None
     if not elsewhere and inside is None and written.occurrence is None and "\n" not in written.span.text:
         fix = surely(key, short)
+        if fix is not None and written.formula.operator is Operator.GROUP:
+            fix = f"({fix})"  # the parentheses that somebody wrote stay
     return Diagnostic("E400", message, written.span, related, hint=hint, fix=fix)
 
 

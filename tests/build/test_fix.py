@@ -53,6 +53,7 @@ def mended(text: str) -> str:
         ("state.Seen.ball", "data.Seen.ball"),
         ("state.Seen.ball", "Seen.ball"),
         ("enter  Stand", "enter  Stnad"),
+        ("repeat (Walk", "repeat (Wlak"),
         ("enter  Walk", "entre  Walk"),
         ("control robot", "control robto"),
         ("int = 0", "integer = 0"),
@@ -104,6 +105,10 @@ def test_a_timer_that_another_is_meant_by() -> None:
     text = text.replace("ball]", "ball && expired( pasue )]").replace("leave ", "repeat", 1)
     text = text.replace("    repeat (Walk | Stand) : else", "    leave (Walk | Stand) : [n > 2]")
     assert "expired( pause )" in mended(text)
+
+
+def test_parentheses_stay() -> None:
+    assert mended(ROBOT.replace("leave  (Walk", "leave  (Wlak")) == ROBOT
 
 
 def test_of_two_names_that_are_as_close_neither_is_taken() -> None:
