@@ -190,9 +190,8 @@ def constant_duration(
     try:
         nanoseconds = fold(value)
     except NotConstant as problem:
-        checker.report(
-            "E515", f"{what} must be a constant", problem.value.span, "this is known only at run time"
-        )
+        hint = "this is known only at run time: write a duration, such as 500ms"
+        checker.report("E515", f"{what} must be a constant", problem.value.span, hint)
         return None
     except ArithmeticError:
         checker.report("E516", f"{what} cannot be computed", value.span)

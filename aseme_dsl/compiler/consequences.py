@@ -222,8 +222,13 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
 
     A loop that may be empty (E303) is also a cycle that never rests (W403), and has an option without a
     condition (E405); a number that could not be read (E108) may be of another type than what it was taken
-    for; a participant that no formula uses (N702) may be what an activity is misspelt for (W200).
+    for; a participant that no formula uses (N702) may be what an activity is misspelt for (W200), and so may
+    a formula that nothing uses (E302), which then says so; a formula without control (N704) may have one that
+    is misspelt (E403).
     """
+    unused = {item.span for item in found if item.code == "E302"}
+    controls = {item.fix for item in found if item.code == "E403"}
+    close = {item.related[0].span: item.span for item in found if item.code == "W200" and item.related}
     loops = [item.span for item in found if item.code == "E303" and item.span is not None]
     misspelt = {place.span for item in found if item.code == "W200" for place in item.related}
     numbers = [item.span for item in found if item.code == "E108" and item.span is not None]
@@ -234,11 +239,22 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
             return False
         if item.code == "N702":
             return span in misspelt
+        if item.code == "N704":
+            return span.text in controls
+        if item.code == "W200":
+            return bool(item.related) and item.related[0].span in unused
         if item.code in ("E405", "W403"):
             return any(_is_in(span, loop) for loop in loops)
         return item.code in _ABOUT_TYPES and any(_is_in(number, span) for number in numbers)
 
-    return [item for item in found if not follows(item)]
+    def explained(item: Diagnostic) -> Diagnostic:
+        place = close.get(item.span) if item.code == "E302" and item.span is not None else None
+        if place is None:
+            return item
+        related = (Related(place, f"`{place.text}` has no formula"),)
+        return replace(item, related=related, hint=f"did you mean `{place.text}`?", fix=place.text)
+
+    return [explained(item) for item in found if not follows(item)]
 
 
 _ABOUT_TYPES = ("E500", "E504", "E505", "E506", "E509", "E514", "E515", "W500")

@@ -69,9 +69,12 @@ def check_reach(chart: Statechart) -> Iterator[Diagnostic]:
                     waiting.append(label)
         for child in chart.children(node.label):
             if child.label not in seen:
-                yield Diagnostic("W600", f"no transition leads to {_called(child)}", child.span)
+                hint = "lead a transition to it, or remove it"
+                yield Diagnostic("W600", f"no transition leads to {_called(child)}", child.span, hint=hint)
             elif child.type is not NodeType.END and not _is_left(chart, child, left):
-                yield Diagnostic("W601", f"no transition leads out of {_called(child)}", child.span)
+                message = f"no transition leads out of {_called(child)}"
+                hint = f"lead one out of it; to stay for good, write `{child.label} -> {child.label} :`"
+                yield Diagnostic("W601", message, child.span, hint=hint)
 
 
 def check_timers(chart: Statechart) -> Iterator[Diagnostic]:

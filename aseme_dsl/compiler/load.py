@@ -268,7 +268,7 @@ def _about(
 
 def _too_large(path: str, item: tree.Import | None, size: int, largest: int) -> Diagnostic:
     message = f"{path} has {size:,} bytes; the limit is {largest:,}".replace(",", " ")
-    return _about(path, item, "E003", message)
+    return _about(path, item, "E003", message, "split it, and import the parts")
 
 
 def _read(loader: _Loader, place: _Place, item: tree.Import | None) -> Source | None:

@@ -75,7 +75,8 @@ def enums(collector: Collector) -> tuple[EnumType, ...]:
 def _constants(collector: Collector, enum: tree.Enum) -> tuple[tuple[str, int], ...]:
     """The constants with their numbers: each one more than the one before it, from 0, unless it is given."""
     if not enum.constants:
-        collector.report("E216", f"`{enum.name}` has no constants", enum.name.span)
+        hint = f"list them in the braces: enum {enum.name} {{ FIRST SECOND }}"
+        collector.report("E216", f"`{enum.name}` has no constants", enum.name.span, hint)
     found: list[tuple[str, int]] = []
     names: dict[str, Span] = {}
     shapes: dict[str, tree.Name] = {}

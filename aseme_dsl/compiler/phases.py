@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TypeVar
 
+from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.srm import Plays
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
@@ -107,7 +108,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     used = used_activities((*_built(iacs), *_built(eacs)))
     formulas = _formulas(blocks)
     if len(charts) == len(eacs) + len(iacs):
-        found += check_described(_described_in(blocks), used, formulas, is_damaged)
+        found += check_described(_described_in(blocks), {*used, *_named(blocks)}, formulas, is_damaged)
     found += close_names(used, described, formulas, _unused_plays(roles.values()))
     found += unplayed(_built(iacs), blocks.aips)
     capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
@@ -182,6 +183,16 @@ def _formulas(blocks: Blocks) -> list[tree.NamedFormula]:
 
 def _described_in(blocks: Blocks) -> Iterable[tree.Activity]:
     return (item for block in blocks.roles for item in block.activities)
+
+
+def _named(blocks: Blocks) -> Iterator[str]:
+    """Every activity that a formula or a binding names, even where an error keeps it from being used."""
+    formulas = _formulas(blocks)
+    composed = {item.name.text for item in formulas}
+    for item in formulas:
+        yield from (node.name for node in names(item.formula) if node.name not in composed)
+    for block in blocks.srms:
+        yield from (item.own.text for play in block.plays for item in play.bindings)
 
 
 _IMPORTABLE = (

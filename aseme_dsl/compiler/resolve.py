@@ -153,9 +153,9 @@ def _agents(collector: Collector, team: tree.Team, roles: set[str]) -> tuple[Age
                 unknown("E207", "there is no role", line.role, roles, "a role is an `srm` or a `statechart`")
             )
         for name, many in line.names:
-            if many is not None and not 0 <= many[1] - many[0] < MOST_AGENTS:
-                what = "is empty" if many[1] < many[0] else f"has more than {MOST_AGENTS} agents"
-                collector.report("E215", f"`{name}[{many[0]}..{many[1]}]` {what}", name.span)
+            if many is not None and many[1] - many[0] >= MOST_AGENTS:
+                problem = f"`{name}[{many[0]}..{many[1]}]` has more than {MOST_AGENTS} agents"
+                collector.report("E215", problem, name.span)
                 continue
             numbers = [""] if many is None else [str(number) for number in range(many[0], many[1] + 1)]
             for number in numbers:

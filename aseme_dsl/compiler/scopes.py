@@ -259,4 +259,5 @@ def _in_order(written: Mapping[str, tree.Let]) -> tuple[list[tree.Let], list[_Ci
 def _circle(circle: Sequence[tree.Let], use: tree.Name) -> Diagnostic:
     names = " → ".join(item.name.text for item in (*circle, circle[0]))
     related = (Related(use.span, "the circle closes here"),)
-    return Diagnostic("E510", f"a `let` refers to itself: {names}", circle[0].name.span, related)
+    hint = "a `let` stands for an expression; a value that changes is a variable (`var`)"
+    return Diagnostic("E510", f"a `let` refers to itself: {names}", circle[0].name.span, related, hint=hint)

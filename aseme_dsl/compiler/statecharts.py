@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import count
 
 from aseme_dsl.amola.statechart import (
     Node,
@@ -56,11 +57,11 @@ def read_statechart(
             found.append(problem)
         first = nodes.setdefault(node.label, node)
         if first is not node:
-            related = (Related(first.span, "the first one"),)
-            found.append(Diagnostic("E607", f"two states are labelled {node.label}", node.span, related))
+            found.append(_labelled_twice(node, first, written))
     damaged = is_damaged(written.span)  # then what is missing may only be unreadable
     if not damaged:
         found += _structure(written, nodes)
+        nodes = _with_root(nodes)
     lines: list[LabelledLine] = []
     for position, entry in enumerate(written.transitions):
         expression, problems = type_expression(entry.expression, typed.scope)
@@ -171,6 +172,8 @@ def _structure(written: tree.Statechart, nodes: Mapping[str, Node]) -> Iterator[
                 hint=f"add `state {node.parent} OR`",
             )
     for node in nodes.values():
+        if node.parent is None and node.type is not NodeType.OR:
+            continue  # that is said (E600)
         inside = children.get(node.label, [])
         match node.type:
             case NodeType.OR:
@@ -185,6 +188,27 @@ def _structure(written: tree.Statechart, nodes: Mapping[str, Node]) -> Iterator[
                     (Related(node.span, f"{node.label}"),),
                     hint=f"make {node.label} OR",
                 )
+
+
+def _with_root(nodes: dict[str, Node]) -> dict[str, Node]:
+    """The states with an OR as their only root: what is wrong with its type is said once (E600)."""
+    roots = [node for node in nodes.values() if node.parent is None]
+    if len(roots) != 1:
+        return nodes
+    return {**nodes, roots[0].label: replace(roots[0], type=NodeType.OR, activity=None)}
+
+
+def _labelled_twice(node: Node, first: Node, written: tree.Statechart) -> Diagnostic:
+    around = node.label.rpartition(".")[0]
+    labels = {item.label.text for item in written.nodes}
+    free = next(label for number in count(1) if (label := f"{around}.{number}") not in labels)
+    return Diagnostic(
+        "E607",
+        f"two states are labelled {node.label}",
+        node.span,
+        (Related(first.span, "the first one"),),
+        hint=f"give one of them another label, such as {free}" if around else None,
+    )
 
 
 def _or_rules(node: Node, inside: Sequence[Node]) -> Iterator[Diagnostic]:

@@ -86,7 +86,8 @@ def _check_tree(collector: Collector, declared: list[tree.Topic], found: dict[st
         if upper == item.name.text:
             assert item.under is not None
             path = " under ".join([*seen, upper])
-            collector.report("E217", f"the topic `{upper}` is below itself: {path}", item.under.span)
+            problem = f"the topic `{upper}` is below itself: {path}"
+            collector.report("E217", problem, item.under.span, "remove one `under`")
             found[upper] = replace(found[upper], under=None)
 
 

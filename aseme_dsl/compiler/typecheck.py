@@ -88,7 +88,7 @@ def constant(
     try:
         result = fold(value)
     except NotConstant as problem:
-        hint = "this is known only at run time"
+        hint = "this is known only at run time: assign it in an action"
         checker.report("E514", "an initial value must be a constant", problem.value.span, hint)
         return None, tuple(checker.diagnostics)
     except ArithmeticError as problem:
@@ -330,9 +330,8 @@ def _action(checker: Checker, written: tree.Action) -> amola.Action | None:
             value = _whole(checker, inner)
             if value is None:
                 return None
-            hint = None
-            if isinstance(value, amola.Compare) and value.operator == "==":
-                hint = "`=` assigns"
+            compares = isinstance(value, amola.Compare) and value.operator == "=="
+            hint = "`=` assigns" if compares else "assign it to a variable, or remove it"
             checker.report("W500", "the value is computed and dropped", span, hint)
             return amola.Evaluate(value, span)
 

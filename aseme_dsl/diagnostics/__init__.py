@@ -2,6 +2,7 @@
 
 from aseme_dsl.diagnostics.model import (
     CODES,
+    GROUPS,
     Code,
     Diagnostic,
     Edit,
@@ -17,6 +18,7 @@ from aseme_dsl.diagnostics.suggest import closest, surely
 
 __all__ = [
     "CODES",
+    "GROUPS",
     "NO_POLICY",
     "Code",
     "Diagnostic",

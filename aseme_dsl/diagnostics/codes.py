@@ -68,7 +68,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E212": ("error", "a clause names something that is not there"),
     "E213": ("error", "a name that means several things"),
     "E214": ("error", "a function without a Python function to call"),
-    "E215": ("error", "a range that is empty or too large"),
+    "E215": ("error", "a range with too many agents"),
     "E216": ("error", "an enum without constants"),
     "E217": ("error", "topics that are below each other"),
     "W200": ("warning", "a name that is close to a declared one"),
@@ -146,3 +146,15 @@ _TABLE: dict[str, tuple[str, str]] = {
 }
 
 CODES: dict[str, Code] = {code: Code(code, severity, title) for code, (severity, title) in _TABLE.items()}
+
+GROUPS = {
+    "0": "Files and projects",
+    "1": "Syntax",
+    "2": "Names and declarations",
+    "3": "Formulas",
+    "4": "Control",
+    "5": "Types",
+    "6": "Statecharts",
+    "7": "What is not said yet",
+}
+"""What the codes with a first digit are about."""

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 
-from aseme_dsl.diagnostics.codes import CODES, Code
+from aseme_dsl.diagnostics.codes import CODES, GROUPS, Code
 from aseme_dsl.source import Span
 
 
@@ -100,6 +100,7 @@ def in_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
 
 __all__ = [
     "CODES",
+    "GROUPS",
     "Code",
     "Diagnostic",
     "Edit",

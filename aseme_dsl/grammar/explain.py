@@ -111,7 +111,7 @@ class _Explanation:
         message = f"expected {wanted}{after}, found {shown(found)}"
         if tokens.begins_line(self.index) and self.index > self.first:
             # Something is missing at the end of a line, not wrong on the next one.
-            return Diagnostic("E100", message, self._span(self.index - 1))
+            return Diagnostic("E100", message, self._span(self.index - 1), hint=self._no_expression(wanted))
         return Diagnostic("E100", message, self._span(self.index), hint=self._what_may_stand_here())
 
     def not_closed(self) -> Diagnostic:
@@ -284,6 +284,13 @@ class _Explanation:
         if more and self.index < len(self.tokens) and not self.tokens.begins_line(self.index):
             return _alternatives([*more, "the next entry"])
         return _ENTRIES.get(self.mistake.kind) or _alternatives([*words, "'}'"])
+
+    def _no_expression(self, wanted: str) -> str | None:
+        """A transition by labels with nothing behind it: it has a colon nevertheless."""
+        if wanted != "':'" or self.tokens.word(self.index - 2) != "->":
+            return None
+        source, target = self.tokens.word(self.index - 3), self.tokens.word(self.index - 1)
+        return f"write '{source} -> {target} :' for one that waits for completion"
 
     def _what_may_stand_here(self) -> str | None:
         tokens = self.tokens

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from pygments.lexer import RegexLexer, words
-from pygments.token import Comment, Keyword, Name, Number, Operator, Punctuation, String, Whitespace
+from pygments.token import Comment, Keyword, Name, Number, Operator, Punctuation, String, Text, Whitespace
 from sphinx.application import Sphinx
 
 # Words that begin a block, an entry or a clause. Most of them are free to be names elsewhere; for
@@ -48,6 +48,8 @@ class AsemeLexer(RegexLexer):
             (r"[A-Za-z_][A-Za-z0-9_]*", Name),
             (r"->|[<>=!]=|&&|\|\||[-+*/%<>=!~|@?#ω]", Operator),
             (r"[][(){}.,:;]", Punctuation),
+            (r'"[^"\n]*', String),  # not closed: the examples of mistakes have what the language has not
+            (r".", Text),
         ]
     }
 

@@ -7,9 +7,12 @@ from collections.abc import Iterable, Sequence
 
 from docutils import nodes
 
+Cell = str | nodes.Node
+"""A text, in which what stands in backquotes is code, or what docutils shows."""
 
-def table(head: Sequence[str], rows: Iterable[Sequence[str]], widths: Sequence[int]) -> nodes.table:
-    """A table; what stands in backquotes is code."""
+
+def table(head: Sequence[Cell], rows: Iterable[Sequence[Cell]], widths: Sequence[int]) -> nodes.table:
+    """A table."""
     group = nodes.tgroup(cols=len(head))
     group += [nodes.colspec(colwidth=width) for width in widths]
     group += nodes.thead("", _row(head))
@@ -17,8 +20,12 @@ def table(head: Sequence[str], rows: Iterable[Sequence[str]], widths: Sequence[i
     return nodes.table("", group)
 
 
-def _row(cells: Sequence[str]) -> nodes.row:
-    return nodes.row("", *(nodes.entry("", nodes.paragraph("", "", *inline(cell))) for cell in cells))
+def _row(cells: Sequence[Cell]) -> nodes.row:
+    return nodes.row("", *(nodes.entry("", nodes.paragraph("", "", *_shown(cell))) for cell in cells))
+
+
+def _shown(cell: Cell) -> list[nodes.Node]:
+    return inline(cell) if isinstance(cell, str) else [cell]
 
 
 def inline(text: str) -> list[nodes.Node]:

@@ -54,7 +54,7 @@ def test_every_command_has_help_with_an_example(here: Here, name: str) -> None:
     ("arguments", "words"),
     [
         (["chekc"], "Did you mean 'check'?"),
-        (["fly"], "There are new, check, build"),
+        (["fly"], "There are new, check, explain"),
         (["check", "--nothing"], "No such option"),
         (["run"], "Missing argument"),
         (["run", "x.aseme", "--for", "5 apples"], "is no duration"),
