@@ -21,8 +21,6 @@ MODELS, DIAGRAMS, PROTO = "models", "diagrams", "proto"
 PARTS = (MODELS, DIAGRAMS, PROTO)
 """The parts of a build that are not a backend's; the name of each is that of its folder."""
 
-OUTPUT = "out"
-"""Where a build goes unless something else is said."""
 ACTIVITIES = "activities"
 """Where a backend puts first versions of activities, in its own folder."""
 

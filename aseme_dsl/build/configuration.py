@@ -16,6 +16,8 @@ from aseme_dsl.source import Source, Span
 FILE = "pyproject.toml"
 TABLE = "tool.asemec"
 RUN_TABLE = "tool.asemec.run"
+OUTPUT = "out"
+"""Where a build goes unless something else is said."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from aseme_dsl.build.configuration import FILE, Configuration, find_configuration, read_configuration
+from aseme_dsl.build.configuration import FILE, OUTPUT, Configuration, find_configuration, read_configuration
 from aseme_dsl.build.inputs import Inputs, find_inputs
 from aseme_dsl.compiler import Options, analyse
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
@@ -73,11 +73,17 @@ def options_of(configuration: Configuration, max_states: int | None = None) -> O
 
 
 def compile_root(
-    root: Path | Source, *, max_states: int | None = None, sources: Mapping[str, str] | None = None
+    root: Path | Source,
+    *,
+    max_states: int | None = None,
+    sources: Mapping[str, str] | None = None,
+    activities: Path | None = None,
 ) -> Compiled:
-    """Compile a root; `max_states` goes before what the configuration says.
+    """Compile a root, and compare the code of its activities with what it says of them.
 
-    Texts in `sources` (by path) are taken instead of the files on disk.
+    `max_states` and the folder of the `activities` go before what the configuration says; without either, the
+    code is looked for where a build would put it. Texts in `sources` (by path) are taken instead of the files
+    on disk.
     """
     folder = Path(root.path).parent if isinstance(root, Source) else root.parent
     configuration, problems = find_configuration(folder)
@@ -89,8 +95,27 @@ def compile_root(
     analysis = analyse(root, sources, options_of(configuration, max_states))
     diagnostics = in_order((*problems, *analysis.diagnostics))
     system = None if has_errors(diagnostics) else analysis.system
+    suppressed = analysis.suppressed
+    if system is not None:
+        problems, allowed = _code_problems(system, configuration, activities)
+        diagnostics = in_order((*diagnostics, *configuration.diagnostics.apply(problems)))
+        suppressed += allowed
     files = tuple(source.path for source in system.sources) if system else ()
-    return Compiled(root, configuration, system, diagnostics, files, analysis.is_library, analysis.suppressed)
+    return Compiled(root, configuration, system, diagnostics, files, analysis.is_library, suppressed)
+
+
+def _code_problems(
+    system: System, configuration: Configuration, activities: Path | None
+) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
+    """What the code of the activities gets wrong, where there is some; several systems may share it."""
+    output = configuration.output or Path(OUTPUT)
+    if activities is None and configuration.activities is None and not output.is_dir():
+        return (), ()
+    from aseme_dsl.build.activity_code import check_code
+    from aseme_dsl.build.build import activities_folder, choose
+
+    folder = activities_folder(output, choose(configuration, activities=activities))
+    return check_code(system, folder, alone=len(configuration.files) < 2)
 
 
 def check(inputs: Inputs, sources: Mapping[str, str] | None = None) -> Checked:

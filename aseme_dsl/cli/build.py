@@ -76,13 +76,14 @@ def command(
     colour: str,
 ) -> int:
     """Build each system; 1 if there is an error in a file, or something cannot be written."""
-    from aseme_dsl.build.build import OUTPUT, PARTS, build, choose
+    from aseme_dsl.build.build import PARTS, build, choose
+    from aseme_dsl.build.configuration import OUTPUT
     from aseme_dsl.build.project import compile_root, inputs_of
 
     check_backends((item for item in only if item not in PARTS), PARTS)
     check_backends(backends)
     inputs = inputs_of(files, standard_input)
-    compiled = [compile_root(root) for root in inputs.roots]
+    compiled = [compile_root(root, activities=activities) for root in inputs.roots]
     found = [*inputs.diagnostics, *(problem for item in compiled for problem in item.diagnostics)]
     reports: list[Report] = []
     if not has_errors(found):

@@ -216,7 +216,8 @@ def _build(
     colour: str,
 ) -> tuple[Report, Configuration, Choice] | int:
     """Build the one system that the target means; or the exit code, after saying what is wrong."""
-    from aseme_dsl.build.build import OUTPUT, build, choose
+    from aseme_dsl.build.build import build, choose
+    from aseme_dsl.build.configuration import OUTPUT
     from aseme_dsl.diagnostics import Severity
 
     compiled = one_system(target)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Expired, Not, TransitionExpression, operands
 from aseme_dsl.amola.liveness import Formula, Operator, ungrouped
+from aseme_dsl.compiler.constants import NotConstant, fold
 from aseme_dsl.compiler.control import Line, Lines
 from aseme_dsl.compiler.formula_to_statechart import Way
 from aseme_dsl.compiler.formulas import Formulas
@@ -57,6 +58,7 @@ def check_formulas(
                 found += check_choice(choice)
             for loop in loops:
                 found += check_loop(loop)
+            found += _endless_once(terms, lines)
         for group in (*choices, *loops, *others):
             found += check_group(group)
         for group in (*loops, *others):
@@ -169,10 +171,23 @@ def _waits(written: tree.TransitionExpression) -> bool:
 
 
 def check_loop(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
-    """A loop that repeats and leaves without a condition only ever does what comes first: E407."""
-    if any(item.is_decided for item in alternatives):
-        return
+    """A loop that repeats and leaves without a condition only ever does what comes first: E407.
+
+    One whose conditions are constant is W420: it never repeats, or is never left.
+    """
     repeat, leave = alternatives
+    if any(item.is_decided for item in alternatives):
+        for item, other, what in ((repeat, leave, "never repeats"), (leave, repeat, "is never left")):
+            reason = _never(item, other)
+            if reason is not None:
+                yield Diagnostic(
+                    "W420",
+                    f"the loop {what}",
+                    item.place,
+                    (Related(reason, "because of this"),) if reason != item.place else (),
+                    hint=f"let `{item.name}` and `{other.name}` have conditions that can hold and can fail",
+                )
+        return
     yield Diagnostic(
         "E407",
         f"`{repeat.name}` and `{leave.name}` are both without a condition: the loop is never left",
@@ -180,6 +195,48 @@ def check_loop(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
         _places(alternatives),
         hint=f"write `{repeat.name} : [ … ]`, and `{leave.name} : else` or another condition",
     )
+
+
+def _endless_once(terms: Terms, lines: Lines) -> Iterator[Diagnostic]:
+    """W420 for a loop without an end (`A~`) whose `repeat` has a condition that never holds."""
+    for term in terms.parents:
+        if term.operator is Operator.FOREVER:
+            body = ungrouped(term.operands[0])
+            own = lines.of(("repeat", body))
+            if own and all(_fixed(line) is False for line in own):
+                hint = f"let `repeat {spelling(terms, body)}` have a condition that can hold"
+                yield Diagnostic("W420", "the loop never repeats", own[0].span, hint=hint)
+
+
+def _never(item: Alternative, other: Alternative) -> Span | None:
+    """The line because of which an alternative is never taken: its own, or one of the other's."""
+    fixed = [_fixed(line) for line in item.lines]
+    if item.lines and all(truth is False for truth in fixed):
+        return item.lines[0].span
+    always = next((line for line in other.lines if _fixed(line) is True), None)
+    if always is None:
+        return None
+    for line, truth in zip(item.lines, fixed, strict=True):
+        written = line.written
+        if written.events or written.when:
+            return None
+        if truth is None and written.condition is not None and line.position < always.position:
+            return None
+    return always.span
+
+
+def _fixed(line: Line) -> bool | None:
+    """Whether the condition of a line holds always (True) or never (False), as far as constants say."""
+    condition = line.expression.condition
+    if condition is None:
+        return None
+    try:
+        value = fold(condition)
+    except (NotConstant, ArithmeticError):
+        return None
+    if line.written.events and value:
+        return None
+    return bool(value)
 
 
 def check_group(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:

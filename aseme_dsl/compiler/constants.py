@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from operator import ge, gt, le, lt
+from typing import Any
 
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Value
@@ -41,6 +44,11 @@ def fold(value: Value) -> Constant:
             return -inner_value
         case amola.Not(operand=operand):
             return not fold(operand)
+        case amola.Logic(operator=operator, operands=parts):
+            truths = [fold(part) for part in parts]
+            return all(truths) if operator == "&&" else any(truths)
+        case amola.Compare(operator=operator, left=left, right=right):
+            return _compare(operator, fold(left), fold(right))
         case amola.Arithmetic(operator=operator, left=left, right=right, type=kind):
             first, second = fold(left), fold(right)
             assert not isinstance(first, str) and not isinstance(second, str)
@@ -51,6 +59,18 @@ def fold(value: Value) -> Constant:
                 raise OverflowError("it is too large")
             return round(result) if kind == DURATION else result
     raise NotConstant(value)
+
+
+def _compare(operator: str, first: Constant, second: Constant) -> bool:
+    match operator:
+        case "==":
+            return first == second
+        case "!=":
+            return first != second
+    return _ORDERS[operator](first, second)
+
+
+_ORDERS: dict[str, Callable[[Any, Any], bool]] = {"<": lt, "<=": le, ">": gt, ">=": ge}
 
 
 def _arithmetic(operator: str, first: float, second: float) -> int | float:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
+    After,
     Age,
     Assign,
     Expired,
@@ -18,7 +19,7 @@ from aseme_dsl.amola.expression import (
     walk,
 )
 from aseme_dsl.amola.messages import Comm
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
+from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition
 from aseme_dsl.compiler.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
 from aseme_dsl.source import Span
@@ -109,6 +110,40 @@ def _renamed(value: Expired, name: str) -> tuple[Edit, ...]:
         return ()
     start = value.span.start + written.start()
     return (Edit(Span(value.span.source, start, start + len(value.timer)), name),)
+
+
+def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
+    """N724 for a state that may complete and is then left by time or by a `when` only.
+
+    A line with an event or `when` takes the place of the way out on completion. A message, an event or an
+    `error` is plainly meant to be waited for; a time limit or a `when` may be meant besides completion.
+    """
+    ended = {node.parent for node in chart.nodes if node.type is NodeType.END}
+    for node in chart.nodes:
+        if node.type is not NodeType.BASIC and not (node.type is NodeType.OR and node.label in ended):
+            continue
+        ways = chart.outgoing(node.label)
+        if node.origin.kind is OriginKind.STATECHART:
+            continue  # there is no template whose way out was replaced
+        if not ways or not all(_is_limit(item.expression) for item in ways):
+            continue
+        name, line = cut(node.name), ways[0].span.text.partition(":")[0].strip()
+        hint = "if completion is meant to lead there, too, write a line without event beside this one"
+        if "\n" not in line and len(line) < 60:
+            hint = f"write `{line} :` beside it if it is also left when it is complete"
+        yield Diagnostic(
+            "N724",
+            f"`{name}` is left only by this, not when it is complete",
+            ways[0].span,
+            (Related(node.span, f"`{name}`"),),
+            hint=hint,
+        )
+
+
+def _is_limit(expression: TransitionExpression) -> bool:
+    if expression.events:
+        return all(isinstance(event, After) for event in expression.events)
+    return expression.when
 
 
 def _is_left(chart: Statechart, node: Node, left: set[str]) -> bool:
@@ -328,4 +363,4 @@ def _names(nodes: Iterable[Node]) -> Iterator[str]:
     return (node.name if node.type in (NodeType.OR, NodeType.AND, NodeType.BASIC) else "·" for node in nodes)
 
 
-__all__ = ["check_flow", "check_reach", "check_timers"]
+__all__ = ["check_completion", "check_flow", "check_reach", "check_timers"]

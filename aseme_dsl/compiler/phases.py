@@ -35,6 +35,7 @@ from aseme_dsl.compiler.srm_to_iac import Role, read_role, srm_to_iac
 from aseme_dsl.compiler.statecharts import build_statechart, read_statechart
 from aseme_dsl.compiler.suc_to_aip import read_aip, suc_to_aip
 from aseme_dsl.compiler.suc_to_srm import read_srm, suc_to_srm
+from aseme_dsl.compiler.use import check_use
 from aseme_dsl.compiler.usecases import use_cases
 from aseme_dsl.diagnostics import Diagnostic, has_errors
 from aseme_dsl.grammar import tree
@@ -126,6 +127,8 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
 
     if not has_errors(found):  # else the line that starts a timer may be what is missing
         found += [problem for chart in charts for problem in check_timers(chart)]
+        if symbols.system is not None and len(charts) == len(eacs) + len(iacs):
+            found += check_use(_built(iacs), _built(eacs), described, list(_described_in(blocks)), symbols)
 
     diagnostics, suppressed = allow(loaded.files, without_consequences(found))
     diagnostics = options.policy.apply(diagnostics)

@@ -58,8 +58,17 @@ def _activities(formulas: tuple[tree.NamedFormula, ...]) -> set[str]:
 
 
 def _publishers(collector: Collector) -> set[str]:
-    """Roles and activities: those who may be said to publish, besides the agents."""
-    found = set()
+    """Roles and activities: those who may be said to publish, besides the agents.
+
+    Roles outside the system (people, and systems that are there already) are those of the use cases.
+    """
+    found = {
+        name.text
+        for suc in collector.every(tree.Suc)
+        for group in suc.roles
+        if group.type is not None and group.type.text in ("human", "legacy", "external")
+        for name in group.names
+    }
     for role in collector.every(tree.Srm):
         found.add(role.name.text)
         found |= _activities(role.formulas)

@@ -103,6 +103,10 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W401": ("warning", "an `else` beside a timer"),
     "W402": ("warning", "a wait for something that never completes"),
     "W403": ("warning", "a cycle that never rests"),
+    "W420": ("warning", "a loop that never repeats or is never left"),
+    "W421": ("warning", "a message that is filled and never published"),
+    "W422": ("warning", "a message that is published and never read"),
+    "W423": ("warning", "a timer that nothing asks for"),
     # Types (E5xx)
     "E500": ("error", "types that do not fit"),
     "E501": ("error", "an unknown member"),
@@ -124,6 +128,15 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E517": ("error", "a condition without its brackets"),
     "W500": ("warning", "an action that no one sees"),
     "W501": ("warning", "a timer that is never started"),
+    "W520": ("warning", "a signal that nobody reads"),
+    "W521": ("warning", "a signal that an earlier reader has used up"),
+    "W522": ("warning", "a message that nothing publishes"),
+    "W523": ("warning", "a history that its source cannot fill"),
+    # The Python of the activities (W53x)
+    "W530": ("warning", "code that names what is not there"),
+    "W531": ("warning", "an activity that does what it does not say"),
+    "W532": ("warning", "an event that nothing waits for"),
+    "W533": ("warning", "an activity whose code cannot be found"),
     # Statecharts (E6xx): the structural rules of the papers' tools
     "E600": ("error", "a statechart without exactly one root"),
     "E601": ("error", "an OR state without exactly one START"),
@@ -143,6 +156,13 @@ _TABLE: dict[str, tuple[str, str]] = {
     "N702": ("note", "a role without a formula for a use case"),
     "N703": ("note", "a role that is not written yet"),
     "N704": ("note", "transitions without an expression"),
+    # What may not be meant (N72x)
+    "N720": ("note", "a message that may not be there yet"),
+    "N721": ("note", "a history that is not looked at as time passes"),
+    "N722": ("note", "messages of which nothing says who publishes them"),
+    "N723": ("note", "messages of several agents that are read as one"),
+    "N724": ("note", "a state that is not left on completion"),
+    "N725": ("note", "a variable that is written and never read"),
 }
 
 CODES: dict[str, Code] = {code: Code(code, severity, title) for code, (severity, title) in _TABLE.items()}

@@ -1,0 +1,340 @@
+"""Activity code: whether the Python of the activities keeps to what the system says of them.
+
+The code is parsed, never imported. What is looked at are calls on the activity's context whose channel,
+variable or event is written there as a text, or is a constant of the same module.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from aseme_dsl.amola.expression import Raised
+from aseme_dsl.amola.messages import Channel, Comm
+from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.diagnostics import Diagnostic, Related, Suppressed, closest
+from aseme_dsl.runtime.naming import class_name, module_name
+from aseme_dsl.source import Source, Span
+
+if TYPE_CHECKING:
+    from aseme_dsl.amola.srm import Activity
+    from aseme_dsl.amola.system import System
+
+_ALLOW = re.compile(r"#\s*asemec\s*:\s*allow\s*\((?P<codes>[^()]*)\)\s*(?P<reason>.*)")
+_READS = ("read", "state", "latest", "history", "take")
+_VARIABLES = ("set", "variable")
+_METHODS = (*_READS, *_VARIABLES, "publish", "raise_event")
+
+
+def check_code(
+    system: System, folder: Path, *, alone: bool = True
+) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
+    """What the modules in `folder` get wrong of the system: W530 to W533.
+
+    A module that is not there is not asked for. Second comes what a comment on the line allows:
+    `# asemec: allow(CODE) reason`.
+    `alone`: the folder belongs to this system only. If other systems share it, a name that nothing here is
+    like may be one of theirs.
+    """
+    if not folder.is_dir():
+        return (), ()
+    world = _World.of(system, alone)
+    found: list[Diagnostic] = []
+    known: set[str] = set()
+    for activity in system.activities:
+        path = folder / f"{module_name(activity.name)}.py"
+        known.add(path.name)
+        module = _module(path, found)
+        if module is not None:
+            found += _of_activity(module, activity, world)
+    for path in sorted(folder.glob("*.py")):
+        if path.name not in known:
+            helper = _module(path, [])
+            if helper is not None:
+                found += (problem for call in _calls(helper) for problem in _unknown(call, None, world))
+    kept = [item for item in found if _allowed(item) is None]
+    return tuple(kept), tuple(allowed for item in found if (allowed := _allowed(item)) is not None)
+
+
+def _allowed(item: Diagnostic) -> Suppressed | None:
+    """The problem with the comment on its line that allows it, if there is one."""
+    if item.span is None:
+        return None
+    source, number = item.span.source, item.span.line
+    written = _ALLOW.search(source.line(number))
+    if written is None or item.code not in re.split(r"[\s,]+", written["codes"]):
+        return None
+    start = source.line_start(number) + written.start("codes")
+    return Suppressed(item, Span(source, start, start + len(written["codes"])), written["reason"].strip())
+
+
+@dataclass(frozen=True, slots=True)
+class _World:
+    """What code may name."""
+
+    channels: Mapping[str, Channel]
+    topics: frozenset[str]
+    agents: frozenset[str]
+    variables: Mapping[str, frozenset[str]]
+    """Of each activity: those of the roles and participants that perform it."""
+    events: Mapping[str, Span]
+    alone: bool
+
+    @classmethod
+    def of(cls, system: System, alone: bool) -> _World:
+        channels = [rules.channel for topic in system.topics for rules in topic.channels]
+        variables: dict[str, set[str]] = {}
+        events: dict[str, Span] = {}
+        for chart in system.iacs:
+            own = {item.name.partition("@")[0] for item in chart.variables}
+            for node in chart.nodes:
+                if node.type is NodeType.BASIC and node.activity is not None:
+                    variables.setdefault(node.activity, set()).update(own)
+            for transition in chart.transitions:
+                for event in transition.expression.events:
+                    if isinstance(event, Raised):
+                        events.setdefault(event.name, event.span)
+        return cls(
+            {str(channel): channel for channel in channels},
+            frozenset(topic.name for topic in system.topics),
+            frozenset(agent.name for team in system.teams for agent in team.agents),
+            {name: frozenset(found) for name, found in variables.items()},
+            events,
+            alone,
+        )
+
+
+# ---- modules and calls ---------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Module:
+    source: Source
+    tree: ast.Module
+    constants: Mapping[str, ast.Constant]
+
+    def span(self, node: ast.expr | ast.stmt) -> Span:
+        """The place of a node: Python counts columns in bytes of UTF-8."""
+        start = self._offset(node.lineno, node.col_offset)
+        end = self._offset(node.end_lineno or node.lineno, node.end_col_offset or node.col_offset)
+        return Span(self.source, start, max(start, end))
+
+    def _offset(self, line: int, column: int) -> int:
+        text = self.source.line(line)
+        before = len(text.encode()[:column].decode(errors="replace"))
+        return self.source.line_start(line) + before
+
+
+@dataclass(frozen=True, slots=True)
+class _Call:
+    """`context.method("name", host="…")`, with the name's place; `host` is the sender's or None."""
+
+    method: str
+    name: str
+    span: Span
+    host: tuple[str, Span] | None
+
+
+def _module(path: Path, found: list[Diagnostic]) -> _Module | None:
+    """A module, or None; what is no Python is W533."""
+    try:
+        text = path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
+    except (OSError, UnicodeDecodeError):
+        return None
+    source = Source(str(path), text)
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as problem:
+        line = min(max(getattr(problem, "lineno", None) or 1, 1), text.count("\n") + 1)
+        start = source.line_start(line)
+        span = Span(source, start, start + len(source.line(line)))
+        reason = problem.msg if isinstance(problem, SyntaxError) else str(problem)
+        found.append(Diagnostic("W533", f"this is no Python: {reason}", span))
+        return None
+    constants = {
+        target.id: node.value
+        for node in tree.body
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant)
+        for target in node.targets
+        if isinstance(target, ast.Name)
+    }
+    return _Module(source, tree, constants)
+
+
+def _calls(module: _Module) -> list[_Call]:
+    """The calls on a context, in the order of the text."""
+    contexts = {"context"}
+    for node in ast.walk(module.tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            for argument in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs):
+                if argument.annotation is not None and _last(argument.annotation) == "Context":
+                    contexts.add(argument.arg)
+    found: list[_Call] = []
+    for node in ast.walk(module.tree):
+        if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)):
+            continue
+        if node.func.attr not in _METHODS or _last(node.func.value) not in contexts:
+            continue
+        named = {keyword.arg: keyword.value for keyword in node.keywords}
+        first = node.args[0] if node.args else named.get("channel", named.get("name"))
+        said = _text(module, first)
+        if first is None or said is None:
+            continue
+        host = named.get("host")
+        sender = _text(module, host)
+        from_host = (sender, module.span(host)) if host is not None and sender is not None else None
+        found.append(_Call(node.func.attr, said, module.span(first), from_host))
+    return sorted(found, key=lambda call: call.span.start)
+
+
+def _last(node: ast.expr) -> str | None:
+    """The last name of `a.b.Context`, or of the text that an annotation may be."""
+    if isinstance(node, ast.Name):
+        return node.id
+    if isinstance(node, ast.Attribute):
+        return node.attr
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        return node.value.rpartition(".")[2]
+    return None
+
+
+def _text(module: _Module, node: ast.expr | None) -> str | None:
+    if isinstance(node, ast.Name):
+        node = module.constants.get(node.id)
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
+
+
+# ---- what they say -------------------------------------------------------------------------------
+
+
+def _of_activity(module: _Module, activity: Activity, world: _World) -> Iterator[Diagnostic]:
+    classes = [node for node in module.tree.body if isinstance(node, ast.ClassDef)]
+    wanted = class_name(activity.name)
+    if not any(node.name == wanted for node in classes) and not _brings(module.tree, wanted):
+        start = Span(module.source, 0, 0)
+        near = closest(wanted, [node.name for node in classes])
+        yield Diagnostic(
+            "W533",
+            f"the code of the activity `{activity.name}` has no class `{wanted}`",
+            next((_named(module, node) for node in classes if node.name == near), start),
+            (Related(activity.span, "the activity"),),
+            hint=f"did you mean `{wanted}`?" if near else f"write `class {wanted}:`",
+        )
+    undeclared: dict[tuple[str, str], _Call] = {}
+    for call in _calls(module):
+        problems = list(_unknown(call, activity, world))
+        yield from problems
+        if not problems:
+            what = _missing(call, activity) if _is_known(call, activity, world) else None
+            if what is not None:
+                undeclared.setdefault(what, call)
+    for (clause, name), call in undeclared.items():
+        doing = "reads" if clause == "reads" else "writes"
+        yield Diagnostic(
+            "W531",
+            f"`{activity.name}` {doing} `{name}`, which it does not say",
+            call.span,
+            (Related(activity.span, "what is said of it" if _is_described(activity) else "the activity"),),
+            hint=f"add `{clause} {name}` to it among the `activities` of the role",
+        )
+
+
+def _is_described(activity: Activity) -> bool:
+    return bool(activity.reads or activity.writes or activity.writes_variables or activity.uses)
+
+
+def _named(module: _Module, node: ast.ClassDef) -> Span:
+    start = module.span(node).start
+    start = module.source.text.find(node.name, start)
+    return Span(module.source, start, start + len(node.name))
+
+
+def _brings(tree: ast.Module, name: str) -> bool:
+    """Whether the module imports the name, assigns it, or imports whatever there is."""
+    for node in tree.body:
+        match node:
+            case ast.ImportFrom(names=names) | ast.Import(names=names):
+                if any((item.asname or item.name) in (name, "*") for item in names):
+                    return True
+            case ast.Assign(targets=targets):
+                if any(isinstance(item, ast.Name) and item.id == name for item in targets):
+                    return True
+            case ast.If() | ast.Try() | ast.With():
+                return True
+    return False
+
+
+def _unknown(call: _Call, activity: Activity | None, world: _World) -> Iterator[Diagnostic]:
+    """W530 for what is not there, W532 for an event that nothing waits for."""
+    if call.method == "raise_event":
+        if call.name not in world.events:
+            near = closest(call.name, world.events)
+            if near is not None or world.alone:
+                related = (Related(world.events[near], f"`{near}` is waited for here"),) if near else ()
+                hint = f"did you mean `{near}`?" if near else "let a transition wait for it, or leave it out"
+                message = f"no transition waits for the event `{call.name}`"
+                yield Diagnostic("W532", message, call.span, related, hint=hint)
+        return
+    if call.method in _VARIABLES:
+        own = world.variables.get(activity.name, frozenset()) if activity is not None else frozenset()
+        if activity is not None and call.name not in own:
+            near = closest(call.name, own)
+            if near is not None or world.alone:
+                hint = f"did you mean `{near}`?" if near else f"declare it: `var {call.name} : …`"
+                message = f"no role that performs `{activity.name}` has a variable `{call.name}`"
+                yield Diagnostic("W530", message, call.span, hint=hint)
+        return
+    if call.name not in world.channels:
+        near = closest(call.name, world.channels)
+        if near is not None or world.alone or call.name.partition(".")[0] in world.topics:
+            yield Diagnostic(
+                "W530",
+                f"there is no channel `{call.name}`",
+                call.span,
+                hint=f"did you mean `{near}`?" if near else _channel_hint(call.name, world),
+            )
+        return
+    if call.host is not None and world.agents and call.host[0] not in world.agents:
+        near = closest(call.host[0], world.agents)
+        if near is not None or world.alone:
+            message = f"there is no agent `{call.host[0]}`"
+            yield Diagnostic("W530", message, call.host[1], hint=f"did you mean `{near}`?" if near else None)
+        return
+    if call.method == "history" and world.channels[call.name].comm is not Comm.DATA:
+        comm = world.channels[call.name].comm
+        message = f"only data has a history; `{call.name}` is a {comm}"
+        yield Diagnostic("W530", message, call.span)
+
+
+def _channel_hint(name: str, world: _World) -> str:
+    topic = name.partition(".")[0]
+    own = [text for text in world.channels if text.partition(".")[0] == topic]
+    if own:
+        return f"`{topic}` has " + ", ".join(f"`{text}`" for text in own)
+    return "a channel is `topic.class.Message`, of a topic that the system declares"
+
+
+def _is_known(call: _Call, activity: Activity, world: _World) -> bool:
+    """Whether it is a name of this system, and not one that another system may have."""
+    if call.method in _VARIABLES:
+        return call.name in world.variables.get(activity.name, frozenset())
+    return call.name in world.channels
+
+
+def _missing(call: _Call, activity: Activity) -> tuple[str, str] | None:
+    """The clause and the name that the description of the activity lacks."""
+    if call.method in _READS:
+        reads = any(item.channel is None or str(item.channel) == call.name for item in activity.reads)
+        return None if reads else ("reads", call.name)
+    if call.method == "publish":
+        return None if call.name in map(str, activity.writes) else ("writes", call.name)
+    if call.method == "set":
+        return None if call.name in activity.writes_variables else ("writes", call.name)
+    return None
+
+
+__all__ = ["check_code"]

@@ -1,0 +1,40 @@
+"""Use: what a system without errors says and nothing uses, or uses and nothing says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.compiler.flow import check_completion
+from aseme_dsl.compiler.leftovers import check_leftovers
+from aseme_dsl.compiler.message_life import check_life
+from aseme_dsl.compiler.message_use import message_use
+from aseme_dsl.compiler.presence import check_presence
+from aseme_dsl.compiler.signal_readers import check_signals
+from aseme_dsl.compiler.symbols import Symbols
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.grammar import tree
+
+
+def check_use(
+    roles: Sequence[Statechart],
+    protocols: Sequence[Statechart],
+    activities: Mapping[str, Activity],
+    written: Sequence[tree.Activity],
+    symbols: Symbols,
+) -> Iterator[Diagnostic]:
+    """Messages, signals, timers and variables over their life, in the charts of the roles.
+
+    What protocols read and publish counts as read and published, whether a role plays them or not.
+    """
+    use = message_use((*roles, *protocols), activities, written, symbols)
+    yield from check_life(roles, use, activities, symbols)
+    for chart in roles:
+        yield from check_signals(chart, activities, symbols)
+        yield from check_presence(chart, activities)
+        yield from check_leftovers(chart)
+        yield from check_completion(chart)
+
+
+__all__ = ["check_use"]

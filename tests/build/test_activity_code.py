@@ -1,0 +1,180 @@
+"""What `asemec check` says of the Python of the activities, which it reads and never runs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.build.activity_code import check_code
+from aseme_dsl.diagnostics import Diagnostic
+from tests.support.compiling import system
+
+SYSTEM = """
+system Team
+
+message Ball { bool visible }
+topic vision { state Ball  data Ball }
+topic motion { signal Ball }
+
+aip deal {
+  participant buyer { engage "It wants." var bids : int = 0 process = Collect . Pay }
+  participant seller { engage "It has." process = Offer }
+  outcome "Sold."
+  control buyer { enter Pay : [bids > 0] }
+}
+
+srm player {
+  plays deal.buyer
+  var tired : bool = false
+  liveness { player = Look~ || (Search . Walk . buyer) || Legs~ }
+  control player {
+    enter Walk : seen
+    enter buyer : [tired]
+  }
+  activities {
+    Look    writes vision.state.Ball, vision.data.Ball
+    Search  reads vision.state.Ball, vision.data.Ball  writes tired, motion.signal.Ball
+    Legs    reads motion.signal.Ball
+    Collect writes bids
+  }
+}
+
+srm other { plays deal.seller  liveness { other = seller } }
+
+team Team { one, two : player  three : other }
+"""
+
+
+def say(folder: Path, name: str, code: str, *, alone: bool = True) -> list[Diagnostic]:
+    (folder / name).write_text(code, "utf-8")
+    found, _ = check_code(system(SYSTEM), folder, alone=alone)
+    return list(found)
+
+
+def activity(body: str, name: str = "Search") -> str:
+    return f"class {name}:\n    def execute(self, context):\n        {body}\n"
+
+
+def shown(found: list[Diagnostic]) -> list[tuple[str, str, str | None]]:
+    return [(item.code, item.span.text if item.span else "", item.hint) for item in found]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        'context.read("vision.state.Ball")',
+        'context.history("vision.data.Ball", host="one")',
+        'context.publish("motion.signal.Ball", ball)',
+        'context.set("tired", context.variable("tired"))',
+        'context.raise_event("seen")',
+        "context.read(channel)",
+        'other.read("no.state.Channel")',
+        'context.log("no.state.Channel")',
+    ],
+)
+def test_what_is_right_or_cannot_be_known_is_not_reported(tmp_path: Path, body: str) -> None:
+    assert say(tmp_path, "search.py", activity(body)) == []
+
+
+@pytest.mark.parametrize(
+    ("body", "code", "place", "hint"),
+    [
+        (
+            'context.read("vision.state.Bal")',
+            "W530",
+            '"vision.state.Bal"',
+            "did you mean `vision.state.Ball`?",
+        ),
+        ('context.read(channel="vison.state.Ball")', "W530", '"vison.state.Ball"', None),
+        ('context.take("motion.state.Ball")', "W530", '"motion.state.Ball"', None),
+        ('context.history("vision.state.Ball")', "W530", '"vision.state.Ball"', None),
+        ('context.latest("vision.state.Ball", host="on")', "W530", '"on"', "did you mean `one`?"),
+        ('context.set("tird", True)', "W530", '"tird"', "did you mean `tired`?"),
+        ('context.variable("x")', "W530", '"x"', "declare it: `var x : …`"),
+        ('context.raise_event("sene")', "W532", '"sene"', "did you mean `seen`?"),
+        ('context.publish("vision.state.Ball", ball)', "W531", '"vision.state.Ball"', None),
+        ('context.read("motion.signal.Ball")', "W531", '"motion.signal.Ball"', None),
+    ],
+)
+def test_what_is_wrong(tmp_path: Path, body: str, code: str, place: str, hint: str | None) -> None:
+    ((found, text, said),) = shown(say(tmp_path, "search.py", activity(body)))
+    assert (found, text) == (code, place)
+    assert hint is None or said == hint
+
+
+def test_constants_other_names_of_the_context_and_helpers_of_the_module_are_understood(
+    tmp_path: Path,
+) -> None:
+    code = """from aseme_dsl.runtime import Context
+
+BALL = "vision.state.Bal"
+
+
+class Search:
+    def execute(self, me: Context) -> None:
+        print("ö", me.read(BALL))
+        self.context = me
+        self._more()
+
+    def _more(self) -> None:
+        self.context.publish("vison.state.Ball", 1)
+"""
+    found = say(tmp_path, "search.py", code)
+    assert [(item.span.line, item.span.text) for item in found if item.span] == [
+        (8, "BALL"),
+        (13, '"vison.state.Ball"'),
+    ]
+    assert found[0].span is not None and found[0].span.column == 28
+
+
+def test_what_is_done_several_times_is_said_once(tmp_path: Path) -> None:
+    body = 'context.read("motion.signal.Ball"); context.take("motion.signal.Ball")'
+    assert [item.code for item in say(tmp_path, "search.py", activity(body))] == ["W531"]
+
+
+def test_a_participants_variables_are_those_of_its_activities(tmp_path: Path) -> None:
+    assert say(tmp_path, "collect.py", activity('context.set("bids", 3)', "Collect")) == []
+    assert say(tmp_path, "pay.py", activity('context.set("bids", 3)', "Pay"))[0].code == "W531"
+    assert say(tmp_path, "offer.py", activity('context.variable("bids")', "Offer"))[-1].code == "W530"
+
+
+def test_a_module_that_is_no_python_or_has_no_class(tmp_path: Path) -> None:
+    (found,) = say(tmp_path, "search.py", "class Search:\n    def execute(self, context)\n        pass\n")
+    assert found.code == "W533" and found.span is not None and found.span.line == 2
+    (found,) = say(tmp_path, "search.py", activity("pass", "Serach"))
+    assert (found.code, found.hint) == ("W533", "did you mean `Search`?")
+    (found,) = say(tmp_path, "search.py", "")
+    assert (found.code, found.hint) == ("W533", "write `class Search:`")
+    assert say(tmp_path, "search.py", "from .others import Search\n") == []
+    assert say(tmp_path, "search.py", "Search = make()\n") == []
+    assert say(tmp_path, "search.py", "\0")[0].code == "W533"
+
+
+def test_other_modules_of_the_folder_are_asked_for_channels_only(tmp_path: Path) -> None:
+    code = 'def look(context):\n    context.set("anything", 1)\n    return context.read("vision.state.Bal")\n'
+    assert [item.code for item in say(tmp_path, "knowledge.py", code)] == ["W530"]
+    (tmp_path / "knowledge.py").write_text("this is no Python")
+    assert check_code(system(SYSTEM), tmp_path) == ((), ())
+
+
+def test_what_another_system_of_the_folder_may_have_is_not_reported(tmp_path: Path) -> None:
+    body = 'context.read("game.state.Score"); context.raise_event("goal"); context.set("score", 1)'
+    assert len(say(tmp_path, "search.py", activity(body))) == 3
+    assert say(tmp_path, "search.py", activity(body), alone=False) == []
+    near = activity('context.read("vision.state.Bal")')
+    assert [item.code for item in say(tmp_path, "search.py", near, alone=False)] == ["W530"]
+
+
+def test_a_folder_that_is_not_there_is_no_problem(tmp_path: Path) -> None:
+    assert check_code(system(SYSTEM), tmp_path / "nowhere") == ((), ())
+
+
+def test_a_comment_on_the_line_allows_it(tmp_path: Path) -> None:
+    body = 'context.raise_event("goal")  # asemec: allow(W532) the referee\'s program waits for it'
+    assert say(tmp_path, "search.py", activity(body)) == []
+    _, (allowed,) = check_code(system(SYSTEM), tmp_path)
+    assert (allowed.diagnostic.code, allowed.allow.text) == ("W532", "W532")
+    assert allowed.reason == "the referee's program waits for it"
+    body = 'context.raise_event("goal")  # asemec: allow(W530) not that'
+    assert [item.code for item in say(tmp_path, "search.py", activity(body))] == ["W532"]
