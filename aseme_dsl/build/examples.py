@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from aseme_dsl.build.configuration import FILE, configuration_of
+from pathlib import Path
+
+from aseme_dsl.build.configuration import FILE, Configuration, configuration_of
 from aseme_dsl.build.project import options_of
-from aseme_dsl.compiler import Options, analyse
+from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import Diagnostic, in_order
 from aseme_dsl.diagnostics.pages import Example
 from aseme_dsl.source import Source
@@ -18,13 +20,13 @@ def diagnostics_of(example: Example) -> tuple[Diagnostic, ...]:
     if example.console:
         return ()
     found: list[Diagnostic] = []
-    options = Options()
     texts = {file.name: file.text for file in example.files}
+    configuration = Configuration(Path())
     if FILE in texts:
         configuration, problems = configuration_of(Source(FILE, texts[FILE]))
         found += problems
-        options = options_of(configuration)
     root = next((file for file in example.files if file.language == "aseme"), None)
     if root is not None:
-        found += analyse(Source(root.name, root.text), texts, options).diagnostics
+        analysis = analyse(Source(root.name, root.text), texts, options_of(configuration))
+        found += [item for item in analysis.diagnostics if not (analysis.is_library and item.code == "E008")]
     return in_order(found)

@@ -102,7 +102,9 @@ def _page(page: Page, painted: bool) -> Iterator[str]:
     yield from ("", click.style("Wrong:", fg="red"))
     yield from _example(page.wrong)
     says = _diagnostics(page.wrong)
-    if says:
+    if not page.wrong.console and page.code not in {item.code for item in says}:
+        yield from ("", "(What asemec says needs a package that is not installed: see `asemec doctor`.)")
+    elif says:
         yield from ("", "asemec says:", "")
         yield textwrap.indent(render_text(says, colour=painted), "  ").rstrip("\n")
     yield from ("", click.style("Right:", fg="green"))

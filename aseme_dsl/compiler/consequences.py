@@ -224,10 +224,11 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     condition (E405); a number that could not be read (E108) may be of another type than what it was taken
     for; a participant that no formula uses (N702) may be what an activity is misspelt for (W200), and so may
     a formula that nothing uses (E302), which then says so; a formula without control (N704) may have one that
-    is misspelt (E403).
+    is misspelt (E403), or stands in a role that plays the protocol (E408).
     """
     unused = {item.span for item in found if item.code == "E302"}
     controls = {item.fix for item in found if item.code == "E403"}
+    controls |= {item.span.text for item in found if item.code == "E408" and item.span is not None}
     close = {item.related[0].span: item.span for item in found if item.code == "W200" and item.related}
     loops = [item.span for item in found if item.code == "E303" and item.span is not None]
     misspelt = {place.span for item in found if item.code == "W200" for place in item.related}
@@ -240,7 +241,7 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
         if item.code == "N702":
             return span in misspelt
         if item.code == "N704":
-            return span.text in controls
+            return any(item.message.startswith(f"`{name}` ") for name in controls)
         if item.code == "W200":
             return bool(item.related) and item.related[0].span in unused
         if item.code in ("E405", "W403"):
