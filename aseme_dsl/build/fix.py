@@ -47,7 +47,7 @@ def fix(inputs: Inputs) -> Fixed:
     texts: dict[str, str] = {}
     seen = {_state(texts)}
     for _ in range(ROUNDS):
-        chosen = choose(item for item in checked.diagnostics if item.changes and _is_mendable(item))
+        chosen = choose(item for item in checked.diagnostics if is_mendable(item))
         changed = dict(texts)
         for path, edits in by_file(chosen).items():
             text = edits[0].span.source.text
@@ -131,15 +131,18 @@ def _overlap(first: Edit, second: Edit) -> bool:
     return a.start < b.end and b.start < a.end
 
 
-def _is_mendable(item: Diagnostic) -> bool:
-    def is_ours(path: str) -> bool:
-        return path.endswith(".aseme") and path != STANDARD_INPUT and not path.startswith("stdlib/")
+def is_mendable(item: Diagnostic) -> bool:
+    """Whether `fix` would mend it."""
+    paths = [edit.span.source.path for edit in item.changes]
+    return bool(paths) and item.code not in UNSURE and all(map(_is_ours, paths))
 
-    return item.code not in UNSURE and all(is_ours(edit.span.source.path) for edit in item.changes)
+
+def _is_ours(path: str) -> bool:
+    return path.endswith(".aseme") and path != STANDARD_INPUT and not path.startswith("stdlib/")
 
 
 def _state(texts: Mapping[str, str]) -> tuple[tuple[str, str], ...]:
     return tuple(sorted(texts.items()))
 
 
-__all__ = ["Fixed", "apply", "by_file", "choose", "difference", "fix", "write_fixed"]
+__all__ = ["Fixed", "apply", "by_file", "choose", "difference", "fix", "is_mendable", "write_fixed"]

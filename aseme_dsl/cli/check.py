@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -116,6 +117,8 @@ def _report(
             _print_mended(fixed)
         print_diagnostics(checked.diagnostics, colour, error=False)
         click.echo(("\n" if checked.diagnostics else "") + _summary(checked))
+        if checked.diagnostics and sys.stdout.isatty():
+            click.echo(_tip(checked))
         return False
     text = _text(checked, fixed, form, strict)
     if output is None:
@@ -133,6 +136,16 @@ def _report(
 
 def _summary(checked: Checked) -> str:
     return summary(checked.diagnostics, len(checked.files))
+
+
+def _tip(checked: Checked) -> str:
+    """What somebody at a terminal may do next."""
+    from aseme_dsl.build.fix import is_mendable
+
+    worst = min(checked.diagnostics, key=lambda item: list(Severity).index(item.severity))
+    tip = f"asemec explain {worst.code} tells more"
+    number = sum(map(is_mendable, checked.diagnostics))
+    return tip if not number else f"{tip}; asemec check --fix mends {plural(number, 'problem')}"
 
 
 def _text(checked: Checked, fixed: Fixed | None, form: str, strict: bool) -> str:

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import json
+import os
+import pty
+import re
+import subprocess
+from contextlib import suppress
 from pathlib import Path
+from urllib.parse import urlparse
 
 import pytest
 
-from tests.cli.support import BAD, GOOD, Here, asemec
+from tests.cli.support import BAD, GOOD, Here, asemec, command
 from tests.conftest import Snapshot
 
 WARNED = GOOD[: GOOD.index("  control")].replace("(Walk | Stand)+", "Walk . Stand || Walk") + "}\n"
@@ -184,6 +190,39 @@ class TestReports:
         (folder / "warned.aseme").write_text(WARNED)
         assert '<failure type="W300"' not in here("check", "--format", "junit", "warned.aseme").out
         assert '<failure type="W300"' in here("check", "--strict", "--format", "junit", "warned.aseme").out
+
+
+class TestTerminal:
+    def run(self, *arguments: str) -> str:
+        """What somebody sees who is at a terminal."""
+        controller, terminal = pty.openpty()
+        with subprocess.Popen(command("check", *arguments), stdout=terminal, stderr=terminal):
+            os.close(terminal)
+            said = b""
+            with suppress(OSError):  # Linux says so that nobody writes any more
+                while part := os.read(controller, 65536):
+                    said += part
+        os.close(controller)
+        return said.decode().replace("\r\n", "\n")
+
+    def test_codes_are_links_and_there_is_a_tip(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.delenv("NO_COLOR", raising=False)
+        monkeypatch.setenv("TERM", "xterm")
+        (folder / "warned.aseme").write_text(
+            GOOD.replace("  liveness", "  // asemec: alow(W300)\n  liveness")
+        )
+        said = self.run("warned.aseme")
+        link = re.search(r"\x1b\]8;;(file://[^\x1b]*/W014\.md)\x1b\\W014\x1b\]8;;\x1b\\", said)
+        assert link is not None
+        assert Path(urlparse(link[1]).path).read_text("utf-8").startswith("A comment")
+        assert said.endswith(
+            "1 warning in 1 file\nasemec explain W014 tells more; asemec check --fix mends 1 problem\n"
+        )
+        assert "explain" not in self.run("good.aseme")
+
+    def test_without_colours_there_are_no_links(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setenv("NO_COLOR", "1")
+        assert "\x1b" not in self.run("bad.aseme")
 
 
 class TestPolicy:
