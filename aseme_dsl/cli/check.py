@@ -151,10 +151,9 @@ def _tip(checked: Checked) -> str:
 def _text(checked: Checked, fixed: Fixed | None, form: str, strict: bool) -> str:
     """The report, as it goes into a file."""
     if form == "sarif":
-        from aseme_dsl.diagnostics.pages import markdown
         from aseme_dsl.diagnostics.sarif import sarif
 
-        log = sarif(checked.diagnostics, checked.suppressed, version=__version__, page=markdown)
+        log = sarif(checked.diagnostics, checked.suppressed, version=__version__)
         return json.dumps(log, indent=2, ensure_ascii=False) + "\n"
     if form == "github":
         from aseme_dsl.diagnostics.github import github

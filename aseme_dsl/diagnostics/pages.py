@@ -60,12 +60,6 @@ class Page:
     right: Example
 
 
-def markdown(code: str) -> str | None:
-    """The page of a code as it is written; None if it has none."""
-    file = resources.files("aseme_dsl.diagnostics") / "pages" / f"{code}.md"
-    return file.read_text("utf-8") if file.is_file() else None
-
-
 def file_of(code: str) -> Path | None:
     """Where the page of a code is on disk; None if it has none, or the package is no folder on disk."""
     path = Path(__file__).parent / "pages" / f"{code}.md"
@@ -81,15 +75,36 @@ def page(code: str) -> Page:
         ValueError: The page is malformed; the text says how.
     """
     entry = CODES[code]
-    content = markdown(code)
-    if content is None:
+    file = resources.files("aseme_dsl.diagnostics") / "pages" / f"{code}.md"
+    if not file.is_file():
         raise KeyError(code)
     try:
-        text, blocks = _parts(content)
-        wrong, right = (_example(blocks, use) for use in ("wrong", "right"))
+        text, parts = _parts(file.read_text("utf-8"))
+        wrong, right = (_example(parts, use) for use in ("wrong", "right"))
     except ValueError as problem:
         raise ValueError(f"{code}.md: {problem}") from None
     return Page(code, entry.severity, entry.title, text, wrong, right)
+
+
+def markdown(page: Page) -> str:
+    """A page as Markdown for other tools, without its title."""
+    return "\n\n".join([page.text, "**Wrong**", *blocks(page.wrong), "**Right**", *blocks(page.right)])
+
+
+def blocks(example: Example) -> list[str]:
+    """The files of an example, with their names where one alone would not be clear, and its console."""
+    found = []
+    several = len(example.files) > 1 or any(file.language != "aseme" for file in example.files)
+    for file in example.files:
+        if several:
+            found.append(f"`{file.name}`:")
+        found.append(fenced(file.language, file.text))
+    return [*found, *([fenced("console", example.console)] if example.console else [])]
+
+
+def fenced(language: str, text: str) -> str:
+    """A block of Markdown."""
+    return f"```{language}\n{text.rstrip()}\n```"
 
 
 @dataclass(frozen=True, slots=True)

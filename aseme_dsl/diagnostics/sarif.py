@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import hashlib
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path, PurePath
 from typing import Any
 from urllib.parse import quote
 
-from aseme_dsl.diagnostics.codes import CODES
 from aseme_dsl.diagnostics.model import Diagnostic, Suppressed
+from aseme_dsl.diagnostics.pages import markdown, page
 from aseme_dsl.source import Source, Span
 
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
@@ -19,16 +19,12 @@ ROOT = "%SRCROOT%"
 """What relative addresses are relative to: the working directory, which CI services take for the checkout."""
 FINGERPRINT = "asemec/v1"
 
-Page = Callable[[str], str | None]
-"""The page about a code as Markdown, or None if there is none."""
-
 
 def sarif(
     diagnostics: Iterable[Diagnostic],
     suppressed: Iterable[Suppressed] = (),
     *,
     version: str,
-    page: Page = lambda code: None,
 ) -> dict[str, Any]:
     """One run of asemec `version` as a SARIF log. Columns are counted in code points."""
     found = tuple(diagnostics)
@@ -39,7 +35,7 @@ def sarif(
         reason = {"justification": item.reason} if item.reason else {}
         suppression = {"kind": "inSource", "location": _location(item.allow), **reason}
         results.append({**run.result(item.diagnostic), "suppressions": [suppression]})
-    driver = {"name": "asemec", "version": version, "rules": [_rule(code, page) for code in run.codes]}
+    driver = {"name": "asemec", "version": version, "rules": [_rule(code) for code in run.codes]}
     return {
         "$schema": SCHEMA,
         "version": "2.1.0",
@@ -99,15 +95,13 @@ class _Run:
         return hashlib.sha256(f"{base}\0{self.seen[base]}".encode("utf-8", "replace")).hexdigest()[:32]
 
 
-def _rule(code: str, page: Page) -> dict[str, Any]:
-    kind = CODES[code]
-    text = page(code)
-    help_ = {"text": text, "markdown": text} if text else {"text": kind.title}
+def _rule(code: str) -> dict[str, Any]:
+    about = page(code)
     return {
         "id": code,
-        "shortDescription": {"text": kind.title},
-        "help": help_,
-        "defaultConfiguration": {"level": kind.severity},
+        "shortDescription": {"text": about.title},
+        "help": {"text": about.text, "markdown": markdown(about)},
+        "defaultConfiguration": {"level": about.severity},
     }
 
 
@@ -160,4 +154,4 @@ def _below(path: Path) -> PurePath | None:
         return None
 
 
-__all__ = ["Page", "sarif"]
+__all__ = ["sarif"]

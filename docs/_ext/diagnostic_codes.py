@@ -17,7 +17,7 @@ from tables import table
 
 from aseme_dsl.build.examples import diagnostics_of
 from aseme_dsl.diagnostics import CODES, GROUPS, Code, render_text
-from aseme_dsl.diagnostics.pages import Example, page
+from aseme_dsl.diagnostics.pages import blocks, fenced, page
 
 FOLDER = "diagnostics"
 """Where the pages of the codes stand, in the folder of the documentation."""
@@ -73,21 +73,6 @@ def markdown(code: str) -> str:
     parts += ["## Right", *blocks(found.right)]
     parts += [f"In a terminal, `asemec explain {code}` shows this page. [All codes](../diagnostics.md)"]
     return "\n\n".join(parts) + "\n"
-
-
-def blocks(example: Example) -> list[str]:
-    """The files of an example, with their names where one alone would not be clear, and its console."""
-    found = []
-    several = len(example.files) > 1 or any(file.language != "aseme" for file in example.files)
-    for file in example.files:
-        if several:
-            found.append(f"`{file.name}`:")
-        found.append(fenced(file.language, file.text))
-    return [*found, *([fenced("console", example.console)] if example.console else [])]
-
-
-def fenced(language: str, text: str) -> str:
-    return f"```{language}\n{text.rstrip()}\n```"
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from importlib import resources
 from typing import Any
@@ -14,7 +15,7 @@ import pytest
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.github import github
 from aseme_dsl.diagnostics.junit import junit
-from aseme_dsl.diagnostics.pages import markdown
+from aseme_dsl.diagnostics.pages import markdown, page
 from aseme_dsl.diagnostics.sarif import sarif
 from aseme_dsl.source import Source, Span
 from tests.conftest import Snapshot
@@ -30,13 +31,15 @@ def schema() -> Any:
 
 class TestSarif:
     def test_it_is_valid(self) -> None:
-        log = sarif(ALL, [ALLOWED], version="0.1.0", page=markdown)
+        log = sarif(ALL, [ALLOWED], version="0.1.0")
         assert schema()["title"].startswith("Static Analysis Results Format (SARIF) Version 2.1.0")
         jsonschema.Draft7Validator(schema()).validate(log)
         jsonschema.Draft7Validator(schema()).validate(sarif((), version="0.1.0"))
 
     def test_what_it_says(self, snapshot: Snapshot) -> None:
-        log = sarif(ALL, [ALLOWED], version="0.1.0", page=lambda code: f"About {code}.")
+        log = sarif(ALL, [ALLOWED], version="0.1.0")
+        for rule in log["runs"][0]["tool"]["driver"]["rules"]:  # the pages are not what this is about
+            rule["help"] = {"text": f"About {rule['id']}."}
         # Only the working directory knows where `..` is.
         text = json.dumps(log, indent=2, ensure_ascii=False)
         absolute = log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"]
@@ -53,8 +56,12 @@ class TestSarif:
         assert region == {"startLine": 4, "startColumn": 17, "endLine": 4, "endColumn": 22}
 
     def test_a_rule_has_its_page(self) -> None:
-        (rule,) = sarif([MISSPELT], version="0", page=markdown)["runs"][0]["tool"]["driver"]["rules"]
-        assert rule["help"]["markdown"] == markdown("E200")
+        (rule,) = sarif([MISSPELT], version="0")["runs"][0]["tool"]["driver"]["rules"]
+        assert rule["help"] == {"text": page("E200").text, "markdown": markdown(page("E200"))}
+        text, wrong, right = re.split(r"\n\n\*\*(?:Wrong|Right)\*\*\n\n", rule["help"]["markdown"])
+        assert text == page("E200").text
+        assert "[pases" in wrong
+        assert "[passes" in right
 
     def test_a_fingerprint_outlives_lines_that_come_before(self) -> None:
         def prints(text: str) -> list[str]:
