@@ -10,7 +10,7 @@ from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import Team
 from aseme_dsl.compiler.message_use import MessageUse, Use
-from aseme_dsl.compiler.names import listed
+from aseme_dsl.compiler.names import first_of, listed
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.source import Source, Span
@@ -154,8 +154,7 @@ def _unwritten(
             doubtful[0].span,
             tuple(Related(use.span, f"`{use.channel}` is read here") for use in doubtful[1 : _SHOWN + 1]),
             hint="say it of the activity that does: `writes …`; nothing is said of the messages of "
-            + listed(list(silent)[:_SHOWN])
-            + (f" and {len(silent) - _SHOWN} more" if len(silent) > _SHOWN else ""),
+            + first_of(list(silent), _SHOWN),
         )
 
 
@@ -191,7 +190,7 @@ def _of_many(team: Team, use: MessageUse, topics: Mapping[str, Topic]) -> Iterat
         if (item.chart, item.channel) in done:
             continue
         done.add((item.chart, item.channel))
-        shown = listed(names[:_SHOWN]) + (f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else "")
+        shown = first_of(names, _SHOWN)
         yield Diagnostic(
             "N723",
             f"`{item.chart}` publishes no `{item.channel}` itself: it reads that of {shown}, any of them",

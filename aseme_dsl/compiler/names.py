@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from aseme_dsl.compiler.builtins import PERFORMATIVES
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
@@ -44,6 +44,13 @@ def declared_twice(what: str, name: tree.Name, first: Span) -> Diagnostic:
 def unknown_performative(name: tree.Name) -> Diagnostic:
     """E512."""
     return unknown("E512", "FIPA has no performative", name, PERFORMATIVES, f"it has {listed(PERFORMATIVES)}")
+
+
+def first_of(names: Sequence[str], most: int) -> str:
+    """`a`, `b` and `c`; of more than `most` names the first ones, and how many more there are."""
+    if len(names) <= most:
+        return listed(names)
+    return ", ".join(f"`{name}`" for name in names[:most]) + f" and {len(names) - most} more"
 
 
 def listed(names: Iterable[str], word: str = "and") -> str:

@@ -27,6 +27,7 @@ from aseme_dsl.compiler.chart import World
 from aseme_dsl.compiler.consequences import without_consequences
 from aseme_dsl.compiler.damage import damage
 from aseme_dsl.compiler.flow import check_flow, check_reach, check_timers
+from aseme_dsl.compiler.goals import not_played, out_of_reach, without_functionality
 from aseme_dsl.compiler.load import Loaded, load
 from aseme_dsl.compiler.resolve import resolve
 from aseme_dsl.compiler.sag_to_suc import read_sag, sag_to_suc
@@ -124,6 +125,10 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     found += [item.note for item in missing]
     if symbols.system is None:
         found += _no_system(loaded)
+    elif not has_errors(found):
+        found += out_of_reach(cases, roles, formulas)
+        found += not_played(blocks.aips, roles.values(), symbols.system.span.source, found)
+        found += without_functionality(list(roles.values()), described)
 
     if not has_errors(found):  # else the line that starts a timer may be what is missing
         found += [problem for chart in charts for problem in check_timers(chart)]

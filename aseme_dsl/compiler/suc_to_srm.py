@@ -13,7 +13,7 @@ from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.names import declared_twice, unknown
 from aseme_dsl.compiler.srm_to_iac import Role
 from aseme_dsl.compiler.usecases import UseCases, activity_name, folded, formula_line, helper_formulas
-from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
 
 
@@ -136,6 +136,10 @@ def suc_to_srm(
         if left_to_others or specified or folded(case.name) in noted:
             continue
         hint = f"let a formula use `{cases.spelling(case)}`, or say what it `realises`"
+        near = next((near for name in cases.names_of(case) if (near := closest(name, cases.spellings))), None)
+        if near is not None:
+            meant = cases.spellings[near]
+            hint = f"is it `{meant}`? Then call it so, or write `realises {meant}`"
         message = f"nothing specifies the use case `{case.name}`"
         note = Diagnostic("N700", message, case.span, hint=hint)
         doer = next((roles[name] for name in case.participants if name in roles), None)
@@ -223,7 +227,7 @@ def _no_formula(case: UseCase, role: Role, written: _Written) -> Missing:
         message = f"{role.name} takes part in the use case `{case.name}`, but plays none of {protocol.name}"
         hint = "say which part it takes: " + " or ".join(f"`{line}`" for line in lines)
         advice = f"// The use case {case.name}; let a formula use the participant:"
-        note = Diagnostic("N702", message, place, hint=hint)
+        note = Diagnostic("N702", message, place, (Related(protocol.name.span, "the protocol"),), hint=hint)
     else:
         lines = helper_formulas(written.cases, [case], lambda item: written.term(item, role.name))
         message = f"{role.name} has no formula for the use case `{case.name}`"

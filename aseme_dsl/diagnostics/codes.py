@@ -74,6 +74,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W200": ("warning", "a name that is close to a declared one"),
     "W201": ("warning", "an activity without code and without a duration"),
     "W202": ("warning", "a participant that the role does not play"),
+    "W230": ("warning", "a functionality that is not described"),
     # Formulas (E3xx)
     "E300": ("error", "a recursive formula"),
     "E301": ("error", "two formulas of one name"),
@@ -156,6 +157,9 @@ _TABLE: dict[str, tuple[str, str]] = {
     "N702": ("note", "a role without a formula for a use case"),
     "N703": ("note", "a role that is not written yet"),
     "N704": ("note", "transitions without an expression"),
+    "N705": ("note", "a use case that others do"),
+    "N706": ("note", "a participant that no role plays"),
+    "N707": ("note", "activities without a functionality"),
     # What may not be meant (N72x)
     "N720": ("note", "a message that may not be there yet"),
     "N721": ("note", "a history that is not looked at as time passes"),
