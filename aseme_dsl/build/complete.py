@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
 from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.build.configuration import find_configuration
+from aseme_dsl.build.difference import unified
 from aseme_dsl.build.scaffold import scaffold
 from aseme_dsl.build.write import DISK, Disk, write_file
 from aseme_dsl.compiler import Options, analyse
@@ -30,11 +30,7 @@ class Completed:
     @property
     def difference(self) -> str:
         """What is added, as a unified diff."""
-        before, after = (text.splitlines(keepends=True) for text in (self.before, self.text))
-        lines = difflib.unified_diff(before, after, self.path, self.path)
-        return "".join(
-            line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines
-        )
+        return unified(self.path, self.before, self.text)
 
 
 def complete(root: Path | Source, *, write: bool = True, disk: Disk = DISK) -> Completed:

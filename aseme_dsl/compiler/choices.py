@@ -339,12 +339,13 @@ def _counted(number: int, what: str) -> str:
 def control_skeleton(control: str, groups: Iterable[Sequence[Alternative]]) -> str:
     """A control block that decides every choice and loop, with conditions still to be written."""
     lines = []
-    groups = list(groups)
-    width = max(len(item.name) for alternatives in groups for item in alternatives)
-    for alternatives in groups:
-        for item in alternatives[:-1]:
-            lines.append(f"  {item.name.ljust(width)} : [true]  // when?")
-        lines.append(f"  {alternatives[-1].name.ljust(width)} : else")
+    ways = [[item.name.partition(" ") for item in alternatives] for alternatives in groups]
+    longest = max(len(verb) for alternatives in ways for verb, _, _ in alternatives)
+    width = max(len(term) for alternatives in ways for _, _, term in alternatives)
+    for alternatives in ways:
+        *conditional, last = [f"{verb:{longest}} {term:{width}}" for verb, _, term in alternatives]
+        lines += [f"  {way} : [true]  // when?" for way in conditional]
+        lines.append(f"  {last} : else")
     return "\n".join([f"control {control} {{", *lines, "}"])
 
 

@@ -283,7 +283,16 @@ def _read(loader: _Loader, place: _Place, item: tree.Import | None) -> Source | 
     return Source(place.shown, content)
 
 
-def _content(loader: _Loader, place: _Place, item: tree.Import | None) -> str | Diagnostic:
+def read_source(path: Path, *, largest: int = LARGEST) -> Source | Diagnostic:
+    """A file as it is, its byte-order mark included; or what is wrong with it (E001, E002, E003)."""
+    loader = _Loader({}, {}, largest)
+    content = _content(loader, _Place(str(path), str(path)), None, "utf-8")
+    return content if isinstance(content, Diagnostic) else Source(str(path), content)
+
+
+def _content(
+    loader: _Loader, place: _Place, item: tree.Import | None, encoding: str = "utf-8-sig"
+) -> str | Diagnostic:
     def fail(code: str, message: str, hint: str | None = None) -> Diagnostic:
         return _about(place.shown, item, code, message, hint)
 
@@ -309,7 +318,7 @@ def _content(loader: _Loader, place: _Place, item: tree.Import | None) -> str | 
     if b"\0" in content:
         return fail("E002", f"{place.shown} is not a text: byte {content.index(0)} is NUL")
     try:
-        return content.decode("utf-8-sig")
+        return content.decode(encoding)
     except UnicodeDecodeError as problem:
         line = content.count(b"\n", 0, problem.start) + 1
         return fail(

@@ -7,7 +7,7 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.diagnostics import Diagnostic, in_order
-from aseme_dsl.grammar.tree import File
+from aseme_dsl.grammar.tree import Comment, File
 from aseme_dsl.source import Source
 
 if TYPE_CHECKING:
@@ -24,6 +24,19 @@ def parse(source: Source) -> tuple[File, tuple[Diagnostic, ...]]:
     with _few_collections:
         model, progress = read(source)
         return understood(model, progress)
+
+
+def parse_with_leaves(source: Source) -> tuple[Any, tuple[Comment, ...], tuple[Diagnostic, ...]]:
+    """The parse tree of `source`, its comments, and what is wrong with its syntax (see `parse`).
+
+    The leaves of the parse tree are all tokens of the text, if nothing is wrong.
+    """
+    from aseme_dsl.grammar.terminals import read_with_leaves
+
+    with _few_collections:
+        model, progress, leaves = read_with_leaves(source)
+        file, diagnostics = understood(model, progress)
+        return leaves, file.comments, diagnostics
 
 
 def understood(model: Any, progress: Progress) -> tuple[File, tuple[Diagnostic, ...]]:

@@ -273,6 +273,12 @@ def _missing_close(rule: Any) -> Callable[[Any], Any]:
 
 def read(source: Source) -> tuple[Any, Progress]:
     """The textX objects of a text, and what the parser has noted."""
+    model, progress, _ = read_with_leaves(source)
+    return model, progress
+
+
+def read_with_leaves(source: Source) -> tuple[Any, Progress, Any]:
+    """The same, and the parse tree, the leaves of which are all tokens of the text."""
     from textx.model_params import ModelParams
 
     parser = metamodel()._parser_blueprint.clone()
@@ -281,5 +287,5 @@ def read(source: Source) -> tuple[Any, Progress]:
         source.text,
         pre_ref_resolution_callback=lambda made: setattr(made, "_tx_model_params", ModelParams({})),
     )
-    parser.parse_tree = None  # two thirds of the memory
-    return model, parser.progress
+    tree, parser.parse_tree = parser.parse_tree, None  # two thirds of the memory
+    return model, parser.progress, tree

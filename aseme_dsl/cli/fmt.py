@@ -1,0 +1,85 @@
+"""`asemec fmt`: files in their canonical layout."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+
+from aseme_dsl.cli.shared import (
+    FILES_HELP,
+    FilePath,
+    colour_option,
+    diagnostics_json,
+    json_option,
+    plural,
+    print_diagnostics,
+    print_json,
+    standard_input,
+    wants_colour,
+)
+
+_COLOURS = {"+": "green", "-": "red", "@": "cyan"}
+
+
+@click.command(
+    short_help="Lay files out in the one canonical way.",
+    help="Lay files out in the one canonical way: the same words in the same order, with all comments. What"
+    f" they mean does not change. {FILES_HELP} Without FILE: every file of the project. The text of standard"
+    " input goes, laid out, to standard output. A file with syntax errors stays as it is.",
+    epilog="Example: asemec fmt   ·   asemec fmt --check --diff examples/",
+)
+@click.argument("files", nargs=-1, metavar="[FILE]...", type=FilePath())
+@click.option(
+    "--check", is_flag=True, help="Change nothing; list what would change; exit code 1 if any would."
+)
+@click.option("--diff", is_flag=True, help="Change nothing; print what would change.")
+@json_option
+@colour_option
+def command(files: tuple[str, ...], check: bool, diff: bool, as_json: bool, colour: str) -> int:
+    """Lay out each file; 1 if one has errors or cannot be written, or with --check if one would change."""
+    from aseme_dsl.build.format import files_to_format, format_file
+    from aseme_dsl.build.inputs import STANDARD_INPUT
+    from aseme_dsl.diagnostics import has_errors
+
+    inputs = files_to_format(files, standard_input)
+    look_only = check or diff
+    done = [format_file(file, write=not look_only) for file in (*inputs.roots, *inputs.others)]
+    found = [*inputs.diagnostics, *(problem for one in done for problem in one.diagnostics)]
+    code = int(has_errors(found) or (check and any(one.changed for one in done)))
+    if as_json:
+        rows = [{"file": one.path, "changed": one.changed, "difference": one.difference} for one in done]
+        print_json({"files": rows, **diagnostics_json(found)})
+        return code
+    print_diagnostics(found, colour)
+    coloured = wants_colour(colour, sys.stdout)
+    filtered = False
+    for one in done:
+        if one.path == STANDARD_INPUT and not look_only:
+            filtered = True
+            if not one.diagnostics:
+                click.echo(one.text, nl=False)
+        elif diff:
+            click.echo(_shown(one.difference, coloured), nl=False, color=coloured)
+        if one.changed and not filtered and (check or not diff):
+            click.echo(f"{one.path}: {'would be ' if check else ''}laid out", err=diff)
+    if not filtered:
+        click.echo(_summary([one.changed for one in done if not one.diagnostics], look_only), err=diff)
+    return code
+
+
+def _shown(difference: str, coloured: bool) -> str:
+    if not coloured:
+        return difference
+    lines = difference.splitlines(keepends=True)
+    return "".join(click.style(line, fg=_COLOURS.get(line[:1])) for line in lines)
+
+
+def _summary(changed: list[bool], look_only: bool) -> str:
+    """`2 files laid out, 1 file is fine`."""
+    number, fine = sum(changed), len(changed) - sum(changed)
+    would = "would be " if look_only else ""
+    parts = [f"{plural(number, 'file')} {would}laid out"] if number else []
+    if fine or not number:
+        parts.append(f"{plural(fine, 'file')} {'is' if fine == 1 else 'are'} fine")
+    return ", ".join(parts)

@@ -1,0 +1,481 @@
+"""From the parse tree of a file to its blocks, lines and pieces.
+
+All tokens come from the leaves of the tree, in their order; none can get lost but those of `DROPPED`.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+from aseme_dsl.grammar.layout.pieces import GLUED, ORDER, Block, Gap, Piece, Row
+from aseme_dsl.grammar.layout.rules import (
+    DROPPED,
+    EXPRESSIONS,
+    FORMULAS,
+    SHAPES,
+    Braces,
+    Line,
+    Part,
+    Shape,
+    Words,
+)
+from aseme_dsl.grammar.layout.spacing import expression, formula, level_of
+from aseme_dsl.grammar.token import Token, token
+from aseme_dsl.grammar.tree import Comment
+from aseme_dsl.source import Source
+
+_TIGHT_AFTER = frozenset(("(", "[", "..", "@", "#", "."))
+_TIGHT_BEFORE = frozenset((")", "]", ",", "..", "@", "#", "."))
+_LIST, _BREAK = 0, 1
+
+
+def read_blocks(source: Source, tree: Any, comments: Sequence[Comment]) -> Block:
+    """The whole file as one block, whose braces are not written."""
+    return _Reader(source, comments).file(tree)
+
+
+class _Reader:
+    def __init__(self, source: Source, comments: Sequence[Comment]) -> None:
+        self.text = source.text
+        self.comments = comments
+        self.comment_starts = [comment.span.start for comment in comments]
+        self.end = 0  # of the last token
+        self.trailing: list[str] = []  # where comments go that end its line
+        self.row = Row("")
+        self.shape: Line | Part | Braces | Words = Line()
+        self.column: int | None = None  # the column that the next piece begins
+        self.broken = False  # in words: a line was begun where lines count
+        self.last = ""  # the last token
+        self.loose = False  # the next piece is
+
+    # ---- the file ------------------------------------------------------------------------------
+
+    def file(self, tree: Any) -> Block:
+        found = Block("File", Row("File"))
+        start: Row | None = None
+        for child in tree[0]:
+            if _is_terminal(child):
+                if child.value:
+                    start = start or self.begin("File")
+                    self.keyword(child, 0)
+            elif child.rule._attr_name == "declarations":
+                if start is not None:
+                    self.finish(start)
+                    found.entries.append(start)
+                    start = None
+                found.entries += self.entries(child)
+            else:
+                self.assigned(child, 0)
+        if start is not None:
+            self.finish(start)
+            found.entries.append(start)
+        gap = self.gap(len(self.text))
+        first = not found.entries
+        own = gap.own
+        if first or gap.newline:
+            own = (*(((False, " ".join(gap.trailing)),) if first and gap.trailing else ()), *own)
+            if gap.leading:
+                own = (*own, (gap.blank, " ".join(gap.leading)))
+            if not first:
+                self.end_line(gap)
+        elif gap.leading:
+            self.trailing.append(" ".join(gap.leading))
+        found.before_close = own
+        return found
+
+    def entries(self, nodes: Any) -> Iterator[Row | Block]:
+        for node in nodes:
+            while node.rule_name not in SHAPES:
+                (node,) = node
+            yield self.entry(node)
+
+    def entry(self, node: Any) -> Row | Block:
+        shape = SHAPES[node.rule_name]
+        if isinstance(shape, (Braces, Words)):
+            return self.block(node, shape)
+        row = self.begin(node.rule_name)
+        self.line(node, shape, 0)
+        self.finish(row)
+        return row
+
+    def begin(self, rule: str) -> Row:
+        self.row = Row(rule)
+        self.column = 0
+        return self.row
+
+    def finish(self, row: Row) -> None:
+        self.trailing = row.trailing
+
+    # ---- blocks --------------------------------------------------------------------------------
+
+    def block(self, node: Any, shape: Braces | Words) -> Block:
+        found = Block(node.rule_name, self.begin(node.rule_name))
+        self.shape = shape
+        opened = False
+        for child in node:
+            if _is_terminal(child):
+                self.keyword(child, 0)
+            elif child.rule_name == "Open":
+                self.opening(child, found)
+                opened = True
+            elif child.rule_name == "Close":
+                self.closing(child[0].value, found)
+            elif opened:
+                self.body(child, shape, found)
+            else:
+                self.assigned(child, 0)
+                self.shape = shape
+        self.trailing = found.trailing
+        return found
+
+    def opening(self, node: Any, found: Block) -> None:
+        self.column = 1
+        self.piece(node[0].value, 0)
+        following = self.next_gap()
+        found.one_line = not following.newline
+        self.trailing = found.after_open
+
+    def body(self, node: Any, shape: Braces | Words, found: Block) -> None:
+        if isinstance(shape, Braces):
+            found.entries += self.entries(node)
+            return
+        self.broken = False
+        found.entries += self.statements(_words(node))
+        found.one_line = found.one_line and not self.broken
+
+    def closing(self, brace: Token, found: Block) -> None:
+        gap = self.gap(brace.start)
+        self.end = brace.end
+        if gap.newline:
+            self.end_line(gap)
+            found.before_close = gap.own
+            if gap.leading:
+                found.before_close = (*gap.own, (gap.blank, " ".join(gap.leading)))
+        elif gap.leading:
+            found.inside_empty = gap.leading
+
+    # ---- lines of words ------------------------------------------------------------------------
+
+    def statements(self, words: Sequence[Token]) -> list[Row | Block]:
+        """A row for each line of the author; braces opened at the end of a line hold lines again."""
+        top: list[Row | Block] = []
+        open_: list[Block] = []
+        closing = _closing(words)
+        entries = top
+        row: Row | None = None
+        inline = 0  # braces that stay in their row
+        for index, word in enumerate(words):
+            gap = self.next_gap(word.start)
+            begins = row is None or (gap.newline and not inline)
+            if begins and word != "}":
+                if row is not None:
+                    self.finish(row)
+                    if not open_:
+                        self.broken = True
+                row = self.begin("Words")
+                entries.append(row)
+            following = words[index + 1] if index + 1 < len(words) else None
+            if word == "{":
+                assert row is not None
+                if not inline and self.holds_lines(words, index, closing[index]):
+                    self.word(word, 1, row)
+                    block = Block("Words", row)
+                    entries[-1] = block
+                    open_.append(block)
+                    self.trailing = block.after_open
+                    entries = block.entries
+                    row = None
+                    self.broken = True
+                    continue
+                inline += 1
+            elif word == "}":
+                if inline:
+                    inline -= 1
+                else:
+                    if row is not None:
+                        self.finish(row)
+                    closed = open_.pop()
+                    self.closing(word, closed)
+                    self.trailing = closed.trailing
+                    entries = open_[-1].entries if open_ else top
+                    row = None
+                    continue
+            assert row is not None
+            self.word(word, inline, row, following)
+        if row is not None:
+            self.finish(row)
+        return top
+
+    def holds_lines(self, words: Sequence[Token], opening: int, closing: int) -> bool:
+        """Whether the author has broken the line behind an opening brace, and behind the closing one."""
+        ends = closing + 1 == len(words) or words[closing + 1] == "}"
+        return self._breaks(words, opening) and (ends or self._breaks(words, closing))
+
+    def _breaks(self, words: Sequence[Token], index: int) -> bool:
+        return "\n" in self.text[words[index].end : words[index + 1].start]
+
+    def word(self, word: Token, inline: int, row: Row, following: Token | None = None) -> None:
+        """A word of a row: with a blank before it where the author has one, and around `:` and `=`."""
+        touches = word.start == self.end and word not in (":", "=") and self.last not in (":", "=")
+        blanks = 0 if touches else 1
+        if inline and row.pieces:
+            before = row.pieces[-1].text
+            if word in ("{", "}") or before == "{":
+                blanks = 1
+            elif following == "=" and before not in ("=", ",", "("):
+                blanks = 2
+        if len(row.pieces) == 2 and row.pieces[1].text[0].isdigit() and blanks:
+            self.column = 1
+        self.piece(word, 0, blanks)
+
+    # ---- lines ---------------------------------------------------------------------------------
+
+    def line(self, node: Any, shape: Shape, depth: int) -> None:
+        """The pieces of a rule that stands on a line."""
+        outer, self.shape = self.shape, shape
+        columns = shape.columns if isinstance(shape, Line) else {}
+        for child in node:
+            if _is_terminal(child):
+                if child.rule_name in DROPPED:
+                    continue
+                self.column = columns.get(child.value, self.column) if child.rule_name == "" else self.column
+                self.keyword(child, depth)
+                continue
+            attribute = getattr(child.rule, "_attr_name", None)
+            if attribute is None:
+                self.part(child, columns, depth)
+            else:
+                self.column = columns.get(attribute, self.column)
+                self.loose = isinstance(shape, Line) and attribute == shape.loose
+                self.assigned(child, depth, columns)
+        self.shape = outer
+
+    def part(self, node: Any, columns: Any, depth: int) -> None:
+        while node.rule_name not in SHAPES:
+            if _is_terminal(node):
+                self.piece(node.value, depth)
+                return
+            (node,) = node
+        self.column = columns.get(node.rule_name, self.column)
+        self.line(node, SHAPES[node.rule_name], depth)
+
+    def assigned(self, node: Any, depth: int, columns: Any = None) -> None:
+        """What is assigned to an attribute: one thing, or a list."""
+        first = node[0]
+        if _is_terminal(first) and first.rule_name in FORMULAS:
+            self.tokens(node, formula([leaf.value for leaf in node], depth + 1))
+            return
+        if _is_terminal(first) and first.rule_name in EXPRESSIONS:
+            pieces = expression(
+                [leaf.value for leaf in node], depth + 1, transition=first.rule_name == "ControlToken"
+            )
+            self.tokens(node, pieces)
+            return
+        is_list = any(_is_terminal(child) and child.rule_name == "sep" for child in node)
+        separated = ""
+        for child in node:
+            inside = depth + is_list
+            if _is_terminal(child) and child.rule_name == "sep":
+                separated = child.value
+                level = GLUED if separated == "," else level_of(inside, _LIST)
+                self.piece(child.value, inside, level=level)
+                continue
+            level = level_of(inside, _LIST) if separated == "," else GLUED
+            separated = ""
+            before = len(self.row.pieces)
+            if _is_terminal(child):
+                self.piece(child.value, inside)
+            else:
+                self.part(child, columns or {}, inside)
+            if level != GLUED and before < len(self.row.pieces):
+                self.row.pieces[before].level = level
+
+    def keyword(self, leaf: Any, depth: int) -> None:
+        shape = self.shape
+        level = GLUED
+        if isinstance(shape, (Line, Part)) and leaf.value in shape.breaks:
+            level = level_of(depth, _BREAK)
+        self.piece(leaf.value, depth, level=level)
+
+    def tokens(self, leaves: Sequence[Any], pieces: Sequence[Piece]) -> None:
+        pieces[0].blanks = 1
+        for leaf, piece in zip(leaves, pieces, strict=True):
+            self.piece(leaf.value, piece.depth, piece.blanks, piece.level, piece.text)
+
+    # ---- pieces --------------------------------------------------------------------------------
+
+    def piece(
+        self,
+        text: Token,
+        depth: int,
+        blanks: int | None = None,
+        level: int = GLUED,
+        written: str | None = None,
+    ) -> None:
+        """Add a token, and the comments before it."""
+        if blanks is None:
+            blanks = self.blanks(text)
+        made = Piece(written or str(text), blanks, level, depth)
+        if text[0] != '"' and (" " in text or "\n" in text or "\t" in text or "\r" in text):
+            self.split(text, made)
+        else:
+            self.add(text, made)
+
+    def split(self, text: Token, made: Piece) -> None:
+        """A token in which the author has blanks: they are not kept, comments in it are."""
+        begin = end = text.start
+        written = ""
+        for part in text.split():
+            start = self._find(part, end)
+            if bisect_left(self.comment_starts, end) != bisect_left(self.comment_starts, start):
+                self.add(token(self.text[begin:end], begin), replace(made, text=written))
+                made = replace(made, blanks=0, level=GLUED)
+                begin, written = start, ""
+            written += part
+            end = start + len(part)
+        self.add(token(self.text[begin:end], begin), replace(made, text=written))
+
+    def _find(self, part: str, start: int) -> int:
+        """Where a part of a token stands, comments skipped."""
+        while True:
+            found = self.text.index(part, start)
+            index = bisect_left(self.comment_starts, found + 1) - 1
+            if index < 0 or self.comments[index].span.end <= found:
+                return found
+            start = self.comments[index].span.end
+
+    def add(self, text: Token, piece: Piece) -> None:
+        gap = self.gap(text.start)
+        row = self.row
+        piece.starts_line = gap.newline
+        if not row.pieces:
+            self.first(gap, row)
+        else:
+            if gap.trailing:
+                row.pieces[-1].after += gap.trailing
+            piece.above = (*gap.hanging, *(comment for _, comment in gap.own))
+        if gap.leading:
+            piece.text = " ".join([*gap.leading, piece.text])
+            if piece.blanks == 0 and row.pieces:
+                piece.blanks = 1
+        if self.column is not None:
+            piece.column = self.column
+            self.column = None
+        piece.loose = self.loose
+        self.loose = False
+        row.pieces.append(piece)
+        self.end = text.end
+        self.last = str(text)
+
+    def first(self, gap: Gap, row: Row) -> None:
+        """The comments before an entry."""
+        row.above = gap.own
+        row.blank = gap.blank
+        if self.end == 0 and gap.trailing:
+            row.above = ((False, " ".join(gap.trailing)), *row.above)
+        else:
+            self.end_line(gap)
+
+    def end_line(self, gap: Gap) -> None:
+        """Give the line before a gap the comments at its end."""
+        if gap.trailing:
+            self.trailing += [" ".join(gap.trailing), *gap.hanging]
+
+    def blanks(self, text: Token) -> int:
+        tight = text in _TIGHT_BEFORE or self.last in _TIGHT_AFTER or text in self.shape.tight.split()
+        return 0 if tight else 1
+
+    # ---- gaps ----------------------------------------------------------------------------------
+
+    def gap(self, start: int) -> Gap:
+        """What stands between the last token and the one at `start`."""
+        first = bisect_left(self.comment_starts, self.end)
+        last = bisect_left(self.comment_starts, start)
+        if first == last:
+            newlines = self.text.count("\n", self.end, start)
+            return Gap(blank=newlines > 1, newline=newlines > 0)
+        lines: list[tuple[bool, int, list[str]]] = [(False, 0, [])]
+        at = self.end
+        for comment in self.comments[first:last]:
+            newlines = self.text.count("\n", at, comment.span.start)
+            column = comment.span.start - self.text.rfind("\n", 0, comment.span.start)
+            if newlines or not lines[-1][2]:
+                line = (newlines > 1, column, [_comment(comment.text)])
+                lines = [*lines, line] if newlines else [line]
+            else:
+                lines[-1][2].append(_comment(comment.text))
+            at = comment.span.end
+        newlines = self.text.count("\n", at, start)
+        if newlines:
+            lines.append((newlines > 1, 0, []))
+        (_, column, trailing), *own = lines
+        if not own:
+            return Gap(leading=tuple(trailing))
+        blank, _, leading = own.pop()
+        hanging: list[str] = []
+        while own and trailing and self.end and own[0][0] is False and own[0][1] == column:
+            if ORDER.search(own[0][2][0]):
+                break
+            hanging.append(" ".join(own.pop(0)[2]))
+        return Gap(
+            tuple(trailing),
+            tuple(hanging),
+            tuple((above, " ".join(texts)) for above, _, texts in own),
+            tuple(leading),
+            blank,
+            newline=True,
+        )
+
+    def next_gap(self, start: int | None = None) -> Gap:
+        """The gap before the next token, which is the next character that is no comment and no blank."""
+        if start is not None:
+            return self.gap(start)
+        at = self.end
+        index = bisect_left(self.comment_starts, at)
+        while at < len(self.text):
+            if index < len(self.comments) and self.comment_starts[index] == at:
+                at = self.comments[index].span.end
+                index += 1
+            elif self.text[at].isspace():
+                at += 1
+            else:
+                break
+        return self.gap(at)
+
+
+def _is_terminal(node: Any) -> bool:
+    return not isinstance(node, list)
+
+
+def _words(node: Any) -> list[Token]:
+    """The leaves below a node."""
+    found: list[Token] = []
+    todo = [node]
+    while todo:
+        item = todo.pop()
+        if _is_terminal(item):
+            found.append(item.value)
+        else:
+            todo.extend(reversed(item))
+    return found
+
+
+def _closing(words: Sequence[str]) -> dict[int, int]:
+    """The index of the `}` of each `{`."""
+    pairs: dict[int, int] = {}
+    open_: list[int] = []
+    for index, word in enumerate(words):
+        if word == "{":
+            open_.append(index)
+        elif word == "}":
+            pairs[open_.pop()] = index
+    return pairs
+
+
+def _comment(text: str) -> str:
+    if text.startswith("//"):
+        return text.rstrip()
+    return text.replace("\r\n", "\n")

@@ -1,0 +1,118 @@
+"""Blanks and places to break in formulas and expressions, which the grammar has as flat lists of tokens."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from aseme_dsl.grammar.layout.pieces import GLUED, Piece
+
+LEVELS = 16
+"""How many levels there are to a depth."""
+
+_POSTFIX = ("*", "+", "~", "ω", "^ω")
+_FORMULA = {"||": 1, "|": 2, ".": 3}
+
+_SLASH, _CONDITION, _EVENT, _COMMA = 0, 1, 2, 0
+_INFIX = (
+    {"||": 3, "or": 3, "&&": 4, "and": 4}
+    | dict.fromkeys(("<", "<=", ">", ">=", "==", "!="), 5)
+    | dict.fromkeys(("+", "-"), 6)
+    | dict.fromkeys(("*", "/", "%"), 7)
+)
+_OPERAND_FOLLOWS = frozenset((*_INFIX, "!", "not", "(", "[", ",", ";", "=", "when", "else"))
+
+
+def level_of(depth: int, precedence: int) -> int:
+    """The level of a place to break: deeper is tighter, and at one depth what binds more tightly."""
+    return depth * LEVELS + precedence
+
+
+def formula(tokens: Sequence[str], depth: int) -> list[Piece]:
+    """The pieces of a formula whose first token is at `depth`."""
+    pieces: list[Piece] = []
+    brackets: list[str] = []
+    operand_expected = True
+    glued = True  # the next piece has no blank before it
+    index = 0
+    while index < len(tokens):
+        token = tokens[index]
+        if operand_expected and token in ("(", "[", "|"):
+            touches = glued and not (token == "|" and index > 0 and tokens[index - 1] == "|")
+            pieces.append(Piece(token, 0 if touches else 1, GLUED, depth))
+            brackets.append(token)
+            depth += 1
+            glued = True
+        elif operand_expected:
+            pieces.append(Piece(token, 0 if glued else 1, GLUED, depth))
+            operand_expected = False
+        elif token in _POSTFIX:
+            pieces.append(Piece("~" if "ω" in token else token, 0, GLUED, depth))
+        elif token == "[":  # instances
+            pieces += [Piece(text, 0, GLUED, depth) for text in tokens[index : index + 3]]
+            index += 2
+        elif brackets and (token in (")", "]") or (token == "|" and _closes_bar(tokens, index, brackets))):
+            brackets.pop()
+            depth -= 1
+            pieces.append(Piece(token, 0, GLUED, depth))
+            if token == "|":
+                index += 1
+                pieces.append(Piece(tokens[index], 0, GLUED, depth))
+        else:
+            pieces.append(Piece(token, 1, level_of(depth, _FORMULA.get(token, 3)), depth))
+            operand_expected = True
+            glued = False
+        index += 1
+    return pieces
+
+
+def _closes_bar(tokens: Sequence[str], index: int, brackets: Sequence[str]) -> bool:
+    """Whether a `|` is the second of `|A~|3`."""
+    return brackets[-1] == "|" and index + 1 < len(tokens) and tokens[index + 1].isdigit()
+
+
+def expression(tokens: Sequence[str], depth: int, *, transition: bool) -> list[Piece]:
+    """The pieces of an expression, or of a transition expression, whose first token is at `depth`."""
+    pieces: list[Piece] = []
+    outside = transition  # of the condition and the actions
+    brackets = 0
+    previous = ""
+    unary = False  # the token before is a sign or `!`
+    for token in tokens:
+        blanks, level = 1, GLUED
+        operand = not previous or previous in _OPERAND_FOLLOWS
+        is_unary = False
+        at = depth
+        if not previous or previous in ("(", "[") or unary:
+            blanks = 0
+        if token in ("(", "["):
+            if token == "(" and not operand:
+                blanks = 0
+            if token == "[" and outside and previous and previous != "when":
+                level = level_of(depth, _CONDITION)
+            brackets += 1
+            depth += 1
+        elif token in (")", "]"):
+            brackets -= 1
+            depth -= 1
+            at = depth
+            blanks = 0
+        elif token in (",", ";"):
+            blanks = 0
+        elif token == "/" and outside and brackets == 0:
+            outside = False
+            level = level_of(depth, _SLASH) if previous else GLUED
+            depth += 1
+            at = depth - 1
+            operand = True
+        elif token in ("!", "-", "+") and operand:
+            is_unary = True
+        elif token in ("or", "||") and outside and brackets == 0:
+            level = level_of(depth, _EVENT)
+        elif token in _INFIX:
+            level = level_of(depth, _INFIX[token])
+        if previous in (",", ";"):
+            level = level_of(at, _COMMA)
+        pieces.append(Piece(token, blanks, level, at))
+        unary = is_unary
+        previous = token
+    return pieces
