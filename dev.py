@@ -41,6 +41,8 @@ CHECKS = [
 
 LONG = [
     ("a large file", ["benchmarks/large_file.py"], {}),
+    ("broken files", ["benchmarks/broken_files.py"], {}),
+    ("one slip, one message", ["benchmarks/mutations.py"], {}),
     ("random charts", ["-m", "pytest", "tests/oracle"], {"ORACLE_EXAMPLES": "5000"}),
 ]
 """What `long` runs: too heavy for every change, to be run before a release."""
