@@ -278,6 +278,7 @@ def never_taken(line: Line, because: Span) -> Diagnostic:
         "this line is never taken: something beside it needs no condition",
         line.span,
         (Related(because, "taken as soon as the source is complete"),),
+        hint="give the other one a condition, or remove this line",
     )
 
 

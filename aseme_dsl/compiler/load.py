@@ -202,7 +202,9 @@ def _parsed(loader: _Loader, given: Source | _Place, item: tree.Import | None) -
     if source is None:
         return None
     if not source.text.strip():
-        loader.diagnostics.append(_about(source.path, item, "W001", f"{source.path} is empty"))
+        loader.diagnostics.append(
+            _about(source.path, item, "W001", f"{source.path} is empty", "write it, or leave it out")
+        )
     if len(source.text) > loader.largest:
         loader.diagnostics.append(_too_large(source.path, item, len(source.text), loader.largest))
         return None

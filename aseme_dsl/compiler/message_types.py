@@ -115,7 +115,7 @@ def _constants(collector: Collector, enum: tree.Enum) -> tuple[tuple[str, int], 
                 "E210",
                 f"`{name}` has the number {number}, as `{numbers[number]}` has",
                 item.span,
-                None,
+                "give it a number of its own, or leave the numbers out",
                 Related(numbers[number].span, "used here"),
             )
         numbers.setdefault(number, name)
@@ -209,7 +209,7 @@ def _checked_number(collector: Collector, item: tree.Field, numbers: dict[int, t
             "E210",
             f"the field `{item.name}` has the number {number}, as `{numbers[number]}` has",
             item.span,
-            None,
+            "give it a number of its own, or leave the numbers out",
             Related(numbers[number].span, "used here"),
         )
     numbers.setdefault(number, item.name)

@@ -37,7 +37,11 @@ def unknown(
 def declared_twice(what: str, name: tree.Name, first: Span) -> Diagnostic:
     """`name` has a declaration already, at `first`."""
     return Diagnostic(
-        "E201", f"{what} `{name.text}` is declared twice", name.span, (Related(first, "first declared here"),)
+        "E201",
+        f"{what} `{name.text}` is declared twice",
+        name.span,
+        (Related(first, "first declared here"),),
+        hint="rename one of them, or remove it",
     )
 
 

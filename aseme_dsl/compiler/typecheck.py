@@ -92,7 +92,9 @@ def constant(
         checker.report("E514", "an initial value must be a constant", problem.value.span, hint)
         return None, tuple(checker.diagnostics)
     except ArithmeticError as problem:
-        checker.report("E516", f"the value cannot be computed: {problem}", value.span)
+        fits = isinstance(problem, OverflowError) and expected == INT
+        larger = "a double can be larger" if fits else None
+        checker.report("E516", f"the value cannot be computed: {problem}", value.span, larger)
         return None, tuple(checker.diagnostics)
     if expected == DOUBLE:
         assert not isinstance(result, str)
@@ -203,7 +205,8 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
 def _checked(checker: Checker, literal: Literal) -> Value | None:
     """A number that fits where it is kept: 64 bits."""
     if isinstance(literal.value, int) and literal.value > LARGEST_INT:
-        checker.report("E516", f"{literal.span.text} does not fit 64 bits", literal.span)
+        hint = "the longest duration is 292 years" if literal.type == DURATION else "a double can be larger"
+        checker.report("E516", f"{literal.span.text} does not fit 64 bits", literal.span, hint)
         return None
     return literal
 

@@ -335,9 +335,9 @@ class _Builder:
         end = node.most or node.least
         span = Span(self.source, node.least.start, end.end)
         if most is not None and (most < least or most == 0):
-            self.diagnostics.append(
-                Diagnostic("E115", f"no number of agents is from {least} to {most}", span)
-            )
+            hint = f"write {most}..{least}" if most else "write 1, or a larger number"
+            message = f"no number of agents is from {least} to {most}"
+            self.diagnostics.append(Diagnostic("E115", message, span, hint=hint))
         return tree.Multiplicity(least, most, span)
 
     def agent_messages(self, entries: Iterable[Any]) -> tuple[tree.AgentMessage, ...]:
@@ -555,9 +555,9 @@ class _Builder:
             return None
         if most < least:
             span = Span(self.source, node.least.start, node.most.end)
-            self.diagnostics.append(
-                Diagnostic("E115", f"no agents are numbered from {least} to {most}", span)
-            )
+            message = f"no agents are numbered from {least} to {most}"
+            hint = f"write {most}..{least}"
+            self.diagnostics.append(Diagnostic("E115", message, span, hint=hint, fix=f"{most}..{least}"))
             return None
         return least, most
 
