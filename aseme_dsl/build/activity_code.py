@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from aseme_dsl.amola.srm import Activity
     from aseme_dsl.amola.system import System
 
-_ALLOW = re.compile(r"#\s*asemec\s*:\s*allow\s*\((?P<codes>[^()]*)\)\s*(?P<reason>.*)")
+_ALLOW = re.compile(r"(?:#|//)\s*asemec\s*:\s*allow\s*\((?P<codes>[^()]*)\)\s*(?P<reason>.*)")
 _READS = ("read", "state", "latest", "history", "take")
 _VARIABLES = ("set", "variable")
 _METHODS = (*_READS, *_VARIABLES, "publish", "raise_event")
@@ -33,7 +33,7 @@ _METHODS = (*_READS, *_VARIABLES, "publish", "raise_event")
 def check_code(
     system: System, folder: Path, *, alone: bool = True
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
-    """What the modules in `folder` get wrong of the system: W530 to W533.
+    """What the modules in `folder` get wrong of the system: W530 to W533, N726.
 
     A module that is not there is not asked for. Second comes what a comment on the line allows:
     `# asemec: allow(CODE) reason`.
@@ -45,17 +45,22 @@ def check_code(
     world = _World.of(system, alone)
     found: list[Diagnostic] = []
     known: set[str] = set()
+    modules: list[_Module] = []
     for activity in system.activities:
         path = folder / f"{module_name(activity.name)}.py"
         known.add(path.name)
         module = _module(path, found)
         if module is not None:
+            modules.append(module)
             found += _of_activity(module, activity, world)
     for path in sorted(folder.glob("*.py")):
         if path.name not in known:
             helper = _module(path, [])
             if helper is not None:
+                modules.append(helper)
                 found += (problem for call in _calls(helper) for problem in _unknown(call, None, world))
+    if len(known) == sum(name in known for name in (Path(item.source.path).name for item in modules)):
+        found += _never_raised(modules, world)
     kept = [item for item in found if _allowed(item) is None]
     return tuple(kept), tuple(allowed for item in found if (allowed := _allowed(item)) is not None)
 
@@ -233,10 +238,12 @@ def _of_activity(module: _Module, activity: Activity, world: _World) -> Iterator
             if what is not None:
                 undeclared.setdefault(what, call)
     for (clause, name), call in undeclared.items():
-        doing = "reads" if clause == "reads" else "writes"
+        message = f"`{activity.name}` {clause} `{name}`, which it does not say"
+        if name.endswith(" for …"):
+            message = f"`{activity.name}` reads a history, and does not say how long it is to be kept"
         yield Diagnostic(
             "W531",
-            f"`{activity.name}` {doing} `{name}`, which it does not say",
+            message,
             call.span,
             (Related(activity.span, "what is said of it" if _is_described(activity) else "the activity"),),
             hint=f"add `{clause} {name}` to it among the `activities` of the role",
@@ -310,6 +317,26 @@ def _unknown(call: _Call, activity: Activity | None, world: _World) -> Iterator[
         yield Diagnostic("W530", message, call.span)
 
 
+def _never_raised(modules: Sequence[_Module], world: _World) -> Iterator[Diagnostic]:
+    """N726 for an event that a transition waits for and no code raises, as far as all of the code is there.
+
+    An event whose name is computed may be any of them; one that is almost raised is W532 there.
+    """
+    raised: set[str] = set()
+    for module in modules:
+        raised.update(call.name for call in _calls(module) if call.method == "raise_event")
+        for node in ast.walk(module.tree):
+            if isinstance(node, ast.Call) and _last(node.func) == "raise_event":
+                first = node.args[0] if node.args else next((item.value for item in node.keywords), None)
+                if _text(module, first) is None:
+                    return
+    meant = {closest(name, world.events) for name in raised if name not in world.events}
+    for name, span in world.events.items():
+        if name not in raised and name not in meant:
+            hint = f'raise it in an activity: `context.raise_event("{name}")`'
+            yield Diagnostic("N726", f"no activity raises the event `{name}`", span, hint=hint)
+
+
 def _channel_hint(name: str, world: _World) -> str:
     topic = name.partition(".")[0]
     own = [text for text in world.channels if text.partition(".")[0] == topic]
@@ -328,7 +355,10 @@ def _is_known(call: _Call, activity: Activity, world: _World) -> bool:
 def _missing(call: _Call, activity: Activity) -> tuple[str, str] | None:
     """The clause and the name that the description of the activity lacks."""
     if call.method in _READS:
-        reads = any(item.channel is None or str(item.channel) == call.name for item in activity.reads)
+        own = [item for item in activity.reads if str(item.channel) == call.name]
+        if call.method == "history" and own and not any(item.history for item in own):
+            return "reads", f"{call.name} for …"
+        reads = own or any(item.channel is None for item in activity.reads)
         return None if reads else ("reads", call.name)
     if call.method == "publish":
         return None if call.name in map(str, activity.writes) else ("writes", call.name)

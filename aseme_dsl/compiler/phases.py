@@ -135,7 +135,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
         if symbols.system is not None and len(charts) == len(eacs) + len(iacs):
             found += check_use(_built(iacs), _built(eacs), described, list(_described_in(blocks)), symbols)
 
-    diagnostics, suppressed = allow(loaded.files, without_consequences(found))
+    diagnostics, suppressed = allow(loaded.files, without_consequences(found), _OF_CODE)
     diagnostics = options.policy.apply(diagnostics)
     accepted = {id(item.diagnostic) for item in suppressed}
     missing = [item for item in missing if id(item.note) not in accepted]
@@ -202,6 +202,9 @@ def _named(blocks: Blocks) -> Iterator[str]:
     for block in blocks.srms:
         yield from (item.own.text for play in block.plays for item in play.bindings)
 
+
+_OF_CODE = frozenset(("N726",))
+"""What is found only where the activities' code is at hand (build/activity_code.py)."""
 
 _IMPORTABLE = (
     tree.Import,

@@ -167,6 +167,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "N723": ("note", "messages of several agents that are read as one"),
     "N724": ("note", "a state that is not left on completion"),
     "N725": ("note", "a variable that is written and never read"),
+    "N726": ("note", "an event that no activity raises"),
 }
 
 CODES: dict[str, Code] = {code: Code(code, severity, title) for code, (severity, title) in _TABLE.items()}

@@ -34,7 +34,7 @@ srm player {
   }
   activities {
     Look    writes vision.state.Ball, vision.data.Ball
-    Search  reads vision.state.Ball, vision.data.Ball  writes tired, motion.signal.Ball
+    Search  reads vision.state.Ball, vision.data.Ball for 2s  writes tired, motion.signal.Ball
     Legs    reads motion.signal.Ball
     Collect writes bids
   }
@@ -46,9 +46,9 @@ team Team { one, two : player  three : other }
 """
 
 
-def say(folder: Path, name: str, code: str, *, alone: bool = True) -> list[Diagnostic]:
+def say(folder: Path, name: str, code: str, *, alone: bool = True, text: str = SYSTEM) -> list[Diagnostic]:
     (folder / name).write_text(code, "utf-8")
-    found, _ = check_code(system(SYSTEM), folder, alone=alone)
+    found, _ = check_code(system(text), folder, alone=alone)
     return list(found)
 
 
@@ -178,3 +178,30 @@ def test_a_comment_on_the_line_allows_it(tmp_path: Path) -> None:
     assert allowed.reason == "the referee's program waits for it"
     body = 'context.raise_event("goal")  # asemec: allow(W530) not that'
     assert [item.code for item in say(tmp_path, "search.py", activity(body))] == ["W532"]
+
+
+def test_an_event_that_no_activity_raises(tmp_path: Path) -> None:
+    for name in ("Look", "Walk", "Legs", "Collect", "Pay", "Offer"):
+        (tmp_path / f"{name.lower()}.py").write_text(activity("pass", name))
+    (found,) = say(tmp_path, "search.py", activity("pass"))
+    assert (found.code, found.span and found.span.text) == ("N726", "seen")
+    assert [item.code for item in say(tmp_path, "search.py", activity('context.raise_event("sen")'))] == [
+        "W532"
+    ]
+    assert say(tmp_path, "search.py", activity("context.raise_event(name)")) == []
+    assert say(tmp_path, "search.py", activity('context.raise_event("seen")')) == []
+    say(tmp_path, "search.py", activity("pass"))
+    (tmp_path / "helper.py").write_text('def tell(context):\n    context.raise_event("seen")\n')
+    assert check_code(system(SYSTEM), tmp_path) == ((), ())
+    (tmp_path / "helper.py").unlink()
+    (tmp_path / "walk.py").unlink()
+    assert check_code(system(SYSTEM), tmp_path) == ((), ())
+
+
+def test_a_history_is_kept_as_long_as_somebody_says(tmp_path: Path) -> None:
+    code = activity('context.history("vision.data.Ball")')
+    (found,) = say(tmp_path, "search.py", code, text=SYSTEM.replace(" for 2s", ""))
+    assert (found.code, found.hint) == (
+        "W531",
+        "add `reads vision.data.Ball for …` to it among the `activities` of the role",
+    )
