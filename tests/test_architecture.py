@@ -20,6 +20,7 @@ FLOORS = {
     "diagrams": 2,
     "codegen": 2,
     "interop": 2,
+    "proofs": 2,
     "field": 2,
     "amola": 1,
     "runtime": 1,
@@ -34,6 +35,7 @@ KNOWS_ONLY = {
     "diagnostics": {"source"},
     "runtime": {"source"},
     "field": {"runtime"},
+    "proofs": {"amola", "source"},
 }
 """Rooms that may use less than all that is below them."""
 

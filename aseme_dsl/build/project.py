@@ -32,18 +32,22 @@ class Compiled:
     """Whether the file declares no system, only what other files import."""
     suppressed: tuple[Suppressed, ...] = ()
     """What comments in the sources allow."""
+    unchecked: int = 0
+    """How many choices' conditions were not compared, because z3 is not installed."""
 
 
 @dataclass(frozen=True, slots=True)
 class Checked:
     """What is to be said of files: every diagnostic, in order, and what comments in the sources allow.
 
-    `files` are the paths of all that was looked at.
+    `files` are the paths of all that was looked at; `unchecked` is how many choices' conditions were not
+    compared, because z3 is not installed.
     """
 
     diagnostics: tuple[Diagnostic, ...]
     files: tuple[str, ...]
     suppressed: tuple[Suppressed, ...]
+    unchecked: int = 0
 
 
 def inputs_of(
@@ -101,7 +105,16 @@ def compile_root(
         diagnostics = in_order((*diagnostics, *configuration.diagnostics.apply(problems)))
         suppressed += allowed
     files = tuple(source.path for source in system.sources) if system else ()
-    return Compiled(root, configuration, system, diagnostics, files, analysis.is_library, suppressed)
+    return Compiled(
+        root,
+        configuration,
+        system,
+        diagnostics,
+        files,
+        analysis.is_library,
+        suppressed,
+        analysis.unchecked,
+    )
 
 
 def _code_problems(
@@ -139,7 +152,8 @@ def check(inputs: Inputs, sources: Mapping[str, str] | None = None) -> Checked:
             compiled.append(alone)
             found += [item for item in alone.diagnostics if item.code != "E008"]
     suppressed = _once(item for other in compiled for item in other.suppressed)
-    return Checked(in_order(_without_used(found, suppressed)), tuple(sorted(files)), suppressed)
+    unchecked = sum(item.unchecked for item in compiled)
+    return Checked(in_order(_without_used(found, suppressed)), tuple(sorted(files)), suppressed, unchecked)
 
 
 def _once(suppressed: Iterable[Suppressed]) -> tuple[Suppressed, ...]:

@@ -36,6 +36,7 @@ _LIBRARIES = {
 """What the package depends on, with what it is for."""
 
 _OPTIONAL = {
+    "z3-solver": ("check", "lets check compare conditions: overlaps, gaps, what never holds"),
     "grpcio-tools": ("proto", "imports .proto files, with the real protoc that it carries"),
     "jsonschema": ("schema", "validates models and traces against their JSON schemas"),
 }

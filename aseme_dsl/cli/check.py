@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from aseme_dsl.build.fix import Fixed
     from aseme_dsl.build.project import Checked
 
+_INSTALL_Z3 = 'pip install "aseme-dsl[check]"'
+
 FORMATS = ("text", "json", "sarif", "github", "junit")
 
 
@@ -135,7 +137,12 @@ def _report(
 
 
 def _summary(checked: Checked) -> str:
-    return summary(checked.diagnostics, len(checked.files))
+    said = summary(checked.diagnostics, len(checked.files))
+    if checked.unchecked:
+        number = plural(checked.unchecked, "choice")
+        were = "was" if checked.unchecked == 1 else "were"
+        said += f"\n{number} {were} not checked for overlaps and gaps; to do so: {_INSTALL_Z3}"
+    return said
 
 
 def _tip(checked: Checked) -> str:
@@ -176,6 +183,7 @@ def _json(checked: Checked, fixed: Fixed | None) -> dict[str, Any]:
     from aseme_dsl.diagnostics.render import suppressed_json
 
     result = {"format": FORMAT, "files": len(checked.files), **diagnostics_json(checked.diagnostics)}
+    result["unchecked_choices"] = checked.unchecked
     result["suppressed"] = suppressed_json(checked.suppressed)
     if fixed is not None:
         result["mended"] = render_json(fixed.mended)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
@@ -12,6 +12,8 @@ from aseme_dsl.amola.expression import (
     Assign,
     Expired,
     Member,
+    Publish,
+    ReadMessages,
     StartTimer,
     TransitionExpression,
     VariableValue,
@@ -36,15 +38,19 @@ class _Edge:
     transition: Transition
 
 
-def check_flow(chart: Statechart) -> tuple[Diagnostic, ...]:
+Contradict = Callable[[Sequence[Transition]], bool]
+"""Whether the conditions of transitions can surely not hold at one moment."""
+
+
+def check_flow(chart: Statechart, contradict: Contradict = lambda _: False) -> tuple[Diagnostic, ...]:
     """Waits for what never completes (W402) and cycles that never rest (W403, E412).
 
-    States are called by their names, not by their labels: what a formula does that is expanded in several
-    places is said once.
+    A cycle whose conditions `contradict` each other comes to rest. States are called by their names, not by
+    their labels: what a formula does that is expanded in several places is said once.
     """
     edges = _edges(chart)
     found = list(_endless_waits(chart, edges))
-    found += _cycles(chart, edges)
+    found += _cycles(chart, edges, contradict)
     return tuple(found)
 
 
@@ -250,12 +256,14 @@ def _endless_wait(chart: Statechart, transition: Transition, target: Node) -> Di
 # ---- cycles --------------------------------------------------------------------------------------
 
 
-def _cycles(chart: Statechart, edges: dict[str, list[_Edge]]) -> Iterator[Diagnostic]:
+def _cycles(chart: Statechart, edges: dict[str, list[_Edge]], contradict: Contradict) -> Iterator[Diagnostic]:
     """W403 for a cycle that goes on within one step; E412 if it has no state at all."""
-    at_once: dict[str, bool] = {}  # whether an OR or AND completes without an activity, an event or time
+    at_once: AtOnce = {}
     for node in reversed(chart.nodes):
         if node.type is NodeType.AND:
-            at_once[node.label] = all(at_once[child.label] for child in chart.children(node.label))
+            inside = [at_once.get(child.label) for child in chart.children(node.label)]
+            if None not in inside:
+                at_once[node.label] = tuple(item for way in inside if way is not None for item in way)
         if node.type is not NodeType.OR:
             continue
         quick: dict[str, list[_Edge]] = {}
@@ -263,25 +271,32 @@ def _cycles(chart: Statechart, edges: dict[str, list[_Edge]]) -> Iterator[Diagno
             if _is_quick(chart, edge, at_once):
                 quick.setdefault(edge.source, []).append(edge)
         start, end = chart.start_of(node.label), chart.end_of(node.label)
-        reached = {start.label} if start is not None else set()
-        waiting = list(reached)
-        while waiting:
-            for edge in quick.get(waiting.pop(), ()):
-                if edge.target not in reached:
-                    reached.add(edge.target)
-                    waiting.append(edge.target)
-        at_once[node.label] = end is not None and end.label in reached
+        if start is not None and end is not None:
+            ways = _walks(quick, start.label, end.label, at_once, contradict)
+            if ways:
+                at_once[node.label] = _all_of(ways[0], at_once) if len(ways) == 1 else ()
         for circle in _circles(quick):
-            yield _restless(chart, circle)
+            if _is_bare(chart, circle) or not _comes_to_rest(_all_of(circle, at_once), contradict):
+                yield _restless(chart, circle)
+                continue
+            others = (_walks(quick, edge.source, edge.source, at_once, contradict) for edge in circle)
+            other = next((walks[0] for walks in others if walks), None)
+            if other is not None:
+                yield _restless(chart, other or circle)
 
 
-def _is_quick(chart: Statechart, edge: _Edge, at_once: dict[str, bool]) -> bool:
+AtOnce = dict[str, tuple[Transition, ...]]
+"""The OR and AND states that complete without an activity, an event or time, with the transitions by which
+they do: none where there are several ways."""
+
+
+def _is_quick(chart: Statechart, edge: _Edge, at_once: AtOnce) -> bool:
     """Whether a transition may be taken again and again while nothing arrives and no time passes."""
     expression = edge.transition.expression
     if expression.events or _rests(expression):
         return False
     source = chart.by_label[edge.transition.source]
-    return expression.when or source.type in _POINTS or at_once.get(source.label, False)
+    return expression.when or source.type in _POINTS or source.label in at_once
 
 
 def _rests(expression: TransitionExpression) -> bool:
@@ -334,6 +349,84 @@ def _circles(following: dict[str, list[_Edge]]) -> Iterator[list[_Edge]]:
                 path.append(edge)
                 on_path.add(edge.target)
                 stack.append((edge.target, iter(following.get(edge.target, ()))))
+
+
+_MOST_WALKS = 1000
+"""How many beginnings of walks through one composite are looked at."""
+
+
+def _walks(
+    following: dict[str, list[_Edge]], start: str, end: str, at_once: AtOnce, contradict: Contradict
+) -> list[list[_Edge]]:
+    """Ways from one state to another (round, to itself) whose conditions may hold together: at most two.
+
+    An empty one stands for what was too much to look at.
+    """
+    reached: set[str] = set()
+    waiting = [start]
+    while waiting:
+        for edge in following.get(waiting.pop(), ()):
+            if edge.target not in reached:
+                reached.add(edge.target)
+                waiting.append(edge.target)
+    if end not in reached:
+        return []
+    found: list[list[_Edge]] = []
+    stack = [[edge] for edge in reversed(following[start])]
+    for _ in range(_MOST_WALKS):
+        if not stack or len(found) == 2:
+            return found
+        path = stack.pop()
+        target = path[-1].target
+        if target == end:
+            if not _comes_to_rest(_all_of(path, at_once), contradict):
+                found.append(path)
+        elif target not in [edge.source for edge in path]:
+            stack += [[*path, edge] for edge in reversed(following.get(target, []))]
+    return found or [[]]
+
+
+def _all_of(walk_of: Sequence[_Edge], at_once: AtOnce) -> tuple[Transition, ...]:
+    """The transitions of a walk, with those inside the states that complete on the way."""
+    found: list[Transition] = []
+    for edge in walk_of:
+        transition = edge.transition
+        if _needs_completion(transition.expression):
+            found += at_once.get(transition.source, ())
+        found.append(transition)
+    return tuple(found)
+
+
+def _comes_to_rest(transitions: Sequence[Transition], contradict: Contradict) -> bool:
+    """Whether the conditions contradict each other, and none of the actions changes what they read."""
+    changed: set[object] = set()
+    read: set[object] = set()
+    for transition in transitions:
+        expression = transition.expression
+        for action in expression.actions:
+            match action:
+                case Assign(target=VariableValue(name=name)):
+                    changed.add(name)
+                case Publish(channel=channel):
+                    changed.add(channel)
+                case StartTimer(timer=timer):
+                    changed.add((timer,))
+                case ReadMessages():
+                    return False
+        for value in walk(expression.condition) if expression.condition is not None else ():
+            match value:
+                case Member(channel=channel):
+                    read.add(channel)
+                case VariableValue(name=name):
+                    read.add(name)
+                case Expired(timer=timer):
+                    read.add((timer,))
+    return not changed & read and contradict(transitions)
+
+
+def _is_bare(chart: Statechart, circle: Sequence[_Edge]) -> bool:
+    """Whether a circle is of choices alone (E412), whatever their conditions say."""
+    return all(chart.by_label[edge.source].type is NodeType.CONDITION for edge in circle)
 
 
 def _restless(chart: Statechart, circle: Sequence[_Edge]) -> Diagnostic:

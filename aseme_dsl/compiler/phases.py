@@ -24,6 +24,7 @@ from aseme_dsl.compiler.aip_to_eac import aip_to_eac, read_protocol
 from aseme_dsl.compiler.allow import allow
 from aseme_dsl.compiler.blocks import Blocks, blocks_of
 from aseme_dsl.compiler.chart import World
+from aseme_dsl.compiler.conditions import FROM_CONDITIONS, check_conditions, contradiction, prover_of
 from aseme_dsl.compiler.consequences import without_consequences
 from aseme_dsl.compiler.damage import damage
 from aseme_dsl.compiler.flow import check_flow, check_reach, check_timers
@@ -102,8 +103,9 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     iacs = {role.name: srm_to_iac(role, world) for role in roles.values()}
     iacs |= {item.name: build_statechart(item, world) for item in given}
     charts = [chart for chart in (*eacs.values(), *iacs.values()) if chart is not None]
+    prover = prover_of(symbols.enums, symbols.messages)
     for chart in charts:
-        found += check_flow(chart)
+        found += check_flow(chart, contradiction(prover))
         found += check_reach(chart)
 
     # What is used but not declared, described but not used, expected but not written.
@@ -130,12 +132,16 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
         found += not_played(blocks.aips, roles.values(), symbols.system.span.source, found)
         found += without_functionality(list(roles.values()), described)
 
+    unchecked = 0
     if not has_errors(found):  # else the line that starts a timer may be what is missing
         found += [problem for chart in charts for problem in check_timers(chart)]
         if symbols.system is not None and len(charts) == len(eacs) + len(iacs):
             found += check_use(_built(iacs), _built(eacs), described, list(_described_in(blocks)), symbols)
+        compared, unchecked = check_conditions(charts, prover)
+        found += compared
 
-    diagnostics, suppressed = allow(loaded.files, without_consequences(found), _OF_CODE)
+    not_looked_for = _OF_CODE | FROM_CONDITIONS if unchecked else _OF_CODE
+    diagnostics, suppressed = allow(loaded.files, without_consequences(found), not_looked_for)
     diagnostics = options.policy.apply(diagnostics)
     accepted = {id(item.diagnostic) for item in suppressed}
     missing = [item for item in missing if id(item.note) not in accepted]
@@ -159,7 +165,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
         sources=tuple(file.source for file in loaded.files),
         span=symbols.system.name.span,
     )
-    return Analysis(system, diagnostics, tuple(missing), suppressed=suppressed)
+    return Analysis(system, diagnostics, tuple(missing), suppressed=suppressed, unchecked=unchecked)
 
 
 def _places_of_roles(blocks: Blocks) -> dict[str, Span]:

@@ -104,6 +104,9 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W401": ("warning", "an `else` beside a timer"),
     "W402": ("warning", "a wait for something that never completes"),
     "W403": ("warning", "a cycle that never rests"),
+    "W410": ("warning", "two branches of one choice that can both hold"),
+    "W411": ("warning", "a gap in which no branch of a choice can hold"),
+    "W412": ("warning", "a branch that can never be taken"),
     "W420": ("warning", "a loop that never repeats or is never left"),
     "W421": ("warning", "a message that is filled and never published"),
     "W422": ("warning", "a message that is published and never read"),
@@ -160,6 +163,10 @@ _TABLE: dict[str, tuple[str, str]] = {
     "N705": ("note", "a use case that others do"),
     "N706": ("note", "a participant that no role plays"),
     "N707": ("note", "activities without a functionality"),
+    # What conditions leave open (N71x)
+    "N711": ("note", "conditions that are too hard to compare"),
+    "N712": ("note", "a condition that always holds"),
+    "N713": ("note", "a choice that waits for a message"),
     # What may not be meant (N72x)
     "N720": ("note", "a message that may not be there yet"),
     "N721": ("note", "a history that is not looked at as time passes"),

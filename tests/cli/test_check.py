@@ -7,6 +7,7 @@ import os
 import pty
 import re
 import subprocess
+import sys
 from contextlib import suppress
 from pathlib import Path
 from urllib.parse import urlparse
@@ -120,8 +121,42 @@ def test_json(here: Here, folder: Path) -> None:
         "warnings": 0,
         "notes": 0,
         "diagnostics": [],
+        "unchecked_choices": 0,
         "suppressed": [],
     }
+
+
+class TestWithoutZ3:
+    """Conditions are compared by z3, which is an extra: without it, that is said once."""
+
+    @pytest.fixture(autouse=True)
+    def without(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        hidden = tmp_path / "hidden"
+        hidden.mkdir()
+        (hidden / "z3.py").write_text("raise ImportError('not installed')\n")
+        monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(hidden), *sys.path]))
+
+    def test_a_line_after_the_summary_says_what_was_not_done(self, folder: Path) -> None:
+        (folder / "bad.aseme").write_text(CHOICE)
+        done = asemec("check", "bad.aseme", cwd=folder)
+        install = 'pip install "aseme-dsl[check]"'
+        assert (
+            done.out
+            == f"1 file is fine\n1 choice was not checked for overlaps and gaps; to do so: {install}\n"
+        )
+        assert done.code == 0
+        assert asemec("check", "--json", "bad.aseme", cwd=folder).json["unchecked_choices"] == 1
+
+    def test_where_there_is_no_such_choice_nothing_is_said(self, folder: Path) -> None:
+        assert asemec("check", "good.aseme", cwd=folder).out == "1 file is fine\n"
+
+    def test_what_is_allowed_in_case_it_is_looked_for_is_not_idle(self, folder: Path) -> None:
+        allowed = CHOICE.replace("  enter Walk", "  // asemec: allow(W411) it waits\n    enter Walk")
+        (folder / "bad.aseme").write_text(allowed)
+        assert "W011" not in asemec("check", "bad.aseme", cwd=folder).out
+
+
+CHOICE = GOOD.replace("else\n    leave", "[eyes.state.Seen.home && eyes.state.Seen.ball]\n    leave")
 
 
 class TestReports:

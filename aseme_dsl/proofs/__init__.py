@@ -1,0 +1,9 @@
+"""Proofs: what holds in all runs. So far, of one choice: what its conditions allow, decided by z3.
+
+unknowns    what a snapshot gives values to: messages, members, variables, timers, what functions return
+evaluate    whether a condition holds when some of them are known
+encoding    conditions as formulas of z3, with absence and faults exactly as they run
+snapshot    whether conditions can hold and fail together, and the simplest values that make them
+ways        the ways out of a state, through its choices
+choice      overlaps, gaps, and branches that are never or always open
+"""

@@ -1,0 +1,198 @@
+"""Evaluate: whether a condition holds when some unknowns are known, by the rules that generated code follows.
+
+With everything known it is the truth about one snapshot, floating point included; with a part of it, it says
+whether that part decides.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from aseme_dsl.amola import expression as e
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Kind
+from aseme_dsl.proofs.unknowns import RAISES, THERE, Key, Vocabulary, identity, presences
+
+Values = Mapping[Key, Any]
+"""What is known: booleans for presences, an enum's number, ns for a duration, else the value itself."""
+
+
+class Fault(Exception):
+    """A function or division that raises: the whole condition does not hold."""
+
+
+_UNKNOWN = object()
+
+_COMPARE: dict[str, Callable[[Any, Any], bool]] = {
+    "==": operator.eq,
+    "!=": operator.ne,
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
+}
+_COMPUTE: dict[str, Callable[[Any, Any], Any]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+    "%": operator.mod,
+}
+
+
+def holds(condition: e.Value, values: Values, vocabulary: Vocabulary) -> bool | None:
+    """Whether the condition holds; None where `values` do not decide it."""
+    try:
+        return _is(True, condition, values, vocabulary)
+    except Fault:
+        return False
+
+
+def _is(truth: bool, value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | None:
+    """Whether the value is true (false): None if not known. Raises Fault where it is sure to."""
+    match value:
+        case e.Named(expression=inner):
+            return _is(truth, inner, values, vocabulary)
+        case e.Not(operand=operand):
+            return _is(not truth, operand, values, vocabulary)
+        case e.Logic(operator=word, operands=operands):
+            every = (word == "&&") is truth
+            return _decided(every, truth, operands, values, vocabulary)
+    there = _is_there(value, values, vocabulary)
+    if not there:
+        return there
+    found = _value(value, values, vocabulary)
+    return None if found is _UNKNOWN else bool(found) is truth
+
+
+def _decided(
+    every: bool, truth: bool, operands: Iterable[e.Value], values: Values, vocabulary: Vocabulary
+) -> bool | None:
+    """Whether all (or any) of the operands are so, from the left.
+
+    What comes behind something unknown decides only if that is no fault.
+    """
+    unsure = doubtful = False
+    for operand in operands:
+        try:
+            found = _is(truth, operand, values, vocabulary)
+        except Fault:
+            if unsure:
+                return None
+            raise
+        if found is None:
+            unsure = True
+            doubtful = doubtful or _may_fail(operand)
+        elif found is not every:
+            return None if doubtful else found
+    return None if unsure else every
+
+
+def _may_fail(value: e.Value) -> bool:
+    return any(
+        isinstance(part, e.Call) or (isinstance(part, e.Arithmetic) and part.operator in ("/", "%"))
+        for part in e.walk(value)
+    )
+
+
+def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | None:
+    """Whether everything that the value reads is there."""
+    match value:
+        case e.Named(expression=inner):
+            return _is_there(inner, values, vocabulary)
+        case e.Member():
+            return _is_known_there(identity(value), presences(value, vocabulary), values)
+        case e.Age(message=message):
+            return _is_known_there(identity(value), presences(message, vocabulary)[:1], values)
+        case e.At() | e.Mean():
+            key = identity(value)
+            return _is_known_there(key, ((THERE, *key),), values)
+        case e.Literal() | e.EnumConstant() | e.VariableValue() | e.Expired() | e.Has():
+            return True
+        case e.Not() | e.Logic():
+            yes = _is(True, value, values, vocabulary)
+            if yes is not False:
+                return yes
+            return _is(False, value, values, vocabulary)
+    if isinstance(value, e.Call) and identity(value) in values:
+        return True
+    unsure = False
+    for operand in e.operands(value):
+        try:
+            found = _is_there(operand, values, vocabulary)
+        except Fault:
+            if unsure:
+                return None
+            raise
+        if found is False:
+            return None if unsure else False
+        unsure = unsure or found is None
+    return None if unsure else True
+
+
+def _is_known_there(key: Key, needs: Iterable[Key], values: Values) -> bool | None:
+    if key in values:
+        return True
+    known = [values.get(need) for need in needs]
+    return False if False in known else None if None in known else True
+
+
+def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> Any:
+    """The value of something that is there."""
+    match value:
+        case e.Named(expression=inner):
+            return _value(inner, values, vocabulary)
+        case e.Literal(value=constant, type=kind):
+            if kind.kind is Kind.ENUM:
+                return vocabulary.enums[kind.name].number(str(constant))
+            return constant
+        case e.EnumConstant(number=number):
+            return number
+        case e.Not() | e.Logic():
+            found = _is(True, value, values, vocabulary)
+            return _UNKNOWN if found is None else found
+        case e.Call(function=function) if function.target.startswith("builtin:"):
+            known = [_value(argument, values, vocabulary) for argument in value.arguments]
+            return _UNKNOWN if _UNKNOWN in known else _BUILT_IN[function.target[8:]](*known)
+        case e.Call():
+            for argument in value.arguments:
+                _value(argument, values, vocabulary)
+            key = identity(value)
+            if values.get((RAISES, *key)):
+                raise Fault
+            return values.get(key, _UNKNOWN)
+        case e.Compare(operator=word):
+            left = _value(value.left, values, vocabulary)
+            right = _value(value.right, values, vocabulary)
+            return _UNKNOWN if _UNKNOWN in (left, right) else _COMPARE[word](left, right)
+        case e.Arithmetic():
+            return _arithmetic(value, values, vocabulary)
+        case e.Negate(operand=operand):
+            found = _value(operand, values, vocabulary)
+            return _UNKNOWN if found is _UNKNOWN else -found
+    return values.get(identity(value), _UNKNOWN)
+
+
+_BUILT_IN: dict[str, Callable[..., Any]] = {"abs": abs, "min": min, "max": max}
+
+
+def _arithmetic(value: e.Arithmetic, values: Values, vocabulary: Vocabulary) -> Any:
+    left = _value(value.left, values, vocabulary)
+    right = _value(value.right, values, vocabulary)
+    if right is not _UNKNOWN and value.operator in ("/", "%") and right == 0:
+        raise Fault
+    if left is _UNKNOWN or right is _UNKNOWN:
+        return _UNKNOWN
+    try:
+        if value.type == DURATION and value.operator == "/" and value.right.type == INT:
+            return left // right
+        found = _COMPUTE[value.operator](left, right)
+        return (
+            int(found) if value.type == DURATION and DOUBLE in (value.left.type, value.right.type) else found
+        )
+    except (ArithmeticError, ValueError) as problem:
+        raise Fault from problem
+
+
+__all__ = ["Fault", "Values", "holds"]

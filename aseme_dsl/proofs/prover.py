@@ -1,0 +1,44 @@
+"""Prover: z3, where it is installed, for the conditions of one system."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any
+
+from aseme_dsl.amola import expression as e
+from aseme_dsl.proofs.snapshot import Claim, Snapshot
+from aseme_dsl.proofs.unknowns import Vocabulary
+
+
+class Prover:
+    """Asks z3 about conditions. z3 is loaded with the first question, and nothing is kept between runs."""
+
+    def __init__(self, vocabulary: Vocabulary) -> None:
+        self.vocabulary = vocabulary
+
+    @cached_property
+    def is_there(self) -> bool:
+        """Whether z3 is installed and can be loaded."""
+        try:
+            import z3  # noqa: F401
+        except Exception:  # a broken installation raises what it likes
+            return False
+        return True
+
+    @cached_property
+    def _context(self) -> Any:
+        import z3
+
+        return z3.Context()
+
+    def snapshot(self, conditions: Sequence[e.Value]) -> Snapshot:
+        """What these conditions see at one moment. Raises ImportError without z3."""
+        return Snapshot(conditions, self.vocabulary, self._context)
+
+    def can_all_hold(self, conditions: Sequence[e.Value]) -> bool:
+        """Whether the conditions can hold in one snapshot. Raises Undecided, and ImportError without z3."""
+        return self.snapshot(conditions).is_possible(Claim(tuple(conditions)))
+
+
+__all__ = ["Prover"]

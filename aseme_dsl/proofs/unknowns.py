@@ -1,0 +1,185 @@
+"""Unknowns: what a snapshot gives values to, as far as conditions can tell."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from aseme_dsl.amola import expression as e
+from aseme_dsl.amola.messages import BOOL, Comm, EnumType, Function, Kind, Message, Type
+
+Key = tuple[Any, ...]
+"""Which unknown it is: two places that read the same in one snapshot have the same key."""
+
+HAS, SET, VALUE, VARIABLE, EXPIRED, AGE = "has", "set", "value", "variable", "expired", "age"
+AT, MEAN, CALL, RAISES, THERE = "at", "mean", "call", "raises", "there"
+PRESENCES = (HAS, SET, THERE)
+
+
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """Something with a value of `type`; `text` is how it is written.
+
+    Keys begin with a word: `has` (a message is there), `set` (an optional member is), `there` (a history
+    has a value), `raises` (a function does), and else what has the value.
+    """
+
+    key: Key
+    text: str
+    type: Type
+    needs: tuple[Key, ...] = ()
+    """The presences without which it has no value."""
+
+
+@dataclass(frozen=True, slots=True)
+class Vocabulary:
+    """The enums and messages of a system, by name."""
+
+    enums: Mapping[str, EnumType] = field(default_factory=dict)
+    messages: Mapping[str, Message] = field(default_factory=dict)
+
+
+def signature(function: Function) -> str:
+    """Which overload it is."""
+    return f"{function.name}({', '.join(str(kind) for _, kind in function.parameters)})"
+
+
+def is_unknown_function(value: e.Value) -> bool:
+    """Whether it calls a function of which only the type is known."""
+    return isinstance(value, e.Call) and not value.function.target.startswith("builtin:")
+
+
+def identity(value: e.Value) -> Key:
+    """The value without its places and the names of lets: equal for equal expressions."""
+    match value:
+        case e.Named(expression=inner):
+            return identity(inner)
+        case e.Literal(value=constant, type=kind):
+            return ("literal", str(kind), type(constant).__name__, constant)
+        case e.EnumConstant(type=kind, number=number):
+            return ("enum", kind.name, number)
+        case e.VariableValue(name=name):
+            return (VARIABLE, name)
+        case e.Expired(timer=timer):
+            return (EXPIRED, timer)
+        case e.Member(host=host, channel=channel, path=path):
+            return (VALUE, host, channel, path)
+        case e.Has(message=message):
+            return (HAS, message.host, message.channel)
+        case e.Age(message=message):
+            return (AGE, message.host, message.channel)
+        case e.At(message=message, offset=extent):
+            return (AT, message.host, message.channel, message.path, nanoseconds(extent))
+        case e.Mean(message=message, window=extent):
+            return (MEAN, message.host, message.channel, message.path, nanoseconds(extent))
+        case e.Call(function=function, arguments=arguments):
+            return (CALL, signature(function), *(identity(argument) for argument in arguments))
+        case e.Logic(operator=operator, operands=operands):
+            return (operator, *(identity(operand) for operand in operands))
+        case e.Compare(operator=operator, left=left, right=right):
+            return (operator, identity(left), identity(right))
+        case e.Arithmetic(operator=operator, left=left, right=right):
+            return (operator, identity(left), identity(right))
+        case e.Not(operand=operand):
+            return ("!", identity(operand))
+        case e.Negate(operand=operand):
+            return ("neg", identity(operand))
+
+
+def nanoseconds(extent: e.Value) -> int:
+    """The second argument of `at` or `mean`: the compiler has made it a constant."""
+    assert isinstance(extent, e.Literal)
+    return int(extent.value)
+
+
+def presences(message: e.Member, vocabulary: Vocabulary) -> tuple[Key, ...]:
+    """What must be there for a member to have a value: its message, and each optional member on the path."""
+    found: list[Key] = [(HAS, message.host, message.channel)]
+    owner = vocabulary.messages.get(message.channel.message)
+    for place, name in enumerate(message.path, 1):
+        item = owner.field(name) if owner is not None else None
+        if item is None:
+            break
+        if item.label == "optional":
+            found.append((SET, message.host, message.channel, message.path[:place]))
+        owner = vocabulary.messages.get(item.type.name)
+    return tuple(found)
+
+
+def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
+    """Every unknown of a value in the order in which it is read, presences before what needs them."""
+    for part in e.walk(value):
+        match part:
+            case e.Member():
+                yield from _presence_unknowns(part, vocabulary)
+                if part.type.kind is not Kind.MESSAGE:
+                    yield Unknown(identity(part), e.value_text(part), part.type, presences(part, vocabulary))
+            case e.Has(message=message):
+                yield from _presence_unknowns(message, vocabulary)
+            case e.Age(message=message):
+                yield from _presence_unknowns(message, vocabulary)
+                needs = presences(message, vocabulary)[:1]
+                yield Unknown(identity(part), e.value_text(part), part.type, needs)
+            case e.At() | e.Mean():
+                yield from _presence_unknowns(part.message, vocabulary)
+                there = (THERE, *identity(part))
+                yield Unknown(there, e.value_text(part), BOOL)
+                if part.type.kind is not Kind.MESSAGE:
+                    yield Unknown(identity(part), e.value_text(part), part.type, (there,))
+            case e.VariableValue() | e.Expired():
+                yield Unknown(identity(part), e.value_text(part), part.type)
+            case e.Call() if is_unknown_function(part):
+                read = list(_needs(part, vocabulary))
+                yield from read
+                needs = tuple(dict.fromkeys(item.key for item in read))
+                key = identity(part)
+                yield Unknown((RAISES, *key), e.value_text(part), BOOL, needs)
+                yield Unknown(key, e.value_text(part), part.type, needs)
+
+
+def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
+    """The presences without which a value is surely absent."""
+    stack = [value]
+    while stack:
+        match item := stack.pop():
+            case e.Member():
+                yield from _presence_unknowns(item, vocabulary)
+            case e.Age(message=message):
+                yield from itertools.islice(_presence_unknowns(message, vocabulary), 1)
+            case e.At() | e.Mean():
+                yield Unknown((THERE, *identity(item)), e.value_text(item), BOOL)
+            case e.Has() | e.Logic() | e.Not():
+                pass  # may be there whatever is not
+            case _:
+                stack.extend(reversed(e.operands(item)))
+
+
+def _presence_unknowns(message: e.Member, vocabulary: Vocabulary) -> Iterator[Unknown]:
+    whole = ".".join(([message.host] if message.host else []) + [str(message.channel)])
+    for key in presences(message, vocabulary):
+        text = whole if key[0] == HAS else ".".join((whole, *key[3]))
+        yield Unknown(key, text, BOOL)
+
+
+def sources(value: e.Value) -> frozenset[Key]:
+    """The messages, variables and timers that a value depends on."""
+    found = set()
+    for part in e.walk(value):
+        match part:
+            case e.Member(host=host, channel=channel):
+                found.add((HAS, host, channel))
+            case e.VariableValue() | e.Expired():
+                found.add(identity(part))
+    return frozenset(found)
+
+
+def reads_signal(value: e.Value) -> bool:
+    """Whether it reads a signal, which comes and goes like an event."""
+    return any(isinstance(part, e.Member) and part.channel.comm is Comm.SIGNAL for part in e.walk(value))
+
+
+def is_presence(key: Key) -> bool:
+    """Whether the unknown says that something is there."""
+    return key[0] in PRESENCES

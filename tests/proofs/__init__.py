@@ -1,0 +1,1 @@
+"""What z3 says of conditions."""
