@@ -1,8 +1,8 @@
 """Broken files through `asemec check`: `python benchmarks/broken_files.py [NUMBER] [SEED]`.
 
 Each file is a program of the project with slips in it, pieces of several programs, words of the language in
-any order, or bytes. What counts: no traceback, exit code 0 or 1, less than 5 s of CPU time for one file. Exits
-with 1 if a file breaks that, and keeps the file.
+any order, or bytes. What counts: no traceback, exit code 0 or 1, less than 5 s of CPU time for one file.
+Exits with 1 if a file breaks that, and keeps the file.
 """
 
 from __future__ import annotations

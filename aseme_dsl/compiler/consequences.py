@@ -224,8 +224,10 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     condition (E405); a number that could not be read (E108) may be of another type than what it was taken
     for; a participant that no formula uses (N702) may be what an activity is misspelt for (W200), and so may
     a formula that nothing uses (E302), which then says so; a formula without control (N704) may have one that
-    is misspelt (E403), or stands in a role that plays the protocol (E408).
+    is misspelt (E403), or stands in a role that plays the protocol (E408). The constant conditions of a loop
+    that is none (W420) always hold, or never (N712, W412).
     """
+    fixed = [place for item in found if item.code == "W420" for place in _places(item)]
     unused = {item.span for item in found if item.code == "E302"}
     controls = {item.fix for item in found if item.code == "E403"}
     controls |= {item.span.text for item in found if item.code == "E408" and item.span is not None}
@@ -244,6 +246,8 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
             return any(item.message.startswith(f"`{name}` ") for name in controls)
         if item.code == "W200":
             return bool(item.related) and item.related[0].span in unused
+        if item.code in ("N712", "W412"):
+            return any(_is_in(span, line) or _is_in(line, span) for line in fixed)
         if item.code in ("E405", "W403"):
             return any(_is_in(span, loop) for loop in loops)
         return item.code in _ABOUT_TYPES and any(_is_in(number, span) for number in numbers)
@@ -256,6 +260,11 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
         return replace(item, related=related, hint=f"did you mean `{place.text}`?", fix=place.text)
 
     return [explained(item) for item in found if not follows(item)]
+
+
+def _places(item: Diagnostic) -> list[Span]:
+    places = [place.span for place in item.related]
+    return places if item.span is None else [item.span, *places]
 
 
 _ABOUT_TYPES = ("E500", "E504", "E505", "E506", "E509", "E514", "E515", "W500")
