@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from aseme_dsl.build.deployment import Deployment, TlsFiles
 from aseme_dsl.build.duration import duration
 from aseme_dsl.diagnostics import CODES, NO_POLICY, Diagnostic, Policy, Setting, Severity, closest
 from aseme_dsl.source import Source, Span
@@ -67,6 +68,7 @@ class Configuration:
     expressions: str | None = None
     diagnostics: Policy = NO_POLICY
     run: RunConfiguration | None = None
+    deploy: Deployment | None = None
 
 
 def find_configuration(start: Path) -> tuple[Configuration, tuple[Diagnostic, ...]]:
@@ -131,7 +133,16 @@ class _Policy:
     folder: Path
 
 
-def _keys(folder: Path) -> dict[str, _Convert | Mapping[str, _Convert] | _Policy]:
+@dataclass(frozen=True, slots=True)
+class _Table:
+    """A table inside: its keys, what is made of them, and which of them it cannot do without."""
+
+    make: Callable[..., Any]
+    keys: Mapping[str, _Convert | _Table]
+    needs: tuple[str, ...] = ()
+
+
+def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
     """Every key of `[tool.asemec]`, with what makes a value of what is written there."""
 
     def path(value: Any) -> Path:
@@ -154,20 +165,38 @@ def _keys(folder: Path) -> dict[str, _Convert | Mapping[str, _Convert] | _Policy
         "labels": _one_of("plain", "original"),
         "expressions": _one_of("numbered", "inline", "none"),
         "diagnostics": _Policy(folder),
-        "run": {
-            "world": _function,
-            "progress": _function,
-            "summary": _function,
-            "duration": _duration,
-            "seed": _seed,
-            "trace": path,
-            "cancel_within": _duration,
-            "threads": _count,
-            "processes": _count,
-            "process_memory": _memory,
-            "switch_interval": _duration,
-            "priority": _count,
-        },
+        "run": _Table(
+            RunConfiguration,
+            {
+                "world": _function,
+                "progress": _function,
+                "summary": _function,
+                "duration": _duration,
+                "seed": _seed,
+                "trace": path,
+                "cancel_within": _duration,
+                "threads": _count,
+                "processes": _count,
+                "process_memory": _memory,
+                "switch_interval": _duration,
+                "priority": _count,
+            },
+        ),
+        "deploy": _Table(
+            Deployment,
+            {
+                "hosts": _hosts,
+                "interface": _interface,
+                "connect": _endpoints,
+                "lease": _duration,
+                "access": path,
+                "tls": _Table(
+                    TlsFiles,
+                    {"authority": path, "certificate": path, "key": path},
+                    ("authority", "certificate", "key"),
+                ),
+            },
+        ),
     }
 
 
@@ -212,6 +241,32 @@ def _memory(value: Any) -> int:
     return int(written[1]) * (1_000_000 if written[2] == "MB" else 1_000_000_000)
 
 
+def _hosts(value: Any) -> dict[str, str]:
+    if not isinstance(value, dict) or not all(
+        isinstance(host, str) and re.fullmatch(r"(\[[0-9A-Fa-f:.%\w]+\]|[\w.-]+)(:\d{1,5})?", host)
+        for host in value.values()
+    ):
+        raise _Wrong(
+            'a table of addresses, such as { robot1 = "192.168.1.11", robot2 = "192.168.1.12:7448" }'
+        )
+    return dict(value)
+
+
+def _interface(value: Any) -> str:
+    if not isinstance(value, str) or not re.fullmatch(r"[\w.:-]+", value):
+        raise _Wrong('the name or address of a network interface in quotes, such as "wlan0"')
+    return value
+
+
+def _endpoints(value: Any) -> tuple[str, ...]:
+    if not isinstance(value, list) or not all(
+        isinstance(item, str) and re.fullmatch(r"(tcp|tls|udp|quic)/\S+:\d{1,5}(#\S+)?", item)
+        for item in value
+    ):
+        raise _Wrong('a list of endpoints, such as ["tcp/192.168.1.1:7447"]')
+    return tuple(value)
+
+
 def _one_of(*choices: str) -> _Convert:
     def convert(value: Any) -> str:
         if value not in choices:
@@ -228,9 +283,7 @@ class _Reader:
     source: Source
     diagnostics: list[Diagnostic] = field(default_factory=list)
 
-    def table(
-        self, table: Any, name: str, keys: Mapping[str, _Convert | Mapping[str, _Convert] | _Policy]
-    ) -> dict[str, Any]:
+    def table(self, table: Any, name: str, keys: Mapping[str, _Convert | _Table | _Policy]) -> dict[str, Any]:
         """The values of a table, converted; each mistake becomes a diagnostic and is left out."""
         if not isinstance(table, dict):
             self._report(name, None, f"`{name}` must be a table")
@@ -244,9 +297,13 @@ class _Reader:
                 self._report(name, key, f"[{name}] has no key `{key}`", known)
             elif isinstance(convert, _Policy):
                 given[key] = Policy(tuple(self.settings(value, f"{name}.{key}", None)), convert.folder)
-            elif isinstance(convert, Mapping):
+            elif isinstance(convert, _Table):
                 if isinstance(value, dict):
-                    given[key] = RunConfiguration(**self.table(value, f"{name}.{key}", convert))
+                    inside = self.table(value, f"{name}.{key}", convert.keys)
+                    missing = [other for other in convert.needs if other not in value]
+                    if missing:
+                        self._report(f"{name}.{key}", None, f"[{name}.{key}] needs a `{missing[0]}`, too")
+                    given[key] = convert.make(**inside)
                 else:
                     self._report(name, key, f"`{key}` must be a table: [{name}.{key}]")
             else:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.plan import State
     from aseme_dsl.runtime.real_time import RealTime
     from aseme_dsl.runtime.scripted import Scripted
+    from aseme_dsl.runtime.shared_world import FarBody
     from aseme_dsl.runtime.team import RunResult, Team
     from aseme_dsl.runtime.trace import Listener
 
@@ -58,6 +59,13 @@ class Request:
     trace: Path | None = None
     world: str | None = None
     bodies: Mapping[str, str] = field(default_factory=dict)
+    robot: str | None = None
+    """Play this one of the team, in real time; the others are in other processes."""
+    world_at: tuple[str, bytes] | None = None
+    """Where a world in another process has the robot's body: its address, and the key to it."""
+    begin: Callable[[], int | None] = lambda: None
+    """Called when everything is there; gives the moment at which the run has begun, if it is not now (ns of
+    the machine's monotonic clock)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,7 +158,6 @@ def play(
     """
     from aseme_dsl.runtime.activities import ActivityError
     from aseme_dsl.runtime.loading import activities_in, importing
-    from aseme_dsl.runtime.scripted import ScriptError, read_script
     from aseme_dsl.runtime.team import TeamError, make_team
 
     project = configuration.run
@@ -158,26 +165,16 @@ def play(
     seed = 1 if seed is None else seed
     folders = [configuration.folder.resolve(), *loaded.path]
     agent = request.agent
+    if request.robot is not None:
+        return _play_robot(loaded, activities, configuration, request, request.robot, seed, listeners)
     if request.plan is not None and agent is None:
         agent = next((name for name, role in loaded.team if role == request.plan), None)
     with importing(folders):
         made_by = request.world or (project.world if project and not request.bodies else None)
-        world = _call(made_by, seed=seed) if made_by else None
+        world = call(made_by, seed=seed) if made_by else None
         bodies = _bodies(request.bodies, loaded, request.plan, agent)
         watch = _Watch(world, project.progress if project and world is not None else None, tell, tick)
-        script: tuple[Scripted, ...] = ()
-        if request.script is not None:
-            try:
-                text = request.script.read_text("utf-8")
-                script = read_script(text.splitlines(), loaded.messages)
-            except OSError as problem:
-                reason = problem.strerror or problem
-                raise PlayError(f"{request.script} cannot be read: {reason}") from problem
-            except UnicodeDecodeError as problem:
-                raise PlayError(f"{request.script} is not UTF-8") from problem
-            except ScriptError as problem:
-                lines = "\n".join(f"{request.script}: {line}" for line in str(problem).splitlines())
-                raise PlayError(lines) from problem
+        script = _script(request.script, loaded)
         trace = request.trace or (project.trace if project and project.trace else None)
         try:
             if trace is not None:
@@ -208,8 +205,129 @@ def play(
         watch.look(team)
         summary = ""
         if project and project.summary and world is not None:
-            summary = str(_call(project.summary, world))
+            summary = str(call(project.summary, world))
     return Played(result, summary, seed, trace)
+
+
+def _play_robot(
+    loaded: Loaded,
+    activities: Path,
+    configuration: Configuration,
+    request: Request,
+    robot: str,
+    seed: int,
+    listeners: Iterable[Listener],
+) -> Played:
+    """Run one robot of the team in this process."""
+    from aseme_dsl.build.deployment import misfits, network_of
+    from aseme_dsl.runtime.activities import ActivityError
+    from aseme_dsl.runtime.body import BodyLost
+    from aseme_dsl.runtime.loading import activities_in, importing
+    from aseme_dsl.runtime.shared_world import FarBody
+    from aseme_dsl.runtime.team import TeamError, make_team
+    from aseme_dsl.runtime.transport import TransportError
+    from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
+    from aseme_dsl.runtime.transport.post import Post
+
+    check_robot(loaded, robot)
+    deployment = configuration.deploy
+    for _, reason in misfits(deployment, [name for name, _ in loaded.team]) if deployment else ():
+        raise PlayError(f"{configuration.path}: {reason}")
+    project = configuration.run
+    folders = [configuration.folder.resolve(), *loaded.path]
+    trace = request.trace
+    body: FarBody | None = None
+    with importing(folders):
+        bodies = _bodies(request.bodies, loaded, None, None, only=robot)
+        if request.world_at is not None:
+            try:
+                body = bodies[robot] = FarBody(robot, *request.world_at)
+            except BodyLost as problem:
+                raise PlayError(str(problem)) from problem
+        elif project and project.world and not bodies:
+            raise PlayError(
+                "the project's world is simulated in one place: play the whole team with"
+                " `asemec run --process-per-robot`, or give the robot a body with --body"
+            )
+        script = _script(request.script, loaded)
+        try:
+            if trace is not None:
+                trace.parent.mkdir(parents=True, exist_ok=True)
+            assert loaded.schema is not None  # every generated package has one
+            link = ZenohLink(loaded.name, network_of(deployment, robot))
+            transport = Post(link, loaded.schema, loaded.model)
+            found = activities_in(activities)
+            team = make_team(
+                loaded,
+                found,
+                clock="real",
+                seed=seed,
+                bodies=bodies,
+                until=request.duration or (project.duration if project and body is not None else None),
+                stop=_Reports(body) if body is not None and project and project.progress else None,
+                script=script,
+                trace=trace,
+                listeners=listeners,
+                path=folders,
+                here=[robot],
+                transport=transport,
+                origin=request.begin(),
+                real_time=_real_time(project),
+            )
+            result = team.run()
+        except (TeamError, ActivityError, TransportError) as problem:
+            raise PlayError(str(problem)) from problem
+        except OSError as problem:
+            place = problem.filename or trace
+            raise PlayError(f"{place} cannot be written: {problem.strerror or problem}") from problem
+        finally:
+            if body is not None:
+                body.close()
+    return Played(result, "", seed, trace)
+
+
+def check_robot(loaded: Loaded, robot: str) -> None:
+    """Raises NoSuchPlan if the team has no robot of that name."""
+    names = [name for name, _ in loaded.team]
+    if robot not in names:
+        if not names:
+            raise NoSuchPlan(f"{loaded.name} declares no team, so it has no robot {robot}")
+        near = closest(robot, names)
+        hint = f"did you mean {near}? " if near else ""
+        raise NoSuchPlan(f"there is no robot {robot}; {hint}there are {', '.join(names)}")
+
+
+class _Reports:
+    """Tells a world elsewhere what the robot is doing; the world shows it. Never ends the run."""
+
+    def __init__(self, body: FarBody) -> None:
+        self._body = body
+        self._next = 0
+
+    def __call__(self, team: Team) -> str | None:
+        now = team.driver.clock.now()
+        if now >= self._next:
+            self._next = now + LOOK_NS
+            with suppress(ConnectionError):  # the robot's activities will find out
+                self._body.tell(doing(team)[self._body.name])
+        return None
+
+
+def _script(path: Path | None, loaded: Loaded) -> tuple[Scripted, ...]:
+    """What a script gives the agents."""
+    from aseme_dsl.runtime.scripted import ScriptError, read_script
+
+    if path is None:
+        return ()
+    try:
+        return read_script(path.read_text("utf-8").splitlines(), loaded.messages)
+    except OSError as problem:
+        raise PlayError(f"{path} cannot be read: {problem.strerror or problem}") from problem
+    except UnicodeDecodeError as problem:
+        raise PlayError(f"{path} is not UTF-8") from problem
+    except ScriptError as problem:
+        lines = "\n".join(f"{path}: {line}" for line in str(problem).splitlines())
+        raise PlayError(lines) from problem
 
 
 def _duration(request: Request, configuration: Configuration, world: object) -> int | None:
@@ -236,11 +354,8 @@ class _Watch:
         self, world: object, progress: str | None, tell: Tell, tick: Callable[[int], None] | None
     ) -> None:
         self._world = world
-        self._progress = _function(progress) if progress else None
-        self._wants_doing = self._progress is not None and _takes_two(self._progress)
-        self._tell = tell
+        self._progress = Progress(world, progress, tell)
         self._tick = tick
-        self._told = 0
         self._next = 0
 
     def __call__(self, team: Team) -> str | None:
@@ -254,8 +369,24 @@ class _Watch:
 
     def look(self, team: Team) -> None:
         """Tell what is new."""
+        self._progress.look(lambda: doing(team))
+
+
+class Progress:
+    """What a project tells of its world while it goes on."""
+
+    def __init__(self, world: object, progress: str | None, tell: Tell) -> None:
+        """`progress` is the project's function. Raises PlayError if there is none of that name."""
+        self._world = world
+        self._progress = function_of(progress) if progress else None
+        self._wants_doing = self._progress is not None and _takes_two(self._progress)
+        self._tell = tell
+        self._told = 0
+
+    def look(self, doing: Callable[[], Mapping[str, Any]]) -> None:
+        """Tell what is new; `doing` gives what each agent is doing. Raises PlayError if the project fails."""
         if self._progress is not None:
-            further = (doing(team),) if self._wants_doing else ()
+            further = (doing(),) if self._wants_doing else ()
             with _users_own(self._progress):
                 lines = list(self._progress(self._world, *further))
             for line in lines[self._told :]:
@@ -290,8 +421,10 @@ def _takes_two(function: Callable[..., Any]) -> bool:
     return sum(parameter.kind in kinds for parameter in parameters) > 1
 
 
-def _bodies(given: Mapping[str, str], loaded: Loaded, plan: str | None, agent: str | None) -> dict[str, Any]:
-    """A body for each agent, by name."""
+def _bodies(
+    given: Mapping[str, str], loaded: Loaded, plan: str | None, agent: str | None, only: str | None = None
+) -> dict[str, Any]:
+    """A body for each agent, or for `only` one, by name."""
     if not given:
         return {}
     names = [name for name, _ in loaded.team] if plan is None else []
@@ -300,13 +433,14 @@ def _bodies(given: Mapping[str, str], loaded: Loaded, plan: str | None, agent: s
     if strangers:
         raise PlayError(f"there is no agent {strangers[0]} for a body; there are {', '.join(names)}")
     return {
-        name: _call(function, name=name)
+        name: call(function, name=name)
         for name in names
-        if (function := given.get(name) or given.get("")) is not None
+        if only in (None, name) and (function := given.get(name) or given.get("")) is not None
     }
 
 
-def _function(name: str) -> Callable[..., Any]:
+def function_of(name: str) -> Callable[..., Any]:
+    """A function of the project, `module:name`. Raises PlayError if it cannot be had."""
     from aseme_dsl.runtime.chart import FunctionError, find_function
 
     try:
@@ -318,8 +452,9 @@ def _function(name: str) -> Callable[..., Any]:
         raise PlayError(f"{module} cannot be imported: {type(error).__name__}: {error}") from error
 
 
-def _call(target: str, *arguments: Any, **named: Any) -> Any:
-    function = _function(target)
+def call(target: str, *arguments: Any, **named: Any) -> Any:
+    """Call a function of the project, `module:name`. Raises PlayError, with the place, if it raises."""
+    function = function_of(target)
     with _users_own(function):
         return function(*arguments, **named)
 

@@ -38,6 +38,7 @@ _LIBRARIES = {
 _OPTIONAL = {
     "z3-solver": ("check", "lets check compare conditions: overlaps, gaps, what never holds"),
     "grpcio-tools": ("proto", "imports .proto files, with the real protoc that it carries"),
+    "eclipse-zenoh": ("zenoh", "robots in several processes and on several machines"),
     "jsonschema": ("schema", "validates models and traces against their JSON schemas"),
 }
 """What an extra brings."""

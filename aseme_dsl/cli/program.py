@@ -18,7 +18,19 @@ from aseme_dsl import __version__
 
 FINE, ERRORS, WRONG_USE, OUR_MISTAKE, INTERRUPTED, TERMINATED, BROKEN_PIPE = 0, 1, 2, 70, 130, 143, 141
 
-COMMANDS = ("new", "check", "explain", "fmt", "build", "diagram", "run", "scaffold", "doctor", "completion")
+COMMANDS = (
+    "new",
+    "check",
+    "explain",
+    "fmt",
+    "build",
+    "diagram",
+    "run",
+    "node",
+    "scaffold",
+    "doctor",
+    "completion",
+)
 """The commands, in the order of the help; each is the object `command` of the module of its name."""
 
 

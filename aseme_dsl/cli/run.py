@@ -32,13 +32,14 @@ if TYPE_CHECKING:
 
     from aseme_dsl.build.build import Choice, Report
     from aseme_dsl.build.configuration import Configuration
-    from aseme_dsl.build.play import Played
+    from aseme_dsl.build.play import Played, Request
     from aseme_dsl.cli.telling import Telling
     from aseme_dsl.diagnostics import Diagnostic
     from aseme_dsl.runtime.loading import Loaded
 
 
-def _duration(context: click.Context, parameter: click.Parameter, value: str | None) -> int | None:
+def duration_of(context: click.Context, parameter: click.Parameter, value: str | None) -> int | None:
+    """A duration on the command line, in ns."""
     from aseme_dsl.build.duration import duration
 
     try:
@@ -47,7 +48,8 @@ def _duration(context: click.Context, parameter: click.Parameter, value: str | N
         raise click.BadParameter(f"{problem}.") from problem
 
 
-def _bodies(context: click.Context, parameter: click.Parameter, values: tuple[str, ...]) -> dict[str, str]:
+def bodies_of(context: click.Context, parameter: click.Parameter, values: tuple[str, ...]) -> dict[str, str]:
+    """`[AGENT=]MODULE:FUNCTION` as functions by agent; "" is every agent."""
     found: dict[str, str] = {}
     for value in values:
         agent, _, function = value.rpartition("=")
@@ -86,11 +88,15 @@ def _is_function(text: str) -> bool:
     "--for",
     "duration",
     metavar="DURATION",
-    callback=_duration,
+    callback=duration_of,
     help="How long to play, such as 90s or 2min.  [default: the project's, else 60s; with --real, no limit]",
 )
 @click.option("--seed", type=int, help="Where chance begins.  [default: the project's, else 1]")
 @click.option("--real", is_flag=True, help="Play in real time.")
+@click.option("--team", is_flag=True, help="Play the whole team, as is usual: not with --plan.")
+@click.option(
+    "--process-per-robot", is_flag=True, help="Play in real time, with a process for each robot of the team."
+)
 @click.option(
     "--input",
     "script",
@@ -116,7 +122,7 @@ def _is_function(text: str) -> bool:
     "bodies",
     multiple=True,
     metavar="[AGENT=]MODULE:FUNCTION",
-    callback=_bodies,
+    callback=bodies_of,
     help="Makes the body of an agent, or of all. May be repeated.",
 )
 @click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
@@ -133,6 +139,8 @@ def command(
     duration: int | None,
     seed: int | None,
     real: bool,
+    team: bool,
+    process_per_robot: bool,
     script: Path | None,
     trace: Path | None,
     activities: Path | None,
@@ -151,17 +159,19 @@ def command(
     from aseme_dsl.build.play import NoSuchPlan, PlayError, Request, carried, is_output, load, play, select
     from aseme_dsl.cli.telling import Telling
 
+    if plan is not None and (team or process_per_robot):
+        raise click.UsageError("--plan plays one plan: not with --team or --process-per-robot.")
     report: Report | None = None
     try:
         if is_output(Path(target)):
             folder = Path(target)
             configuration, problems = find_configuration(folder)
             if has_errors(problems):
-                return _refuse(problems, as_json, colour)
+                return refuse(problems, as_json, colour)
             systems = carried(folder, configuration)
             choice = choose(configuration, activities=activities)
         else:
-            built = _build(target, output, activities, templates, force, as_json, colour)
+            built = build_target(target, output, activities, templates, force, as_json, colour)
             if isinstance(built, int):
                 return built
             report, configuration, choice = built
@@ -170,6 +180,13 @@ def command(
         if list_:
             return _list(systems, as_json)
         loaded, plan = select(systems, plan)
+        if process_per_robot:
+            request = Request(duration=duration, seed=seed, trace=trace, world=world, bodies=bodies)
+            options = _options_of_robots(
+                configuration, duration, seed, script, bodies, quiet, verbose, colour
+            )
+            place = activities_folder(folder, choice)
+            return _supervise(loaded, folder, place, configuration, request, options, quiet, as_json)
         if configuration.run is None or configuration.run.trace is None:
             trace = trace or folder / "trace.jsonl"
         request = Request(plan, agent, duration, seed, real, script, trace, world, bodies)
@@ -206,7 +223,7 @@ def command(
     return code
 
 
-def _build(
+def build_target(
     target: str,
     output: Path | None,
     activities: Path | None,
@@ -224,26 +241,98 @@ def _build(
     # Notes are about what is still to be written: `check` and `build` say them.
     found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
     if compiled.system is None:
-        return _refuse(found, as_json, colour)
+        return refuse(found, as_json, colour)
     if not as_json:
         print_diagnostics(found, colour)
     choice = choose(compiled.configuration, activities=activities, templates=templates, force=force)
     check_backends(choice.backends)
     report = build(compiled.system, output or compiled.configuration.output or Path(OUTPUT), choice)
     if has_errors(report.diagnostics):
-        return _refuse(report.diagnostics, as_json, colour)
+        return refuse(report.diagnostics, as_json, colour)
     if not as_json:
         print_diagnostics(report.diagnostics, colour)
         click.echo(f"{report.system} -> {report.folder}: {written_summary(report.written)}")
     return report, compiled.configuration, choice
 
 
-def _refuse(found: Iterable[Diagnostic], as_json: bool, colour: str) -> int:
+def refuse(found: Iterable[Diagnostic], as_json: bool, colour: str) -> int:
+    """Print what is wrong; the exit code."""
     if as_json:
         print_json({"result": None, **diagnostics_json(found)})
     else:
         print_diagnostics(found, colour)
     return 1
+
+
+def _options_of_robots(
+    configuration: Configuration,
+    duration: int | None,
+    seed: int | None,
+    script: Path | None,
+    bodies: dict[str, str],
+    quiet: bool,
+    verbose: bool,
+    colour: str,
+) -> list[str]:
+    """What is passed on to the process of each robot."""
+    options = ["--color", colour]
+    if duration is not None:
+        options += ["--for", f"{duration // 1_000_000}.{duration % 1_000_000:06}ms"]
+    if seed is not None:
+        options += ["--seed", str(seed)]
+    if script is not None:
+        options += ["--input", str(script.absolute())]
+    for agent, function in bodies.items():
+        options += ["--body", f"{agent}={function}" if agent else function]
+    return options + ["-q"] * quiet + ["-v"] * verbose
+
+
+def _supervise(
+    loaded: Loaded,
+    folder: Path,
+    activities: Path,
+    configuration: Configuration,
+    request: Request,
+    options: list[str],
+    quiet: bool,
+    as_json: bool,
+) -> int:
+    """Play with a process for each robot, and say how it ended; the exit code."""
+    from aseme_dsl.build.supervisor import supervise
+
+    width = max((len(name) for name, _ in loaded.team), default=0)
+
+    def say(name: str, line: str, wrong: bool) -> None:
+        if wrong or not quiet:
+            click.echo(f"{name:<{width}} | {line}" if name else line, err=wrong or as_json)
+
+    ended = supervise(loaded, folder, activities, configuration, request, options, say)
+    code = INTERRUPTED if ended.reason == "interrupted" else int(ended.failed)
+    if as_json:
+        robots = [
+            {
+                "name": robot.name,
+                "code": robot.code,
+                "starts": robot.starts,
+                "traces": [str(path) for path in robot.traces],
+            }
+            for robot in ended.robots
+        ]
+        result = {"system": loaded.name, "reason": ended.reason, "robots": robots, "folder": str(folder)}
+        print_json({"result": result, **diagnostics_json(())})
+        return code
+    click.echo(
+        f"played with {count_processes(len(ended.robots))}: {_REASONS.get(ended.reason, ended.reason)}"
+    )
+    for robot in ended.robots:
+        starts = f", started {robot.starts} times" if robot.starts > 1 else ""
+        click.echo(f"  {robot.name}{starts}  trace: {', '.join(map(str, robot.traces))}")
+    return code
+
+
+def count_processes(robots: int) -> str:
+    """`a process`, `4 processes`."""
+    return "a process" if robots == 1 else f"{robots} processes"
 
 
 def _list(systems: Iterable[Loaded], as_json: bool) -> int:

@@ -1,0 +1,196 @@
+"""`asemec node`: play one robot of a team in this process."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from aseme_dsl.cli.run import bodies_of, build_target, duration_of, refuse
+from aseme_dsl.cli.shared import FilePath, colour_option, folder_option, leave_at_once, wants_colour
+from aseme_dsl.diagnostics import has_errors
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from aseme_dsl.build.configuration import Configuration
+
+INTERRUPTED = 130
+GRACE = 2.0
+"""After so many seconds without its supervisor a robot ends, whatever it does."""
+
+
+@click.command(
+    short_help="Play one robot of a team in this process.",
+    help="Play ROBOT, one of the team that TARGET declares, in real time, and talk with the others, which are"
+    " processes of their own. TARGET is a file, a project's folder, or the output folder of a build; without"
+    " it, the project around the working directory. How the robots reach each other stands in"
+    " [tool.asemec.deploy] of the pyproject.toml; without it, only this machine is asked.",
+    epilog="Example: asemec node robot1 team.aseme   ·   asemec node robot1 --from out",
+)
+@click.argument("robot")
+@click.argument("target", type=FilePath(), default=".")
+@folder_option("--from", "source", text="The output folder of a build; nothing is built.")
+@folder_option("-o", "--output", text="Where to build.  [default: the project's, else out]")
+@click.option("--system", metavar="NAME", help="Which of the systems in the output folder.")
+@click.option(
+    "--for",
+    "duration",
+    metavar="DURATION",
+    callback=duration_of,
+    help="How long to play.  [default: no limit]",
+)
+@click.option("--seed", type=int, help="Where chance begins.  [default: the project's, else 1]")
+@click.option(
+    "--input", "script", type=FilePath(path_type=Path), metavar="FILE.jsonl", help="What to give the robot."
+)
+@click.option(
+    "--trace",
+    type=FilePath(path_type=Path),
+    metavar="FILE",
+    help="Where the trace goes.  [default: OUTPUT/trace.ROBOT.jsonl]",
+)
+@folder_option(
+    "--activities", text="Where your activities are.  [default: the project's, else OUTPUT/monas/activities]"
+)
+@click.option(
+    "--body",
+    "bodies",
+    multiple=True,
+    metavar="[AGENT=]MODULE:FUNCTION",
+    callback=bodies_of,
+    help="Makes the robot's body.",
+)
+@click.option("-q", "--quiet", is_flag=True, help="Say nothing while it plays.")
+@click.option("-v", "--verbose", is_flag=True, help="Say every transition and activity while it plays.")
+@click.option("--project", type=FilePath(path_type=Path), hidden=True)
+@click.option("--world-at", hidden=True)
+@click.option("--supervised", is_flag=True, hidden=True)
+@colour_option
+def command(
+    robot: str,
+    target: str,
+    source: Path | None,
+    output: Path | None,
+    system: str | None,
+    duration: int | None,
+    seed: int | None,
+    script: Path | None,
+    trace: Path | None,
+    activities: Path | None,
+    bodies: dict[str, str],
+    quiet: bool,
+    verbose: bool,
+    project: Path | None,
+    world_at: str | None,
+    supervised: bool,
+    colour: str,
+) -> int:
+    """Play; 1 if there are errors, it cannot be played, or the robot fails."""
+    from aseme_dsl.build.build import activities_folder, choose
+    from aseme_dsl.build.configuration import find_configuration, read_configuration
+    from aseme_dsl.build.play import NoSuchPlan, PlayError, Request, carried, is_output, load, play
+    from aseme_dsl.build.supervisor import WORLD
+    from aseme_dsl.cli.telling import Telling
+
+    try:
+        if source is not None or is_output(Path(target)):
+            folder = source or Path(target)
+            configuration: Configuration
+            configuration, problems = read_configuration(project) if project else find_configuration(folder)
+            if has_errors(problems):
+                return refuse(problems, False, colour)
+            systems = [item for item in carried(folder, configuration) if system in (None, item.name)]
+            choice = choose(configuration, activities=activities)
+            if len(systems) != 1:
+                known = ", ".join(item.name for item in carried(folder, configuration))
+                raise NoSuchPlan(f"choose one system with --system; there are {known}")
+            loaded = systems[0]
+        else:
+            built = build_target(target, output, activities, None, False, False, colour)
+            if isinstance(built, int):
+                return built
+            report, configuration, choice = built
+            folder = report.folder
+            loaded = load(folder, report.system, configuration)
+        telling = Telling(
+            loaded,
+            alone=None,
+            activities=not quiet
+            and (verbose or configuration.run is None or configuration.run.progress is None),
+            transitions=verbose and not quiet,
+            progress=False,
+            colour=wants_colour(colour, sys.stderr),
+            stream=sys.stdout,
+        )
+        key = bytes.fromhex(os.environ.get(WORLD, ""))
+        request = Request(
+            duration=duration,
+            seed=seed,
+            real=True,
+            script=script,
+            trace=trace or folder / f"trace.{robot}.jsonl",
+            bodies=bodies,
+            robot=robot,
+            world_at=(world_at, key) if world_at is not None else None,
+            begin=_told_to_begin() if supervised else lambda: None,
+        )
+        played = play(
+            loaded,
+            activities_folder(folder, choice),
+            configuration,
+            request,
+            tell=telling.line,
+            listeners=(telling,),
+        )
+    except PlayError as problem:
+        if isinstance(problem, NoSuchPlan):
+            raise click.UsageError(f"{problem}.") from problem
+        raise click.ClickException(str(problem)) from problem
+    telling.end()
+    result = played.result
+    for agent in result.agents:
+        if agent.failure is not None:
+            place = f" ({agent.at})" if agent.at else ""
+            click.echo(f"{agent.name} ({agent.role}) failed: {agent.failure}{place}", err=True)
+    if result.reason == "replaced":
+        click.echo(f"{robot} ends here: it is played by a newer process", err=True)
+    if result.trace_error is not None:
+        click.echo(result.trace_error, err=True)
+    elif not supervised:
+        click.echo(f"played {result.time / 1e9:g} s\n  trace: {played.trace}")
+    code = INTERRUPTED if result.reason == "interrupted" else int(result.failed or result.trace_error is not None)
+    if result.left:
+        leave_at_once(code)
+    return code
+
+
+def _told_to_begin() -> Callable[[], int | None]:
+    """Says that we are ready and waits for the beginning; from then on we end when our supervisor does."""
+    from aseme_dsl.build.supervisor import READY
+
+    def begin() -> int | None:
+        sys.stdout.write(READY + "\n")
+        sys.stdout.flush()
+        line = sys.stdin.readline()
+        if not line:
+            os._exit(INTERRUPTED)
+        threading.Thread(target=_end_with_supervisor, name="aseme supervisor", daemon=True).start()
+        return int(line)
+
+    return begin
+
+
+def _end_with_supervisor() -> None:
+    # The file descriptor, not the stream: at the interpreter's end nobody must hold the stream's lock.
+    while os.read(0, 4096):
+        pass
+    os.kill(os.getpid(), signal.SIGTERM)
+    time.sleep(GRACE)
+    os._exit(INTERRUPTED)

@@ -1,0 +1,187 @@
+"""A small team as real processes, for tests that do bad things to them."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import psutil
+
+ROOT = Path(__file__).resolve().parents[2]
+
+TEAM = """
+system Talk
+message Tick { int n  string who }
+topic team { state Tick  signal Tick queued }
+srm robot {
+  liveness { robot = Say~ || Hear~ }
+  activities {
+    Say every 20ms writes team.state.Tick, team.signal.Tick
+    Hear every 20ms reads team.state.Tick, team.signal.Tick, robot1.team.signal.Tick, robot2.team.signal.Tick,
+      robot3.team.signal.Tick
+  }
+}
+team T { robot[1..3] : robot }
+"""
+
+SAY = """
+from aseme_dsl.runtime import Context
+from monas.Talk.messages import Tick
+
+
+class Say:
+    def execute(self, context: Context) -> None:
+        Say.n = getattr(Say, "n", 0) + 1
+        context.publish("team.signal.Tick", Tick(n=Say.n, who=context.agent))
+        context.publish("team.state.Tick", Tick(n=Say.n, who=context.agent))
+"""
+
+HEAR = """
+from aseme_dsl.runtime import Context
+
+
+class Hear:
+    def execute(self, context: Context) -> None:
+        pass
+"""
+
+
+def project(folder: Path, **files: str) -> Path:
+    """A project with that team."""
+    (folder / "activities").mkdir(parents=True)
+    (folder / "pyproject.toml").write_text(
+        '[tool.asemec]\nfiles = ["talk.aseme"]\noutput = "out"\nactivities = "activities"\n'
+        + files.get("configuration", "")
+    )
+    (folder / "talk.aseme").write_text(files.get("text", TEAM))
+    (folder / "activities" / "say.py").write_text(files.get("say", SAY))
+    (folder / "activities" / "hear.py").write_text(files.get("hear", HEAR))
+    return folder
+
+
+class Started:
+    """`asemec run --team … --process-per-robot`, while it runs."""
+
+    def __init__(self, folder: Path, *arguments: str) -> None:
+        self.folder = folder
+        self.process = subprocess.Popen(
+            [
+                sys.executable,
+                "-m",
+                "aseme_dsl",
+                "run",
+                "--team",
+                str(folder),
+                "--process-per-robot",
+                *arguments,
+            ],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            env={**os.environ, "PYTHONPATH": str(ROOT), "PYTHONUNBUFFERED": "1"},
+        )
+        self.lines: list[str] = []
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def _read(self) -> None:
+        assert self.process.stdout is not None
+        for line in self.process.stdout:
+            self.lines.append(line.rstrip("\n"))
+
+    def robots(self) -> dict[str, psutil.Process]:
+        """The robots' processes by name."""
+        found = {}
+        for child in psutil.Process(self.process.pid).children():
+            try:
+                line = child.cmdline()
+            except psutil.Error:
+                continue
+            if "node" in line:
+                found[line[line.index("node") + 1]] = child
+        return found
+
+    def trace(self, robot: str, life: int = 1) -> list[dict[str, Any]]:
+        """What is in a trace so far."""
+        name = f"trace.{robot}{'' if life == 1 else f'.{life}'}.jsonl"
+        for path in (self.folder / "out" / name, self.folder / "out" / f"{name}.part"):
+            if path.exists():
+                lines = path.read_text("utf-8").split("\n")[:-1]
+                return [json.loads(line) for line in lines]
+        return []
+
+    def news(self, robot: str) -> list[str]:
+        """What a robot's trace says of its peers so far: `robot2 there`."""
+        return [f"{r['peer']} {r['what']}" for r in self.trace(robot) if r["kind"] == "peer"]
+
+    def wait_for(self, condition: Callable[[], object], seconds: float = 30.0) -> None:
+        """Fails, with what was printed, if it does not happen."""
+        end = time.monotonic() + seconds
+        while not condition():
+            if time.monotonic() > end or (self.process.poll() is not None and not condition()):
+                raise AssertionError("it did not happen:\n" + "\n".join(self.lines))
+            time.sleep(0.02)
+
+    def wait_for_talk(self) -> None:
+        """Until each robot has heard each other one."""
+
+        def all_heard() -> bool:
+            return all(
+                {r["input"][0] for r in self.trace(name) if r["kind"] == "arrived"} == others
+                for name, others in (
+                    ("robot1", {"robot2", "robot3"}),
+                    ("robot2", {"robot1", "robot3"}),
+                    ("robot3", {"robot1", "robot2"}),
+                )
+            )
+
+        self.wait_for(all_heard)
+
+    def end(self, number: int = signal.SIGTERM) -> int:
+        """End it, and wait for that."""
+        if self.process.poll() is None:
+            self.process.send_signal(number)
+        code = self.process.wait(30)
+        self._reader.join(10)
+        if self.process.stdout is not None:
+            self.process.stdout.close()
+        return code
+
+    def said(self, pattern: str) -> bool:
+        """Whether a line was printed that has this in it."""
+        return any(re.search(pattern, line) for line in list(self.lines))
+
+
+@contextmanager
+def started(folder: Path, *arguments: str) -> Iterator[Started]:
+    """A team that is ended at the end, whatever happens."""
+    run = Started(folder, *arguments)
+    try:
+        yield run
+    finally:
+        children = (
+            psutil.Process(run.process.pid).children(recursive=True) if run.process.poll() is None else []
+        )
+        run.end()
+        for child in children:
+            if child.is_running():
+                child.kill()
+
+
+def signals_from(trace: list[dict[str, Any]], sender: str) -> list[int]:
+    """The numbers of the signals that have come from a robot, in order."""
+    return [
+        r["message"]["n"]
+        for r in trace
+        if r["kind"] == "arrived" and r["channel"] == "team.signal.Tick" and r["message"]["who"] == sender
+    ]

@@ -1,0 +1,121 @@
+"""A team of real processes: what happens when one is killed, stopped, or when its supervisor ends."""
+
+from __future__ import annotations
+
+import signal
+import time
+from pathlib import Path
+
+import psutil
+import pytest
+
+from tests.faults.team import Started, project, signals_from, started
+from tests.runtime.playing import check_line
+
+pytest.importorskip("zenoh")
+
+
+def gone(processes: list[psutil.Process], seconds: float = 10.0) -> bool:
+    end = time.monotonic() + seconds
+    while any(p.is_running() and p.status() != psutil.STATUS_ZOMBIE for p in processes):
+        if time.monotonic() > end:
+            return False
+        time.sleep(0.02)
+    return True
+
+
+def in_order(numbers: list[int]) -> bool:
+    """None is lost, doubled or overtaken since the first."""
+    return numbers == list(range(numbers[0], numbers[0] + len(numbers)))
+
+
+def test_a_team_plays_to_its_end(tmp_path: Path) -> None:
+    with started(project(tmp_path), "--for", "2s", "-v") as run:
+        code = run.process.wait(60)
+        run.end()
+    assert code == 0, run.lines
+    assert run.said("played with 3 processes: all agents have finished")
+    assert run.said(r"^robot1 \| .*robot1  Say")
+    for name in ("robot1", "robot2", "robot3"):
+        trace = run.trace(name)
+        assert trace[0]["kind"] == "header" and trace[-1]["kind"] == "finish"
+        assert trace[-1]["time"] >= 2_000_000_000
+        for record in trace:
+            check_line(record)
+    for other in ("robot2", "robot3"):
+        assert in_order(signals_from(run.trace("robot1"), other))
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_all(tmp_path: Path, number: int) -> None:
+    with started(project(tmp_path)) as run:
+        run.wait_for_talk()
+        robots = list(run.robots().values())
+        assert run.end(number) == 130
+        assert gone(robots)
+    assert run.said("played with 3 processes: stopped")
+    assert [run.trace(name)[-1]["reason"] for name in ("robot1", "robot2", "robot3")] == ["interrupted"] * 3
+
+
+def test_no_process_is_left_when_the_supervisor_is_killed(tmp_path: Path) -> None:
+    with started(project(tmp_path)) as run:
+        run.wait_for_talk()
+        robots = list(run.robots().values())
+        assert len(robots) == 3
+        run.process.kill()
+        assert gone(robots)
+
+
+def test_a_killed_robot_is_started_again_and_the_others_know(tmp_path: Path) -> None:
+    with started(project(tmp_path)) as run:
+        run.wait_for_talk()
+        run.robots()["robot2"].kill()
+        run.wait_for(lambda: signals_from(run.trace("robot2", 2), "robot1"))
+        run.wait_for(lambda: "robot2 restarted" in run.news("robot1"))
+        run.wait_for(lambda: 1 in signals_from(run.trace("robot1"), "robot2")[1:])
+        assert run.end() == 130
+    assert run.said("robot2 was ended by SIGKILL; it is started again in 0.2 s")
+    assert run.said("robot2, started 2 times")
+    news = [item for item in run.news("robot1") if item.startswith("robot2") and "count" not in item]
+    assert news[:3] == ["robot2 there", "robot2 gone", "robot2 restarted"]
+    numbers = signals_from(run.trace("robot1"), "robot2")
+    second = numbers.index(1, 1)
+    assert in_order(numbers[:second]) and in_order(numbers[second:])
+    # nobody else was disturbed
+    assert in_order(signals_from(run.trace("robot3"), "robot1"))
+
+
+def test_a_robot_that_stands_still_is_gone_and_comes_back(tmp_path: Path) -> None:
+    folder = project(tmp_path, configuration='[tool.asemec.deploy]\nlease = "500ms"\n')
+    with started(folder) as run:
+        run.wait_for_talk()
+        robot = run.robots()["robot2"]
+        robot.suspend()
+        run.wait_for(lambda: "robot2 gone" in run.news("robot1") and "robot2 gone" in run.news("robot3"))
+        before = len(signals_from(run.trace("robot3"), "robot1"))
+        run.wait_for(lambda: len(signals_from(run.trace("robot3"), "robot1")) > before + 20)
+        robot.resume()
+        run.wait_for(lambda: "robot2 back" in run.news("robot1"))
+        count = len(signals_from(run.trace("robot2"), "robot1"))
+        run.wait_for(lambda: len(signals_from(run.trace("robot2"), "robot1")) > count + 50)
+        assert run.end() == 130
+    for mine, other in (("robot2", "robot1"), ("robot1", "robot2"), ("robot3", "robot1")):
+        assert in_order(signals_from(run.trace(mine), other)), (mine, other)
+    assert [
+        r for r in run.trace("robot1") if r["kind"] == "lost" and r["reason"].startswith("it ended")
+    ] == []
+
+
+def test_a_robot_that_always_dies_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    say = "import os\n\n\nclass Say:\n    def execute(self, context):\n        os._exit(7)\n"
+    with started(project(tmp_path, say=say), "--for", "60s", "-q") as run:
+        run.wait_for(lambda: run.said(r"robot1 has ended with exit code 7; it is started again in 0\.8 s"))
+        run.end()
+
+
+def test_what_cannot_be_started_is_said(tmp_path: Path) -> None:
+    folder = project(tmp_path, configuration='[tool.asemec.deploy]\nhosts = { robot9 = "127.0.0.1" }\n')
+    run = Started(folder)
+    assert run.process.wait(60) == 1
+    run.end()
+    assert run.said("there is no agent robot9 in the team; there are robot1, robot2, robot3")

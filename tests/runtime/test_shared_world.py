@@ -1,0 +1,88 @@
+"""A world in one process and bodies in others."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from aseme_dsl.field.match import Match
+from aseme_dsl.field.team import team_sheet
+from aseme_dsl.runtime.body import BodyLost, Heard
+from aseme_dsl.runtime.shared_world import FarBody, WorldServer
+
+KEY = b"only for us"
+
+
+@pytest.fixture
+def match() -> Match:
+    return Match(1, home=team_sheet(1, "Us", ("one", "two"), goalie="three"))
+
+
+@pytest.fixture
+def server(match: Match) -> Iterator[WorldServer]:
+    found = WorldServer(match, KEY)
+    yield found
+    found.close()
+
+
+def test_a_body_far_away_is_a_body(match: Match, server: WorldServer) -> None:
+    one, two = (FarBody(name, server.address, KEY) for name in ("one", "two"))
+    over = threading.Event()
+    running = threading.Thread(target=server.run, args=(time.monotonic_ns(), over.is_set))
+    running.start()
+    assert one.payload_limit == match.bodies["one"].payload_limit
+    assert one.say(b"hello")
+    heard: list[Heard] = []
+    end = time.monotonic() + 10
+    while not heard and time.monotonic() < end:
+        heard = two.hear()
+        time.sleep(0.01)
+        one.say(b"hello")
+    over.set()
+    running.join()
+    assert heard[0].payload == b"hello"
+    assert one.sense() == match.bodies["one"].sense()
+    with pytest.raises(ValueError, match="the radio takes"):
+        one.say(bytes(1000))
+    one.tell((("Walk",),))
+    assert server.doing == {"one": (("Walk",),)}
+    one.close()
+    two.close()
+
+
+def test_a_world_that_ends_takes_its_bodies_with_it(match: Match) -> None:
+    server = WorldServer(match, KEY)
+    body = FarBody("one", server.address, KEY)
+    server.close()
+    with pytest.raises(BodyLost):
+        FarBody("one", server.address, KEY)
+    body.close()
+    with pytest.raises(BodyLost, match="given back"):
+        body.sense()
+
+
+def test_who_has_no_key_gets_no_body(server: WorldServer) -> None:
+    with pytest.raises(BodyLost, match="cannot be reached"):
+        FarBody("one", server.address, b"another")
+    FarBody("one", server.address, KEY).close()  # and the others are served
+
+
+def test_a_body_that_there_is_not(server: WorldServer) -> None:
+    with pytest.raises(BodyLost, match="no body called nobody"):
+        FarBody("nobody", server.address, KEY)
+
+
+def test_a_world_that_does_not_answer_is_lost(
+    server: WorldServer, match: Match, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("aseme_dsl.runtime.shared_world.PATIENCE", 0.05)
+    body: Any = FarBody("one", server.address, KEY)
+    with server._lock, pytest.raises(BodyLost, match="has not answered for"):
+        body.sense()
+    with pytest.raises(BodyLost):
+        body.sense()
+    body.close()
