@@ -165,7 +165,11 @@ def command(
         click.echo(result.trace_error, err=True)
     elif not supervised:
         click.echo(f"played {result.time / 1e9:g} s\n  trace: {played.trace}")
-    code = INTERRUPTED if result.reason == "interrupted" else int(result.failed or result.trace_error is not None)
+    code = (
+        INTERRUPTED
+        if result.reason == "interrupted"
+        else int(result.failed or result.trace_error is not None)
+    )
     if result.left:
         leave_at_once(code)
     return code

@@ -65,6 +65,7 @@ NOT_RUN = (
     r"\. \.venv/bin/activate",
     r'eval "\$\(asemec completion bash\)"',
     r"asemec .* --real\b.*",
+    r"asemec node .*",
     r"asemec completion fish > .*",
 )
 """What an `sh` example may say."""

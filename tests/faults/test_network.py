@@ -187,12 +187,15 @@ class Proxy:
         while True:
             try:
                 here, _ = self.server.accept()
-                if self.cut_off:
-                    here.close()
-                    continue
-                there = socket.create_connection(("127.0.0.1", self.to))
             except OSError:
                 return
+            try:
+                if self.cut_off:
+                    raise OSError("cut off")
+                there = socket.create_connection(("127.0.0.1", self.to))
+            except OSError:
+                here.close()
+                continue
             self.pairs.append((here, there))
             for a, b in ((here, there), (there, here)):
                 threading.Thread(target=self._pass, args=(a, b), daemon=True).start()
