@@ -147,6 +147,7 @@ class _Run:
         self._address: str | None = None
         self._origin: int | None = None
         self._reason = ""
+        self._pumps: list[threading.Thread] = []
 
     def run(self) -> Supervised:
         """Start everybody, and watch them to the end."""
@@ -287,6 +288,9 @@ class _Run:
     def _ended(self, child: _Child, code: int) -> None:
         """A robot's process is over: for good, or to be started again."""
         child.code = code
+        if child.process is not None and child.process.stdin is not None:
+            with contextlib.suppress(OSError):
+                child.process.stdin.close()
         if code in _DELIBERATE:
             child.over = True
             return
@@ -322,6 +326,8 @@ class _Run:
                 if process.stdin is not None:
                     with contextlib.suppress(OSError):
                         process.stdin.close()
+        for thread in self._pumps:
+            thread.join(END)
         for child in self._robots.values():
             if child.process is not None and not child.over:
                 code = child.process.returncode
@@ -356,17 +362,20 @@ class _Run:
                 thread.join(1.0)  # a grandchild may hold the pipe open
             self._news.put((name, "ended", code))
 
-        threading.Thread(target=wait, daemon=True).start()
+        waiting = threading.Thread(target=wait, daemon=True)
+        waiting.start()
+        self._pumps = [thread for thread in (*self._pumps, waiting) if thread.is_alive()]
 
     def _read_out(self, name: str, stream: IO[str]) -> None:
-        for text in stream:
-            line = text.rstrip("\n")
-            if name == "":
-                self._of_world(line)
-            elif line == READY:
-                self._news.put((name, "ready", None))
-            else:
-                self._say(name, line, False)
+        with stream:
+            for text in stream:
+                line = text.rstrip("\n")
+                if name == "":
+                    self._of_world(line)
+                elif line == READY:
+                    self._news.put((name, "ready", None))
+                else:
+                    self._say(name, line, False)
 
     def _of_world(self, line: str) -> None:
         told: Mapping[str, str] = json.loads(line)
@@ -377,8 +386,9 @@ class _Run:
                 self._news.put(("", kind, value))
 
     def _read_err(self, name: str, stream: IO[str]) -> None:
-        for text in stream:
-            self._say(name, text.rstrip("\n"), True)
+        with stream:
+            for text in stream:
+                self._say(name, text.rstrip("\n"), True)
 
 
 def _write(child: _Child, line: str) -> None:
