@@ -58,7 +58,7 @@ def tree_of(text: str) -> Any:
 
 def code_lines(text: str) -> list[str]:
     """The lines, but for those inside comments of several lines, which stay as they are."""
-    return text.split("\n") if "/*" not in text else []
+    return text.replace("\r\n", "\n").split("\n") if "/*" not in text else []
 
 
 def model(text: str) -> Any:
@@ -88,6 +88,8 @@ def test_programs_with_anything_between_their_tokens(seed: int) -> None:
     choose = random.Random(seed)
     text = lengthened(choose.choice(TEXTS), choose.choice((1, 1, 2, 4)))
     rewritten = relaid(text, choose, choose.choice(OFTEN), choose.choice(COMMENTED))
+    if choose.random() < 0.2:
+        rewritten = rewritten.replace("\n", "\r\n")
     if not parse(Source("test.aseme", rewritten))[1]:
         laid(rewritten)
 

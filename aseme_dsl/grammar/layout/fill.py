@@ -180,6 +180,8 @@ class _Writer:
         """The column of a new line for a piece of `depth`."""
         if depth > self.depth:
             return self._start(self.depth) + STEP
+        while depth not in self.starts:  # no piece of this depth has been before
+            depth -= 1
         return min(self.starts[depth] + self.shifts.get(depth, 0), FARTHEST)
 
     def _new_line(self, depth: int) -> None:
