@@ -173,7 +173,8 @@ class Snapshot:
             encoder.not_(encoder.and_(*(self._holding(condition) for condition in way)))
             for way in claim.closed
         ]
-        parts.append(encoder.functions if assumptions.functions else encoder.not_(encoder.functions))
+        if encoder.calls:
+            parts.append(encoder.functions if assumptions.functions else encoder.not_(encoder.functions))
         for key, symbol in encoder.symbols.items():
             if key[0] == RAISES and not assumptions.raising:
                 parts.append(encoder.not_(symbol))
