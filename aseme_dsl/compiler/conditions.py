@@ -21,7 +21,6 @@ from aseme_dsl.proofs.choice import (
     judge,
 )
 from aseme_dsl.proofs.prover import Prover
-from aseme_dsl.proofs.snapshot import Undecided
 from aseme_dsl.proofs.unknowns import Vocabulary
 from aseme_dsl.source import Span
 
@@ -165,6 +164,8 @@ def contradiction(prover: Prover) -> Contradict:
         conditions = [condition for condition in found if condition is not None]
         if len(conditions) < 2 or not prover.is_there:
             return False
+        from aseme_dsl.proofs.snapshot import Undecided
+
         try:
             return not prover.can_all_hold(conditions)
         except Undecided:

@@ -5,5 +5,7 @@ evaluate    whether a condition holds when some of them are known
 encoding    conditions as formulas of z3, with absence and faults exactly as they run
 snapshot    whether conditions can hold and fail together, and the simplest values that make them
 ways        the ways out of a state, through its choices
-choice      overlaps, gaps, and branches that are never or always open
+choice      which choices are looked at, and what may be found
+findings    overlaps, gaps, and branches that are never or always open
+prover      z3, where it is installed
 """

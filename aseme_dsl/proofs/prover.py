@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.proofs.snapshot import Claim, Snapshot
 from aseme_dsl.proofs.unknowns import Vocabulary
+
+if TYPE_CHECKING:
+    from aseme_dsl.proofs.snapshot import Snapshot
 
 
 class Prover:
@@ -34,10 +36,14 @@ class Prover:
 
     def snapshot(self, conditions: Sequence[e.Value]) -> Snapshot:
         """What these conditions see at one moment. Raises ImportError without z3."""
+        from aseme_dsl.proofs.snapshot import Snapshot
+
         return Snapshot(conditions, self.vocabulary, self._context)
 
     def can_all_hold(self, conditions: Sequence[e.Value]) -> bool:
         """Whether the conditions can hold in one snapshot. Raises Undecided, and ImportError without z3."""
+        from aseme_dsl.proofs.snapshot import Claim
+
         return self.snapshot(conditions).is_possible(Claim(tuple(conditions)))
 
 
