@@ -9,6 +9,7 @@ the newest (each one, where the topic is `queued`), of data the newest.
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -45,14 +46,17 @@ class Radio:
         self._waiting: list[tuple[str, str | None, Any, Identity]] = []
         self._every = LISTEN
         self._lost = False
+        self._lock = threading.RLock()
+        """Held while something is said: by who publishes, and by the timer that says what was refused."""
 
     def renew(self, schema: Schema) -> None:
         """The agent follows another plan: say and hear its channels, with the numbers of this schema."""
-        self._schema = schema
-        self._rules = {info.name: info for info in self._agent.plan.channels}
-        for entry in [entry for entry in self._waiting if entry[0] not in self._rules]:
-            self._waiting.remove(entry)
-            self._tell("unsaid", entry[0], entry[2], entry[3], "its channel is not in the new plan")
+        with self._lock:
+            self._schema = schema
+            self._rules = {info.name: info for info in self._agent.plan.channels}
+            for entry in [entry for entry in self._waiting if entry[0] not in self._rules]:
+                self._waiting.remove(entry)
+                self._tell("unsaid", entry[0], entry[2], entry[3], "its channel is not in the new plan")
 
     def begin(self, step: int | None) -> None:
         """Listen from now on: after every step of the world, which lasts `step` ns."""
@@ -71,7 +75,8 @@ class Radio:
         assert body is not None
         try:
             heard = body.hear()
-            self._say_waiting()
+            with self._lock:
+                self._say_waiting()
         except BodyLost as error:
             self._lose(error)
             return
@@ -83,9 +88,21 @@ class Radio:
 
     def send(self, channel: str, message: Any, host: str | None, identity: Identity) -> None:
         """Say a message, now or as soon as the radio takes it."""
-        if self._lost:
-            self._tell("unsaid", channel, message, identity, "the body is lost")
-            return
+        with self._lock:
+            if self._lost:
+                self._tell("unsaid", channel, message, identity, "the body is lost")
+                return
+            self._wait(channel, message, host, identity)
+            try:
+                self._say_waiting()
+            except BodyLost as error:
+                self._lose(error)
+                return
+            if self._waiting and self._waiting[-1][3] == identity:
+                self._tell("held", channel, message, identity, "the radio takes no more at the moment")
+
+    def _wait(self, channel: str, message: Any, host: str | None, identity: Identity) -> None:
+        """Put a message at the end of those to be said; it replaces one of its kind that waits."""
         queued = channel.split(".", 2)[1] == "signal" and self._rules[channel].queued
         if not queued:
             for place, (other, to, old, old_identity) in enumerate(self._waiting):
@@ -94,13 +111,6 @@ class Radio:
                     self._tell("replaced", channel, old, old_identity, "a newer one came before it was said")
                     break
         self._waiting.append((channel, host, message, identity))
-        try:
-            self._say_waiting()
-        except BodyLost as error:
-            self._lose(error)
-            return
-        if self._waiting and self._waiting[-1][3] == identity:
-            self._tell("held", channel, message, identity, "the radio takes no more at the moment")
 
     def _say_waiting(self) -> None:
         """Say what waits, in order, until the radio takes no more."""
@@ -146,12 +156,15 @@ class Radio:
     # ---- the trace ---------------------------------------------------------------------------
 
     def _lose(self, error: BodyLost) -> None:
-        self._lost = True
-        agent = self._agent
-        agent.trace.fault(agent.driver.clock.now(), agent.name, f"the radio is silent: BodyLost: {error}")
-        for channel, _, message, identity in self._waiting:
-            self._tell("unsaid", channel, message, identity, "the body is lost")
-        self._waiting.clear()
+        with self._lock:
+            if self._lost:
+                return
+            self._lost = True
+            agent = self._agent
+            agent.trace.fault(agent.driver.clock.now(), agent.name, f"the radio is silent: BodyLost: {error}")
+            for channel, _, message, identity in self._waiting:
+                self._tell("unsaid", channel, message, identity, "the body is lost")
+            self._waiting.clear()
 
     def _tell(self, kind: str, channel: str, message: Any, identity: Identity, reason: str) -> None:
         agent = self._agent

@@ -96,6 +96,10 @@ class RealDriver:
         self._locks = {agent.name: threading.Lock() for agent in agents}
         self._others = set(threading.enumerate())
 
+    def know_threads(self) -> None:
+        """The threads that there are now are not those of activities."""
+        self._others.update(threading.enumerate())
+
     def at(self, moment: int, call: Callable[[], None], background: bool = False) -> Timer:
         """Make a call at a moment, in the thread of the timers; at once, if that has passed."""
         return self._timekeeper.at(moment, call, background)

@@ -437,8 +437,11 @@ class Team:
                     self.transport.begin(self)
                 except TransportError as problem:
                     raise TeamError(str(problem)) from problem
+                if isinstance(driver, RealDriver):
+                    driver.know_threads()  # the transport's
                 try:
                     self._prepare()
+                    self.transport.go()
                     driver.run()
                 finally:
                     self.transport.close()

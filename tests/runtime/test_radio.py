@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -159,3 +160,25 @@ def test_a_body_that_is_lost_silences_the_radio_and_not_the_agent() -> None:
     assert [r["reason"] for r in run.of("unsaid")] == ["the body is lost"] * 2
     assert any("BodyLost: the wire is cut" in fault["reason"] for fault in run.of("fault"))
     assert not run.result.failed
+
+
+def test_a_slow_radio_says_each_message_once() -> None:
+    """Two threads at once: the activity that publishes and the one that says again what was refused."""
+    generated = generate(TEXT)
+    said: list[bytes] = []
+
+    class Slow:
+        name, payload_limit = "ann", 10
+
+        def say(self, payload: bytes) -> bool:
+            time.sleep(0.004)
+            said.append(payload)
+            return True
+
+        def hear(self) -> list[Heard]:
+            return []
+
+    say = saying(generated, "team.signal.M", 100, pause=0.001)
+    run = play(generated, {"Say": say}, clock="real", bodies={"ann": Slow()}, until=1500 * MS)
+    assert run.of("activity", what="crash") == [] and not run.result.failed
+    assert len(said) == len(set(said)) > 50

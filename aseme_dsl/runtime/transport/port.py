@@ -63,7 +63,11 @@ class Transport(Protocol):
         ...
 
     def begin(self, team: Team) -> None:
-        """Connect, and let peers in. Raises TransportError if that cannot be."""
+        """Connect. What comes waits for `go`. Raises TransportError if that cannot be."""
+        ...
+
+    def go(self) -> None:
+        """Hand on what comes: the agents have everything that is there from the beginning."""
         ...
 
     def close(self) -> None:
@@ -128,6 +132,9 @@ class Local:
 
     def begin(self, team: Team) -> None:
         """Nothing is to be connected."""
+
+    def go(self) -> None:
+        """Nothing comes."""
 
     def close(self) -> None:
         """Nothing is connected."""

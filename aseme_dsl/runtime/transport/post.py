@@ -143,11 +143,12 @@ class Post:
         self._closing = False
         self._strangers: set[str] = set()
         self._thread: threading.Thread | None = None
+        self._gate = threading.Event()
 
     # ---- the transport -----------------------------------------------------------------------
 
     def begin(self, team: Team) -> None:
-        """Connect, and let peers in."""
+        """Connect. What comes waits for `go`."""
         self._team = team
         self._here = {agent.name: agent for agent in team.agents}
         self._others = {name: _Other(name) for name in team.elsewhere}
@@ -162,10 +163,15 @@ class Post:
         self._thread = threading.Thread(target=self._beat, name="aseme transport", daemon=True)
         self._thread.start()
 
+    def go(self) -> None:
+        """Hand on what comes: the agents have everything that is there from the beginning."""
+        self._gate.set()
+
     def close(self) -> None:
         """Let what is on its way arrive, as far as that is quick, and disconnect."""
         if self._thread is None:
             return
+        self._gate.set()
         until = time.monotonic() + LAST_WORDS
         while time.monotonic() < until and self._has_unfinished():
             time.sleep(0.005)
@@ -460,6 +466,8 @@ class Post:
 
     def arrived(self, to: str, sender: str, envelope: bytes, payload: bytes) -> None:
         """Something has come for one of our agents."""
+        if not self._gate.is_set():
+            self._gate.wait()
         came = time.monotonic_ns()
         with self._lock:
             other = self._others.get(sender)
@@ -619,6 +627,7 @@ class Post:
 
     def appeared(self, agent: str, incarnation: int) -> None:
         """An agent elsewhere is there now."""
+        self._gate.wait()
         if agent in self._here:
             if incarnation > self.incarnation:
                 now = self._team.driver.clock.now()
@@ -642,6 +651,7 @@ class Post:
 
     def vanished(self, agent: str, incarnation: int) -> None:
         """An agent elsewhere is not there any more."""
+        self._gate.wait()
         with self._lock:
             other = self._others.get(agent)
             if other is None or other.life != incarnation or not other.alive or self._closing:
