@@ -339,10 +339,10 @@ def measure_sure(count: int) -> bool:
     bob.stdin.close()
     bob.wait(20)
     cat.wait()
-    lost = robot.team.peers()["cat"].lost
     robot.stop()
+    lost = robot.team.peers()["cat"].lost
     print(f"  {count} in {took:.1f} s ({count / took:.0f} a second)")
-    print(f"  of those for the robot that was killed {lost} were on their way, and told as lost")
+    print(f"  of those for the robot that was killed {lost} could not be brought, and were told as lost")
     for kind, judged in result.items():
         print(f"  {kind}: {', '.join(f'{what} {number}' for what, number in judged.items())}")
     return all(
