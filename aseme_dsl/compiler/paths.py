@@ -86,8 +86,15 @@ def _constant(checker: Checker, path: tree.Path, enum: EnumType) -> Value | None
     constant = path.segments[1]
     number = enum.number(constant.text)
     if number is None:
-        if enum.name not in checker.scope.symbols.wrong:
-            checker.diagnostics.append(unknown("E508", f"`{enum.name}` has no constant", constant, names))
+        symbols = checker.scope.symbols
+        if enum.name not in symbols.wrong:
+            owners = [
+                f"{item.name}.{constant}" for item in symbols.enums if item.number(constant.text) is not None
+            ]
+            certain = f"it is one of another enum: {listed(owners, 'or')}" if owners else None
+            checker.diagnostics.append(
+                unknown("E508", f"`{enum.name}` has no constant", constant, names, certain=certain)
+            )
         return None
     if len(path.segments) > 2:
         checker.report("E501", "a constant has no members", path.segments[2].span)
@@ -218,6 +225,15 @@ def _no_class(checker: Checker, path: tree.Path) -> None:
     if symbols.is_excused(first.text) or symbols.is_excused(segments[1].text):
         return
     if symbols.message(first.text) is not None:
+        owners = [
+            f"{enum.name}.{segments[1]}"
+            for enum in symbols.enums
+            if enum.number(segments[1].text) is not None
+        ]
+        if len(segments) == 2 and owners:
+            hint = f"did you mean {listed(owners, 'or')}?"
+            checker.report("E502", f"`{first}` is a message, not an enum", first.span, hint)
+            return
         channels = symbols.channels_of(first.text)
         fix = f"{channels[0]}" if len(channels) == 1 else None
         checker.report(

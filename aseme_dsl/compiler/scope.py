@@ -21,6 +21,8 @@ class Party:
     receives: tuple[AgentMessage, ...]
     variables: frozenset[str]
     span: Span
+    wrong: frozenset[str] = frozenset()
+    """The words of what it says it sends and receives, where that could not be understood."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -68,7 +68,8 @@ def protocol_scopes(
         receives, wrong = _messages(item.receives, outer)
         diagnostics += wrong
         variables = frozenset(variable.name.text for variable in item.variables)
-        parties[name] = Party(name, sends, receives, variables, item.name.span)
+        unread = _words(item.sends, sends) | _words(item.receives, receives)
+        parties[name] = Party(name, sends, receives, variables, item.name.span, unread)
     scope, wrong_lets = with_lets(replace(outer, parties=parties), protocol.lets)
     diagnostics += wrong_lets
     typed = {}
@@ -183,6 +184,13 @@ def _messages(
             continue
         found[key] = AgentMessage(performative.text, message.text, item.span)
     return tuple(found.values()), tuple(diagnostics)
+
+
+def _words(written: Iterable[tree.AgentMessage], understood: Iterable[AgentMessage]) -> frozenset[str]:
+    """The performatives and messages of what was not understood."""
+    known = {(item.performative, item.message) for item in understood}
+    said = {(item.performative.text, item.message.text) for item in written}
+    return frozenset(word for pair in said - known for word in pair)
 
 
 # ---- lets --------------------------------------------------------------------------------------

@@ -299,6 +299,19 @@ def _is_exchanged(
         texts = [f"{item.performative} {item.message}" for item in listed]
         if said in texts:
             continue
+        if not party.wrong.isdisjoint((performative.text, message.text)):
+            return False  # it may be what is wrong there
+        near = closest(said, texts)
+        if near is not None and near.split()[0] == performative.text:
+            checker.report(
+                "E511",
+                f"`{party.name}` does not list `{verb} {said}`",
+                message.span,
+                f"did you mean `{near.split()[1]}`?",
+                (Related(party.span, "the participant"),),
+                near.split()[1],
+            )
+            return False
         hint = f"write `{verb} {said}` there" + (f"; it {verb} {', '.join(texts)}" if texts else "")
         related = (Related(party.span, "the participant"),)
         span = performative.span.to(message.span)

@@ -112,7 +112,10 @@ class _Explanation:
         if tokens.begins_line(self.index) and self.index > self.first:
             # Something is missing at the end of a line, not wrong on the next one.
             return Diagnostic("E100", message, self._span(self.index - 1), hint=self._no_expression(wanted))
-        return Diagnostic("E100", message, self._span(self.index), hint=self._what_may_stand_here())
+        hint = self._what_may_stand_here()
+        if found.isdigit() and self._expects("Duration"):
+            hint = f"a duration has a unit: {found}ms, {found}s or {found}min"
+        return Diagnostic("E100", message, self._span(self.index), hint=hint)
 
     def not_closed(self) -> Diagnostic:
         """A `}` is missing."""

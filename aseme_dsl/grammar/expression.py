@@ -427,6 +427,8 @@ class _Reader:
             after_it = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else ""
             if after_it in ("<", ">") or previous in ("<", ">", "==", "!="):
                 hint, fix = "comparisons are written < <= > >= == !=", None
+        if previous == "after" and found[:1].isdigit():
+            hint = f"write after({found})"
         if found in RESERVED:
             hint = f"{shown(found)} cannot be a name here"
         following = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else None
