@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime import context as c
@@ -15,6 +15,7 @@ from aseme_dsl.runtime.body import Body
 from aseme_dsl.runtime.bus import SELECT, Bus
 from aseme_dsl.runtime.carry import Carried
 from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.clock import SECOND
 from aseme_dsl.runtime.conversation import Conversations
 from aseme_dsl.runtime.convert import Messages, arrived, converted, like, mailed
 from aseme_dsl.runtime.execution import Execution, Executions, frames_of, reason_of
@@ -38,28 +39,13 @@ from aseme_dsl.runtime.inputs import (
     Start,
     Written,
 )
+from aseme_dsl.runtime.intake import Errand, Intake, Posted
 from aseme_dsl.runtime.plan import BranchInfo, Variable
 from aseme_dsl.runtime.timers import Timer
 from aseme_dsl.runtime.trace import Trace
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.driver import Driver
-
-Errand = Callable[[], None]
-
-
-@dataclass(frozen=True, slots=True)
-class Posted:
-    """An input on its way into a step, with its identity.
-
-    What an activity wrote is dropped if the `execution` was cancelled meanwhile, mail if the branch is not in
-    its `conversation` any more.
-    """
-
-    identity: Identity
-    input: Input
-    execution: Execution | None = None
-    conversation: str | None = None
 
 
 class Agent:
@@ -95,7 +81,9 @@ class Agent:
         self.chosen: Callable[[Agent, str, str], None] = _not_here
         """Is told of a message that says which plan is to run, and by whom it is."""
         self.executions = Executions(self, find)
-        self.intake: deque[Posted | Errand] = deque()
+        queued = frozenset(info.name for info in self.plan.channels if info.queued)
+        self.intake = Intake(queued, bounded=not driver.clock.virtual)
+        self._crowd_told: int | None = None
         self.steps = 0
         self.recent: deque[tuple[int, ...]] = deque(maxlen=8)
         """The transitions taken last, for messages about what does not end."""
@@ -162,11 +150,7 @@ class Agent:
 
     def take(self) -> list[Posted | Errand]:
         """Everything that has come in so far."""
-        items: list[Posted | Errand] = []
-        intake = self.intake
-        while intake:
-            items.append(intake.popleft())
-        return items
+        return self.intake.take()
 
     def begin(self) -> None:
         """Ask for the first step."""
@@ -177,11 +161,7 @@ class Agent:
 
     def _pending(self) -> Iterable[Arrived]:
         """What has arrived since the step began."""
-        return [
-            item.input
-            for item in list(self.intake)
-            if isinstance(item, Posted) and isinstance(item.input, Arrived)
-        ]
+        return self.intake.arrived()
 
     # ---- the step ----------------------------------------------------------------------------
 
@@ -196,10 +176,24 @@ class Agent:
                 if renewed is not None:
                     inputs.append(renewed)
         self._inputs = None
+        if self.intake.left_out:
+            self._tell_of_crowd()
         if self.over or not (inputs or self._wanted):
             return
         self._wanted = False
         self._step(inputs)
+
+    def _tell_of_crowd(self, last: bool = False) -> None:
+        """Say in the trace, once a second at the most, that more comes in than is taken."""
+        intake, now = self.intake, self.driver.clock.now()
+        if self._crowd_told is None:
+            text = f"{self.name} is sent more than it can take: of states and data only the newest are kept"
+            self.trace.fault(now, self.name, text)
+        elif now - self._crowd_told < SECOND and not last:
+            return
+        self._crowd_told = now
+        self.trace.write("crowd", now, agent=self.name, left_out=intake.left_out, most=intake.most)
+        intake.left_out = intake.most = 0
 
     def _counts(self, item: Posted) -> bool:
         """Whether an input is still wanted."""
@@ -310,6 +304,8 @@ class Agent:
         if self._due is not None:
             self._due.cancel()
             self._due = None
+        if self.intake.left_out:
+            self._tell_of_crowd(last=True)
         self.executions.cancel_all()
         self.conversations.gone(self)
 

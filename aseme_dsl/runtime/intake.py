@@ -1,0 +1,104 @@
+"""Intake: what has come in for an agent and waits for its next step, in order; bounded when it is too much.
+
+All that waits is taken together, into one snapshot. So of several states of one sender on one channel only
+the newest can be seen, and of signals that do not queue as well. As long as little waits, everything is taken
+all the same, and is in the trace. When more waits than `CROWD`, a newer message takes the place of the one of
+the same sender and channel that waits: however fast messages come, so many wait at the most, and one of each
+sender and channel. Of data this leaves out samples. Signals that queue, agent messages, events and what
+activities say of themselves are never left out.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from aseme_dsl.runtime.inputs import Arrived, Identity, Input
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.execution import Execution
+
+CROWD = 1000
+"""When so many inputs wait, of those that replace one another only the newest are kept."""
+
+Errand = Callable[[], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Posted:
+    """An input on its way into a step, with its identity.
+
+    What an activity wrote is dropped if the `execution` was cancelled meanwhile, mail if the branch is not in
+    its `conversation` any more.
+    """
+
+    identity: Identity
+    input: Input
+    execution: Execution | None = None
+    conversation: str | None = None
+
+
+class Intake:
+    """What waits. `append` may be called from any thread, `take` by who steps the agent."""
+
+    __slots__ = ("_bounded", "_items", "_lock", "_newest", "_queued", "left_out", "most")
+
+    def __init__(self, queued: frozenset[str], bounded: bool) -> None:
+        """`queued` are the channels whose signals queue; in virtual time nothing is `bounded`."""
+        self._items: deque[Posted | Errand] = deque()
+        self._newest: dict[tuple[str, str, str | None], Posted] = {}
+        self._queued = queued
+        self._bounded = bounded
+        self._lock = threading.Lock()
+        self.left_out = 0
+        """How many messages newer ones have replaced, since somebody set it to 0."""
+        self.most = 0
+        """The most that were taken together, since somebody set it to 0."""
+
+    def append(self, item: Posted | Errand) -> None:
+        """Have something wait."""
+        if self._bounded and (self._newest or len(self._items) >= CROWD) and self._crowded(item):
+            return
+        self._items.append(item)
+
+    def _crowded(self, item: Posted | Errand) -> bool:
+        """Put a message in the place of the one that it replaces, if it is of that sort."""
+        if not isinstance(item, Posted) or not isinstance(item.input, Arrived):
+            return False
+        message = item.input
+        if message.channel in self._queued:
+            return False
+        key = message.channel, message.sender, message.written_by
+        with self._lock:
+            if self._newest.pop(key, None) is not None:
+                self.left_out += 1
+            self._newest[key] = item  # the newest of all is the last one
+        return True
+
+    def take(self) -> list[Posted | Errand]:
+        """Everything that waits."""
+        items = self._items
+        taken = [items.popleft() for _ in range(len(items))]
+        if self._newest:
+            with self._lock:
+                taken += self._newest.values()
+                self._newest.clear()
+            self.most = max(self.most, len(taken))
+        return taken
+
+    def arrived(self) -> list[Arrived]:
+        """The messages that wait."""
+        with self._lock:
+            waiting = [*self._items, *self._newest.values()]
+        return [
+            item.input for item in waiting if isinstance(item, Posted) and isinstance(item.input, Arrived)
+        ]
+
+    def __bool__(self) -> bool:
+        return bool(self._items or self._newest)
+
+    def __len__(self) -> int:
+        return len(self._items) + len(self._newest)
