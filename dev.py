@@ -43,6 +43,8 @@ LONG = [
     ("a large file", ["benchmarks/large_file.py"], {}),
     ("broken files", ["benchmarks/broken_files.py"], {}),
     ("one slip, one message", ["benchmarks/mutations.py"], {}),
+    ("latency", ["benchmarks/latency.py"], {}),
+    ("faults of activities", ["-m", "pytest", "tests/faults"], {"FAULT_STARTS": "20000"}),
     ("random charts", ["-m", "pytest", "tests/oracle"], {"ORACLE_EXAMPLES": "5000"}),
 ]
 """What `long` runs: too heavy for every change, to be run before a release."""

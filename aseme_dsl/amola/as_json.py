@@ -16,7 +16,7 @@ from aseme_dsl.amola.expression import Literal, action_text, duration_text, even
 from aseme_dsl.amola.liveness import canonical
 from aseme_dsl.amola.messages import DURATION
 from aseme_dsl.amola.sag import Sag
-from aseme_dsl.amola.srm import Activity, Srm, Subscription
+from aseme_dsl.amola.srm import Activity, Module, Srm, Subscription
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
@@ -132,6 +132,7 @@ def srm_json(srm: Srm, system: System, folder: PurePath | None = None) -> Json:
         "variables": _variables(srm.variables, folder),
         "formulas": _formulas(srm.formulas, folder),
         "activities": [_activity(item, folder) for item in activities],
+        "modules": [_module(item, folder) for item in srm.modules],
         "functionalities": [
             {
                 "name": item.name,
@@ -205,6 +206,7 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
             }
             for item in chart.regions
         ],
+        "modules": [_module(item, folder) for item in chart.modules],
     }
 
 
@@ -255,6 +257,11 @@ def _activity(item: Activity, folder: PurePath | None) -> Json:
         "writes": [str(channel) for channel in item.writes] + list(item.writes_variables),
         "span": _span(item.span, folder),
     }
+
+
+def _module(item: Module, folder: PurePath | None) -> Json:
+    said = _activity(item.statement, folder)
+    return {**said, "kind": item.statement.kind or "thread", "target": item.target or None}
 
 
 def _subscription(item: Subscription) -> Json:

@@ -55,6 +55,22 @@ class Activity:
 
 
 @dataclass(frozen=True, slots=True)
+class Module:
+    """What runs at its own frequency beside the statechart (P2, section 2: a Monas module).
+
+    `statement` says of it what is said of activities; its `every` is never None. `target` is `module:Class`,
+    or "" where the code is found by the name, as that of activities.
+    """
+
+    statement: Activity
+    target: str
+
+    @property
+    def name(self) -> str:
+        return self.statement.name
+
+
+@dataclass(frozen=True, slots=True)
 class Functionality:
     name: str
     technology: str
@@ -86,3 +102,4 @@ class Srm:
     functionalities: tuple[Functionality, ...]
     capabilities: tuple[Capability, ...]
     span: Span
+    modules: tuple[Module, ...] = ()

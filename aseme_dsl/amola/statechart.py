@@ -9,6 +9,7 @@ from functools import cached_property
 
 from aseme_dsl.amola.expression import EMPTY, Literal, TransitionExpression
 from aseme_dsl.amola.messages import Channel, Type
+from aseme_dsl.amola.srm import Module
 from aseme_dsl.source import Span
 
 
@@ -119,6 +120,8 @@ class Statechart:
     variables: tuple[Variable, ...] = ()
     regions: tuple[Region, ...] = ()
     span: Span | None = field(default=None, compare=False)
+    modules: tuple[Module, ...] = ()
+    """What runs beside it in each agent of the role."""
 
     @cached_property
     def by_label(self) -> dict[str, Node]:

@@ -78,6 +78,8 @@ class Telling:
         """Whether there may be something to show in such a line of the trace."""
         if kind == "activity":
             return what == "crash" or (what == "start" and self._activities)
+        if kind == "module":
+            return what == "crash"
         if kind == "step":
             return self._transitions
         if kind in ("fault", "error", "swap", "select"):
@@ -92,6 +94,9 @@ class Telling:
                 self._crashed(record)
             elif self._activities and record["what"] == "start":
                 self._started(record)
+        elif kind == "module":
+            if record["what"] == "crash":
+                self._crashed(record)
         elif kind == "log":
             if self._activities:
                 self._say(record, f"{record['activity']}: {record['text']}")
@@ -166,7 +171,8 @@ class Telling:
         """An activity raised: where in its code, innermost."""
         frames = record.get("traceback") or [None]
         place = f"{frames[-1]['file']}:{frames[-1]['line']}" if frames[-1] else None
-        self._wrong(record, "crash", f"{record['activity']}: {record['reason']}", place)
+        name = record.get("activity") or record["module"]
+        self._wrong(record, "crash", f"{name}: {record['reason']}", place)
 
     def _wrong(self, record: Mapping[str, Any], what: str, reason: str, at: str | None) -> None:
         key = (reason, at or "")

@@ -10,7 +10,7 @@ from typing import Any
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Topic
-from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.expressions import function_key
@@ -188,18 +188,24 @@ def _read(system: System, activity: Activity) -> tuple[str, ...]:
 
 
 def _activity(system: System, activity: Activity) -> str:
-    return _call(
-        "ActivityInfo",
-        [activity.name],
-        [
-            ("kind", activity.kind, "thread"),
-            ("every", activity.every, None),
-            ("takes", activity.takes, None),
-            ("reads", _read(system, activity), ()),
-            ("writes", tuple(str(channel) for channel in activity.writes), ()),
-            ("variables", activity.writes_variables, ()),
-        ],
-    )
+    return _call("ActivityInfo", [activity.name], _statement(system, activity))
+
+
+def _module(system: System, module: Module) -> str:
+    target = [("target", module.target, "")]
+    return _call("ModuleInfo", [module.name], [*_statement(system, module.statement), *target])
+
+
+def _statement(system: System, activity: Activity) -> list[tuple[str, Any, Any]]:
+    """What is said of an activity or a module, with the defaults."""
+    return [
+        ("kind", activity.kind or "thread", "thread"),
+        ("every", activity.every, None),
+        ("takes", activity.takes, None),
+        ("reads", _read(system, activity), ()),
+        ("writes", tuple(str(channel) for channel in activity.writes), ()),
+        ("variables", activity.writes_variables, ()),
+    ]
 
 
 def _participant(system: System, protocol: str, name: str) -> Participant | None:
@@ -242,6 +248,7 @@ def plan_sections(system: System, chart: Statechart) -> list[tuple[str, list[str
             ],
         ),
         ("activities", [_activity(system, activity) for activity in activities]),
+        ("modules", [_module(system, module) for module in chart.modules]),
         (
             "channels",
             [

@@ -912,9 +912,8 @@ def retention(system: System, chart: Statechart, flat: FlatChart | None = None) 
     """How long each data channel must be kept, in ns: the longest history that anything asks for."""
     found = dict((flat or FlatChart(chart)).retention)
     used = {node.activity for node in chart.nodes if node.activity}
-    for activity in system.activities:
-        if activity.name not in used:
-            continue
+    activities = [item for item in system.activities if item.name in used]
+    for activity in (*activities, *(module.statement for module in chart.modules)):
         for subscription in activity.reads:
             if subscription.channel is not None and subscription.channel.comm is Comm.DATA:
                 channel = str(subscription.channel)

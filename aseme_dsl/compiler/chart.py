@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from aseme_dsl.amola.aip import DeclaredVariable
-from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Origin, OriginKind, Statechart, Variable
 from aseme_dsl.compiler.control import LabelledLine, Line, Lines, Placed, transitions
 from aseme_dsl.compiler.formula_to_statechart import Branch, Outline, Way
@@ -48,6 +48,8 @@ class World:
     system: str
     symbols: Symbols
     activities: Mapping[str, Activity]
+    modules: Mapping[str, tuple[Module, ...]]
+    """Of each role."""
 
 
 def chart_of(
@@ -78,8 +80,9 @@ def chart_of(
             renamed[label] = {v.name: f"{v.name}@{label}" for v in part.variables}
             own += [Variable(f"{v.name}@{label}", v.type, v.initial, label, v.span) for v in part.variables]
     found = transitions(outline, by_way, placed, renamed)
-    regions = regions_of(outline.nodes, found, world.activities, world.symbols)
-    return Statechart(name, world.system, kind, outline.nodes, found, tuple(own), regions, span)
+    modules = world.modules.get(name, ()) if kind == "IAC" else ()
+    regions = regions_of(outline.nodes, found, world.activities, modules, world.symbols)
+    return Statechart(name, world.system, kind, outline.nodes, found, tuple(own), regions, span, modules)
 
 
 def _placed(label: str, part: Part, origin: Origin) -> Iterable[Placed]:

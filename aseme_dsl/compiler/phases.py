@@ -30,6 +30,7 @@ from aseme_dsl.compiler.damage import damage
 from aseme_dsl.compiler.flow import check_flow, check_reach, check_timers
 from aseme_dsl.compiler.goals import not_played, out_of_reach, without_functionality
 from aseme_dsl.compiler.load import Loaded, load
+from aseme_dsl.compiler.modules import also_activities, read_modules
 from aseme_dsl.compiler.resolve import resolve
 from aseme_dsl.compiler.sag_to_suc import read_sag, sag_to_suc
 from aseme_dsl.compiler.scopes import global_scope, protocol_scopes, role_scope
@@ -94,11 +95,17 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
         for block in blocks.roles
         for activity in block.activities
     ]
+    modules = {
+        block.name.text: keep(
+            read_modules(block.modules, scopes[block.name.text].scope, is_damaged(block.span))
+        )
+        for block in blocks.roles
+    }
     described = {item.name: item for item in keep(merge_activities(statements))}
 
     # Design: the statecharts.
     name = symbols.system.name.text if symbols.system is not None else ""
-    world = World(name, symbols, described)
+    world = World(name, symbols, described, modules)
     eacs = {protocol.name: aip_to_eac(protocol, world) for protocol in protocols.values()}
     iacs = {role.name: srm_to_iac(role, world) for role in roles.values()}
     iacs |= {item.name: build_statechart(item, world) for item in given}
@@ -114,11 +121,12 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     if len(charts) == len(eacs) + len(iacs):
         found += check_described(_described_in(blocks), {*used, *_named(blocks)}, formulas, is_damaged)
     found += close_names(used, described, formulas, _unused_plays(roles.values()))
+    found += also_activities({block.name.text: block.modules for block in blocks.roles}, used)
     found += unplayed(_built(iacs), blocks.aips)
     capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
     cases = use_cases(suc, [*protocols, *(item.name.text for item in formulas), *used, *capabilities])
     missing = [*suc_to_aip(cases, blocks.aips)]
-    srms = [keep(read_srm(role, iacs[role.name], cases)) for role in roles.values()]
+    srms = [keep(read_srm(role, iacs[role.name], modules[role.name], cases)) for role in roles.values()]
     missing += suc_to_srm(cases, roles, [item.name for item in given], blocks.aips)
     missing += [item for protocol in protocols.values() for item in protocol.missing]
     missing += [item for role in roles.values() for item in role.missing]

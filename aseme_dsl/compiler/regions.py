@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from aseme_dsl.amola.expression import Assign, Member, Publish, TransitionExpression, values_of
 from aseme_dsl.amola.messages import Channel, Comm
-from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Node, NodeType, Region, Transition
 from aseme_dsl.compiler.resolve import Symbols
 
@@ -15,12 +15,14 @@ def regions_of(
     nodes: Sequence[Node],
     transitions: Sequence[Transition],
     activities: Mapping[str, Activity],
+    modules: Sequence[Module],
     symbols: Symbols,
 ) -> tuple[Region, ...]:
     """The root and the children of every AND, in document order, with their channels.
 
     A region reads what its conditions, actions and activities read, and the states and histories (not the
-    signals) that the regions inside it read, because they start with a copy of its board.
+    signals) that the regions inside it read, because they start with a copy of its board. The root reads and
+    writes what the modules do, too.
     """
     region: dict[str, str] = {}  # of each state: the innermost region that it is, or is in
     around: dict[str, str] = {}  # of each state: the innermost region that holds it
@@ -40,6 +42,9 @@ def regions_of(
         if activity is not None:
             reads[region[node.label]].update(_read_by(activity, symbols))
             writes[region[node.label]].update(activity.writes)
+    for module in modules:
+        reads[nodes[0].label].update(_read_by(module.statement, symbols))
+        writes[nodes[0].label].update(module.statement.writes)
     for transition in transitions:
         inside = around[transition.source]
         reads[inside].update(channels_read(transition.expression))

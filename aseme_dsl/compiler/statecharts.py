@@ -108,9 +108,12 @@ def build_statechart(given: GivenChart, world: World) -> Statechart | None:
     ]
     transitions = prioritised(drafts, [item.line.position for item in given.lines])
     variables = tuple(Variable(v.name, v.type, v.initial, None, v.span) for v in given.typed.variables)
-    regions = regions_of(given.nodes, transitions, world.activities, world.symbols)
+    modules = world.modules.get(given.name, ())
+    regions = regions_of(given.nodes, transitions, world.activities, modules, world.symbols)
     span = given.written.name.span
-    return Statechart(given.name, world.system, "IAC", given.nodes, transitions, variables, regions, span)
+    return Statechart(
+        given.name, world.system, "IAC", given.nodes, transitions, variables, regions, span, modules
+    )
 
 
 def _node(written: tree.ChartNode, origin: Origin) -> tuple[Node, Diagnostic | None]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from aseme_dsl.amola.aip import NamedFormula
-from aseme_dsl.amola.srm import Capability, Functionality, Srm
+from aseme_dsl.amola.srm import Capability, Functionality, Module, Srm
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.suc import RoleType, UseCase
 from aseme_dsl.compiler.missing import Missing
@@ -17,7 +17,9 @@ from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
 
 
-def read_srm(role: Role, chart: Statechart | None, cases: UseCases) -> tuple[Srm, tuple[Diagnostic, ...]]:
+def read_srm(
+    role: Role, chart: Statechart | None, modules: tuple[Module, ...], cases: UseCases
+) -> tuple[Srm, tuple[Diagnostic, ...]]:
     """The role as written, with the capabilities that its use cases give it."""
     written = role.written
     found: list[Diagnostic] = []
@@ -47,6 +49,7 @@ def read_srm(role: Role, chart: Statechart | None, cases: UseCases) -> tuple[Srm
         tuple(functionalities.values()),
         capabilities,
         written.name.span,
+        modules,
     )
     return model, tuple(found)
 

@@ -71,6 +71,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E215": ("error", "a range with too many agents"),
     "E216": ("error", "an enum without constants"),
     "E217": ("error", "topics that are below each other"),
+    "E218": ("error", "a module without a period"),
+    "E219": ("error", "a module that is an activity, too"),
     "W200": ("warning", "a name that is close to a declared one"),
     "W201": ("warning", "an activity without code and without a duration"),
     "W202": ("warning", "a participant that the role does not play"),

@@ -39,6 +39,11 @@ def sheet(system: System, srm: Srm, name: str) -> Sheet:
     )
     _table(
         rows,
+        ("Module", "Functionality", "Every", "Takes", "Reads", "Writes"),
+        [_activity(item.name, item.statement) for item in srm.modules],
+    )
+    _table(
+        rows,
         ("Functionality", "Technology", "Permissions", "Environment", "Algorithm"),
         [_functionality(item) for item in srm.functionalities],
     )

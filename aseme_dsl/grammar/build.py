@@ -422,6 +422,7 @@ class _Builder:
             self.all(lambda entry: self.let(entry, words), kinds["Let"]),
             self.all(self.formula, (formula for entry in kinds["Liveness"] for formula in entry.formulas)),
             self.all(self.activity, (item for entry in kinds["Activities"] for item in entry.activities)),
+            self.all(self.module, (item for entry in kinds["Modules"] for item in entry.modules)),
             self.all(self.functionality, kinds["Functionality"]),
             self.all(self.control, kinds["Control"]),
             self.span(node),
@@ -483,6 +484,10 @@ class _Builder:
             self.span(node),
         )
 
+    def module(self, node: Any) -> tree.Module:
+        target = self.text(node.code.target) if node.code else None
+        return tree.Module(self.activity(node), target, self.span(node))
+
     def read(self, node: Any) -> tree.ActivityRead:
         history = self.duration(node.history) if node.history else None
         return tree.ActivityRead(
@@ -520,6 +525,7 @@ class _Builder:
             self.all(self.chart_node, kinds["ChartNode"]),
             self.all(self.labelled_way, kinds["LabelledWay"]),
             self.all(self.activity, (item for entry in kinds["Activities"] for item in entry.activities)),
+            self.all(self.module, (item for entry in kinds["Modules"] for item in entry.modules)),
             self.span(node),
         )
 

@@ -75,11 +75,12 @@ BLOCKS: dict[str, Block] = {
     "JunkAip": _block("participant outcome clause let control"),
     "JunkParticipant": _block("engage var let sends receives process", _FORMULA, around="JunkAip"),
     "JunkControl": _block("enter skip repeat leave start finish", _LABELS, around="JunkAip JunkSrm"),
-    "JunkSrm": _block("plays capability var let liveness activities functionality control"),
+    "JunkSrm": _block("plays capability var let liveness activities modules functionality control"),
     "JunkFormula": _block("", _FORMULA, around="JunkSrm"),
     "JunkActivity": _names("every takes as uses reads writes", around="JunkSrm"),
+    "JunkModule": _names("every takes as uses reads writes", around="JunkSrm"),
     "JunkFunctionality": _block("technology permissions environment algorithm", around="JunkSrm"),
-    "JunkChart": _block("state var let activities", _LABELS, clauses="activity"),
+    "JunkChart": _block("state var let activities modules", _LABELS, clauses="activity"),
     "JunkAgents": _names(),
 }
 """By the name of the terminal that takes what is no entry."""
@@ -93,7 +94,7 @@ _OUTER = {
         rf'participant\s+{_NAME}\s*[\[{{]|outcome\s*"|clause\s+(?:at\s+most|every|\(|{_NAME}\s*@)|control\s+{_NAME}\s*\{{'
     ),
     "JunkSrm": re.compile(
-        rf"plays\s+{_NAME}\s*\.|liveness\s*\{{|activities\s*\{{|functionality\s+{_NAME}\s*\{{|control\s+{_NAME}\s*\{{"
+        rf"plays\s+{_NAME}\s*\.|liveness\s*\{{|activities\s*\{{|modules\s*\{{|functionality\s+{_NAME}\s*\{{|control\s+{_NAME}\s*\{{"
         rf'|capability\s+{_NAME}\s*["=]|var\s+{_NAME}\s*:'
     ),
 }

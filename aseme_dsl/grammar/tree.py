@@ -506,6 +506,19 @@ class Activity:
 
 
 @dataclass(frozen=True, slots=True)
+class Module:
+    """An entry of `modules`: what is said of it as of an activity, and where its code is, if not by name."""
+
+    activity: Activity
+    target: Text | None
+    span: Span
+
+    @property
+    def name(self) -> Name:
+        return self.activity.name
+
+
+@dataclass(frozen=True, slots=True)
 class Functionality:
     """`functionality camera { technology "…" permissions "…" environment "…" algorithm "…" }`"""
 
@@ -536,6 +549,7 @@ class Srm:
     lets: tuple[Let, ...]
     formulas: tuple[NamedFormula, ...]
     activities: tuple[Activity, ...]
+    modules: tuple[Module, ...]
     functionalities: tuple[Functionality, ...]
     controls: tuple[Control, ...]
     span: Span
@@ -562,6 +576,7 @@ class Statechart:
     nodes: tuple[ChartNode, ...]
     transitions: tuple[LabelledWay, ...]
     activities: tuple[Activity, ...]
+    modules: tuple[Module, ...]
     span: Span
 
 

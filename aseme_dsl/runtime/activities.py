@@ -98,7 +98,7 @@ def kind_of(kind: type[Any], declared: str) -> str:
     """How the activity of a class runs; `declared` is what the document says.
 
     Raises:
-        ActivityError: the class's `kind` is none, or does not fit its `execute`.
+        ActivityError: the class's `kind` is none, or does not fit its `execute` or the document.
     """
     execute = kind.execute
     shape = (
@@ -110,6 +110,10 @@ def kind_of(kind: type[Any], declared: str) -> str:
     )
     said: str | None = getattr(kind, "kind", None)
     chosen: str = said or shape or declared
+    if declared not in ("thread", chosen) and chosen in KINDS:  # "thread" is also what is not said
+        raise ActivityError(
+            f"{kind.__name__} runs as {chosen!r} by its class, and as {declared!r} by the document"
+        )
     if chosen not in KINDS:
         raise ActivityError(f"{kind.__name__}.kind is {chosen!r}; it can be {', '.join(KINDS)}")
     if shape is not None and chosen != shape:

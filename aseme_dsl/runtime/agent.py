@@ -40,7 +40,8 @@ from aseme_dsl.runtime.inputs import (
     Written,
 )
 from aseme_dsl.runtime.intake import Errand, Intake, Posted
-from aseme_dsl.runtime.plan import BranchInfo, Variable
+from aseme_dsl.runtime.modules import Modules
+from aseme_dsl.runtime.plan import BranchInfo, Plan, Variable
 from aseme_dsl.runtime.timers import Timer
 from aseme_dsl.runtime.trace import Trace
 
@@ -81,8 +82,8 @@ class Agent:
         self.chosen: Callable[[Agent, str, str], None] = _not_here
         """Is told of a message that says which plan is to run, and by whom it is."""
         self.executions = Executions(self, find)
-        queued = frozenset(info.name for info in self.plan.channels if info.queued)
-        self.intake = Intake(queued, bounded=not driver.clock.virtual)
+        self.modules = Modules(self, find)
+        self.intake = Intake(_queued(self.plan), bounded=not driver.clock.virtual)
         self._crowd_told: int | None = None
         self.steps = 0
         self.recent: deque[tuple[int, ...]] = deque(maxlen=8)
@@ -246,6 +247,8 @@ class Agent:
         if outcome.failure is not None or outcome.finished:
             self._end()
             return
+        if not self.modules.has_begun:
+            self.modules.begin()
         if outcome.again:
             self.errand(self._want)
         self._sleep(now)
@@ -307,6 +310,7 @@ class Agent:
         if self.intake.left_out:
             self._tell_of_crowd(last=True)
         self.executions.cancel_all()
+        self.modules.stop()
         self.conversations.gone(self)
 
     # ---- another plan ------------------------------------------------------------------------
@@ -329,11 +333,12 @@ class Agent:
             renewed = (
                 self._renewed(item, labels) if isinstance(item, Posted) else item for item in self.take()
             )
-            self.intake.extendleft([item for item in renewed if item is not None][::-1])
+            self.intake.put_back([item for item in renewed if item is not None])
         for effect in carried.effects:
             self._carried_out[type(effect)](effect)
         if changed:
             self.errand(self._want)
+        self.modules.renew(find)
         if carried.chart.started:
             self._sleep(self.driver.clock.now())
 
@@ -352,8 +357,9 @@ class Agent:
             self._adopt(chart)
             self.messages = messages
             self.executions.forget(find)
+            self.modules.forget(find)
             self._prepared.clear()
-            self.intake.extendleft(items[::-1])
+            self.intake.put_back(items)
         if self._inputs is not None:  # it chose this itself, in a message that came with others
             self._inputs[:] = [item for item in self._inputs if _is_for_any_plan(item)]
         self.begin()
@@ -361,6 +367,7 @@ class Agent:
     def _adopt(self, chart: Chart) -> None:
         self.chart = chart
         self.plan = chart.PLAN
+        self.intake.queued = _queued(self.plan)
         self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
         self._crashed.clear()
         self.recent.clear()
@@ -563,6 +570,11 @@ def _is_for_any_plan(item: Posted | Errand) -> bool:
 
 def _not_here(agent: Agent, plan: str, by: str) -> None:
     """Nobody knows other plans."""
+
+
+def _queued(plan: Plan) -> frozenset[str]:
+    """The channels whose signals queue."""
+    return frozenset(info.name for info in plan.channels if info.queued)
 
 
 def _nothing(effect: object) -> None:

@@ -413,7 +413,7 @@ class Bus:
 def _reads(plan: Plan) -> dict[str, frozenset[str | None]]:
     """The channels that a plan reads, each with the hosts that it names there (None: any)."""
     found: dict[str, set[str | None]] = {c: {None} for region in plan.regions for c in region.reads}
-    for activity in plan.activities:
+    for activity in (*plan.activities, *plan.modules):
         for name in activity.reads:
             host, _, channel = name.partition(".")
             if channel.count(".") == 2:  # robot1.vision.state.Ball

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import random
 import traceback
-from collections.abc import Generator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from aseme_dsl.runtime import context as c
 from aseme_dsl.runtime.activities import ActivityError, ActivityFinder, has_code, kind_of
@@ -30,6 +30,16 @@ TICK = 10 * MILLISECOND
 _CANCELLATIONS = ("Cancelled", "CancelledError", "GeneratorExit")
 """How a cancelled activity may end without having failed."""
 _RUNTIME = str(Path(__file__).parent)
+
+
+class Owner(Protocol):
+    """Whose executions they are: the agent's activities, or its modules."""
+
+    agent: Agent
+
+    def check(self, execution: Execution, doing: c.Doing) -> None: ...
+    def undeclared(self, execution: Execution, what: str) -> None: ...
+    def returned(self, execution: Execution, error: BaseException | None) -> None: ...
 
 
 class Execution:
@@ -63,17 +73,29 @@ class Execution:
         "timer",
     )
 
-    def __init__(self, owner: Executions, start: Start, node: _Node, now: int) -> None:
+    def __init__(
+        self,
+        owner: Owner,
+        start: Start,
+        info: ActivityInfo,
+        code: Callable[[], Any] | None,
+        kind: str,
+        number: int,
+        branch: str | None,
+        board: Board,
+        now: int,
+    ) -> None:
+        """`code` makes (or is) the object whose `execute` is called; `number` says which start it is."""
         self.owner = owner
         self.start = start
-        self.info = node.info
-        self.code = node.code
-        self.number = node.starts
+        self.info = info
+        self.code = code
+        self.number = number
         self.started = now
-        self.board: Board = owner.agent.chart.board_of(start.label)
-        self.branch = node.branch
+        self.board = board
+        self.branch = branch
         self.context = c.Context(self)
-        self.kind = node.kind
+        self.kind = kind
         self.cancelled = False
         self.has_returned = False
         self.error: BaseException | None = None
@@ -84,7 +106,8 @@ class Execution:
         self.timer: Timer | None = None
         self.generator: Generator[Any, None, Any] | None = None
         self.keeps = ""
-        """In whose worker process the object of the code is kept; "" where each start has its own."""
+        """Who keeps the object of the code in a process of its own, `agent/module#generation`; "" where each
+        start has its own object."""
         self.handle: Any = None
         """What the driver keeps for it."""
         self._chance: random.Random | None = None
@@ -380,18 +403,35 @@ class Executions:
                 self._trace("missed", start, beats=missed)
         self._begin(node, start, now)
 
+    def _begin_held(self, node: _Node, due: int) -> None:
+        """Begin what was held back until `due`. Its period is counted from then, however late it is now."""
+        start, every = node.next, node.info.every
+        assert start is not None and every is not None
+        now = self.agent.driver.clock.now()
+        missed = (now - due) // every
+        if missed > 0:  # the machine or the process stood still
+            self._trace("missed", start, beats=missed)
+        self._begin(node, start, now)
+        node.last_start = due + missed * every
+
     def _release(self, node: _Node, due: int) -> None:
         """The period is over, if it is still this start that is held back."""
         if node.held is not None and node.held.moment == due:
             node.held = None
-            self._begin_when_free(node)
+            if node.next is not None and node.current is None:
+                self._begin_held(node, due)
+            else:
+                self._begin_when_free(node)
 
     def _begin(self, node: _Node, start: Start, now: int) -> None:
         info = node.info
         node.next = None
         node.last_start = now
         node.starts += 1
-        execution = node.current = Execution(self, start, node, now)
+        board = self.agent.chart.board_of(start.label)
+        execution = node.current = Execution(
+            self, start, info, node.code, node.kind, node.starts, node.branch, board, now
+        )
         self._trace("start", start)
         if node.error is not None:
             self.returned(execution, node.error)
@@ -475,7 +515,7 @@ class Executions:
         execution.has_returned = True
         execution.error = error
         if execution.cancelled:
-            if error is not None and type(error).__name__ in _CANCELLATIONS:
+            if error is not None and is_cancellation(error):
                 error = None
             self._trace(
                 "late",
@@ -561,7 +601,8 @@ class Executions:
 
     def _trace(self, what: str, effect: Start | Cancel, **members: Any) -> None:
         agent = self.agent
-        agent.trace.activity(what, agent.driver.clock.now(), agent.name, effect, **members)
+        if agent.trace.active:
+            agent.trace.activity(what, agent.driver.clock.now(), agent.name, effect, **members)
 
 
 _TYPES: dict[str, tuple[type, ...]] = {
@@ -579,6 +620,11 @@ def _fits(kind: str, value: Any) -> bool:
     if expected is None:
         return type(value).__name__ == kind
     return isinstance(value, expected) and (bool in expected or not isinstance(value, bool))
+
+
+def is_cancellation(error: BaseException) -> bool:
+    """Whether something that was cancelled may end like this without having failed."""
+    return type(error).__name__ in _CANCELLATIONS
 
 
 def reason_of(error: BaseException) -> str:

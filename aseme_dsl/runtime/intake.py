@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -44,13 +44,13 @@ class Posted:
 class Intake:
     """What waits. `append` may be called from any thread, `take` by who steps the agent."""
 
-    __slots__ = ("_bounded", "_items", "_lock", "_newest", "_queued", "left_out", "most")
+    __slots__ = ("_bounded", "_items", "_lock", "_newest", "left_out", "most", "queued")
 
     def __init__(self, queued: frozenset[str], bounded: bool) -> None:
         """`queued` are the channels whose signals queue; in virtual time nothing is `bounded`."""
         self._items: deque[Posted | Errand] = deque()
         self._newest: dict[tuple[str, str, str | None], Posted] = {}
-        self._queued = queued
+        self.queued = queued
         self._bounded = bounded
         self._lock = threading.Lock()
         self.left_out = 0
@@ -64,12 +64,16 @@ class Intake:
             return
         self._items.append(item)
 
+    def put_back(self, items: Sequence[Posted | Errand]) -> None:
+        """Have what was taken wait again, before all that has come meanwhile."""
+        self._items.extendleft(reversed(items))
+
     def _crowded(self, item: Posted | Errand) -> bool:
         """Put a message in the place of the one that it replaces, if it is of that sort."""
         if not isinstance(item, Posted) or not isinstance(item.input, Arrived):
             return False
         message = item.input
-        if message.channel in self._queued:
+        if message.channel in self.queued:
             return False
         key = message.channel, message.sender, message.written_by
         with self._lock:

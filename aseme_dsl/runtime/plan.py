@@ -91,6 +91,13 @@ class ActivityInfo:
 
 
 @dataclass(frozen=True, slots=True)
+class ModuleInfo(ActivityInfo):
+    """What the document says of a module; `target` is `module:Class` where it is not found by its name."""
+
+    target: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class ChannelInfo:
     """A channel: its message type, whether signals queue, how long data is kept (ns), its radio number."""
 
@@ -136,6 +143,7 @@ class Plan:
     functions: tuple[tuple[str, str, str], ...] = ()
     """Functions as (name in call terms, "module:name", result type)."""
     branches: tuple[BranchInfo, ...] = ()
+    modules: tuple[ModuleInfo, ...] = ()
 
     @cached_property
     def by_label(self) -> dict[str, State]:

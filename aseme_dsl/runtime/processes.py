@@ -109,8 +109,9 @@ class _Process:
         try:
             child = self.child or self._start()
             file = getattr(sys.modules.get(code.__module__), "__file__", None)
+            name: str = getattr(code, "__qualname__", "")
             with self._sending:
-                self._put(("run", code.__module__, file, code.__qualname__, execution.keeps, snapshot))
+                self._put(("run", code.__module__, file, name, execution.keeps, snapshot))
         except BrokenPipeError:
             return self._ended()
         except Exception as error:  # what cannot be pickled, a worker that cannot start
@@ -225,13 +226,14 @@ class Processes:
         job = execution, snapshot_of(execution)
         tell = False
         with self._lock:
-            process = self._kept.get(execution.keeps) if execution.keeps else None
+            owner = execution.keeps.partition("#")[0]
+            process = self._kept.get(owner)
             if process is None:
-                process = self._idle.pop() if self._idle and not execution.keeps else None
-                if process is None and (execution.keeps or len(self._all) < self._maximum):
+                process = self._idle.pop() if self._idle and not owner else None
+                if process is None and (owner or len(self._all) < self._maximum):
                     process = _Process(self)
-                    if execution.keeps:
-                        self._kept[execution.keeps] = process
+                    if owner:
+                        self._kept[owner] = process
                     else:
                         self._all.append(process)
             if process is None:

@@ -81,7 +81,7 @@ class RealDriver:
         self._locks: dict[str, threading.Lock] = {}
         self._owners: dict[str, int] = {}
         self._long: dict[str, tuple[int, int, int]] = {}
-        self._others: set[threading.Thread] = set()
+        self._others = {*threading.enumerate(), threading.main_thread()}
         self._depth = _Depth()
         self._making = threading.Lock()
         self._threads = Threads(self.options.threads, self.ended, self._complain)
@@ -94,7 +94,6 @@ class RealDriver:
         """Take these agents, in the team's order."""
         self.agents = agents
         self._locks = {agent.name: threading.Lock() for agent in agents}
-        self._others = set(threading.enumerate())
 
     def know_threads(self) -> None:
         """The threads that there are now are not those of activities."""

@@ -15,12 +15,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from aseme_dsl.runtime.activities import ActivityError, ActivityFinder
+from aseme_dsl.runtime.activities import ActivityError, ActivityFinder, has_code, kind_of
 from aseme_dsl.runtime.carry import CannotCarry, Carried, carry, same_states
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.clock import SECOND, shown
 from aseme_dsl.runtime.convert import Messages
 from aseme_dsl.runtime.loading import Loaded, Modules, importing, put_in_place, standing_in
+from aseme_dsl.runtime.modules import code_of
 from aseme_dsl.runtime.plan import Plan
 from aseme_dsl.runtime.wire import Schema
 
@@ -251,10 +252,18 @@ def activity_errors(charts: Iterable[type[Chart]], find: ActivityFinder) -> Sequ
     """Why activities of these charts cannot be loaded, where they cannot."""
     errors: list[str] = []
     for chart in charts:
+        kinds = {info.name: info.kind for info in chart.PLAN.activities}
         for state in chart.PLAN.states:
             if state.activity is not None:
                 try:
-                    find(state.activity)
+                    found = find(state.activity)
+                    if found is not None and has_code(found):
+                        kind_of(found, kinds.get(state.activity, "thread"))
                 except ActivityError as error:
                     errors.append(str(error))
+        for module in chart.PLAN.modules:
+            try:
+                code_of(module, find)
+            except ActivityError as error:
+                errors.append(str(error))
     return list(dict.fromkeys(errors))

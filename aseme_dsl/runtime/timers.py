@@ -3,38 +3,55 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from heapq import heappop, heappush
+from heapq import heapify, heappop, heappush
+
+_FEW = 64
+"""So many cancelled timers may always wait for their moment."""
 
 
 class Timer:
     """A call that is due at `moment`. A timer of the `background` keeps no run alive."""
 
-    __slots__ = ("background", "call", "moment")
+    __slots__ = ("_timers", "background", "call", "moment")
 
-    def __init__(self, moment: int, call: Callable[[], None], background: bool) -> None:
+    def __init__(self, timers: Timers, moment: int, call: Callable[[], None], background: bool) -> None:
+        self._timers = timers
         self.moment = moment
         self.call: Callable[[], None] | None = call
         self.background = background
 
     def cancel(self) -> None:
         """Forget the call."""
-        self.call = None
+        if self.call is not None:
+            self.call = None
+            self._timers.cancelled += 1
 
 
 class Timers:
-    """All timers of a run. Not for several threads at once."""
+    """All timers of a run. Not for several threads at once, but that any may cancel a timer."""
 
-    __slots__ = ("_heap", "_made")
+    __slots__ = ("_heap", "_made", "cancelled")
 
     def __init__(self) -> None:
         self._heap: list[tuple[int, int, Timer]] = []
         self._made = 0
+        self.cancelled = 0
+        """About how many of those that wait are cancelled."""
+
+    def __len__(self) -> int:
+        return len(self._heap)
 
     def add(self, moment: int, call: Callable[[], None], background: bool = False) -> Timer:
         """A new timer."""
+        heap = self._heap
+        if self.cancelled > _FEW and self.cancelled > len(heap) // 2:
+            # Most would have been due much later, and would fill the memory until then.
+            self.cancelled = 0
+            heap[:] = [item for item in heap if item[2].call is not None]
+            heapify(heap)
         self._made += 1
-        timer = Timer(moment, call, background)
-        heappush(self._heap, (moment, self._made, timer))
+        timer = Timer(self, moment, call, background)
+        heappush(heap, (moment, self._made, timer))
         return timer
 
     def next(self) -> int | None:
@@ -42,6 +59,7 @@ class Timers:
         heap = self._heap
         while heap and heap[0][2].call is None:
             heappop(heap)
+            self.cancelled -= 1
         return heap[0][0] if heap else None
 
     def take(self, now: int) -> Timer | None:

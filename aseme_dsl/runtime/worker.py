@@ -30,7 +30,7 @@ class _Worker:
         self.jobs: SimpleQueue[bytes | None] = SimpleQueue()
         self.cancelled = threading.Event()
         self.kept: dict[str, Any] = {}
-        """What runs again and again: the objects of modules, by who keeps them."""
+        """What runs again and again: the object of a module, by who keeps it."""
 
     def listen(self) -> None:
         """Put jobs in order, and pass on a cancellation while one runs."""
@@ -55,7 +55,7 @@ class _Worker:
                 code = self.kept.pop(keep, None) or _class(module, file, name)()
                 self._run(code, snapshot)
                 if keep:
-                    self.kept[keep] = code
+                    self.kept = {keep: code}
             except BaseException as error:  # whatever it is, the agent must hear of it
                 kind, reason, frames = type(error).__name__, reason_of(error), frames_of(error)
             put(self.answers, ("end", kind, reason, frames))

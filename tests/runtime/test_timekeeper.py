@@ -11,6 +11,7 @@ from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.clock import MILLISECOND, RealClock
 from aseme_dsl.runtime.real_time import RealTime
 from aseme_dsl.runtime.timekeeper import Timekeeper, may_raise_priority
+from aseme_dsl.runtime.timers import Timers
 from tests.runtime.playing import MS, play
 
 
@@ -107,3 +108,30 @@ def test_a_clock_on_the_wall_that_jumps_moves_nothing(monkeypatch: pytest.Monkey
     moments = [record["time"] for record in run.records]
     assert moments == sorted(moments)
     assert 60 * MILLISECOND <= run.result.time < 60_000 * MS
+
+
+def test_cancelled_timers_do_not_fill_the_memory() -> None:
+    """A state that is left and entered again has a new timer each time, and the old one was far away."""
+    timers = Timers()
+    kept = [timers.add(number, lambda: None) for number in range(10)]
+    for number in range(100_000):
+        timers.add(10**12 + number, lambda: None).cancel()
+        assert len(timers) < 200
+    assert [timers.take(100) for _ in range(10)] == kept
+
+
+def test_a_period_keeps_its_beat_however_late_each_start_is() -> None:
+    """Each start is a little late in real time; that does not add up, and what is missed is counted."""
+    text = "system S srm R { liveness { R = Work~ } activities { Work every 2ms takes 0ms } }"
+    run = play(text, clock="real", until=600 * MS)
+    begun: int | None = None
+    beats = 0
+    for record in run.of("activity"):
+        if record["what"] == "missed":
+            beats += record["beats"]
+        elif record["what"] == "start":
+            begun = record["time"] if begun is None else begun
+            # The line is written a little after the moment that counts.
+            assert beats - 1 <= (record["time"] - begun) // (2 * MS) <= beats + 1
+            beats += 1
+    assert beats > 100

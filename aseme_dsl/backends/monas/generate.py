@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
+from aseme_dsl.amola.expression import duration_text
+from aseme_dsl.amola.srm import Module
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions
@@ -85,6 +87,7 @@ class MonasBackend:
         )
         artefacts.insert(0, Artefact(f"{system.name}/__init__.py", package))
         artefacts += self._activities(environment, system, source)
+        artefacts += self._modules(environment, system, source)
         return tuple(artefacts)
 
     def _activities(self, environment: Environment, system: System, source: str) -> list[Artefact]:
@@ -108,6 +111,29 @@ class MonasBackend:
                 kept=True,
             )
             for name in sorted(users)
+        ]
+
+    def _modules(self, environment: Environment, system: System, source: str) -> list[Artefact]:
+        """A class for each module whose code is found by its name."""
+        template = environment.get_template("module.py.j2")
+        users: dict[str, list[tuple[str, Module]]] = {}
+        for chart in system.iacs:
+            for module in chart.modules:
+                if not module.target:
+                    users.setdefault(module.name, []).append((chart.name, module))
+        return [
+            Artefact(
+                f"{ACTIVITIES}/{module_name(name)}.py",
+                template.render(
+                    module=found[0][1],
+                    said=found[0][1].statement,
+                    every=duration_text(found[0][1].statement.every or 0),
+                    source=source,
+                    roles=[role for role, _ in found],
+                ),
+                kept=True,
+            )
+            for name, found in sorted(users.items())
         ]
 
 
