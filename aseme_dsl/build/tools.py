@@ -64,6 +64,7 @@ def tools() -> tuple[Tool, ...]:
             "checks generated and activity code, if you like",
             advice="pip install ruff",
         ),
+        _priority(),
         *_backends(),
     )
 
@@ -96,6 +97,15 @@ def _graphviz() -> Tool:
     except GraphvizMissing:
         return Tool("Graphviz", None, purpose, advice=advice)
     return Tool("Graphviz", f"{_said_version(path)} ({path})", purpose, advice=advice)
+
+
+def _priority() -> Tool:
+    from aseme_dsl.runtime.timekeeper import may_raise_priority
+
+    problem = may_raise_priority()
+    found = "permitted" if problem is None else None
+    purpose = "keeps the timers of a robot punctual, if its project asks for it"
+    return Tool("real time", found, purpose, advice=problem or "")
 
 
 def _said_version(path: str) -> str:

@@ -15,6 +15,7 @@ from typing import Any, NoReturn
 import click
 
 from aseme_dsl import __version__
+from aseme_dsl.runtime.naming import usable
 
 FINE, ERRORS, WRONG_USE, OUR_MISTAKE, INTERRUPTED, TERMINATED, BROKEN_PIPE = 0, 1, 2, 70, 130, 143, 141
 
@@ -28,10 +29,12 @@ COMMANDS = (
     "run",
     "node",
     "scaffold",
+    "import",
     "doctor",
     "completion",
 )
-"""The commands, in the order of the help; each is the object `command` of the module of its name."""
+"""The commands, in the order of the help; each is the object `command` of the module of its name, with an
+underscore where that is a keyword."""
 
 
 class _Commands(click.Group):
@@ -43,7 +46,7 @@ class _Commands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in COMMANDS:
             return None
-        command = import_module(f"aseme_dsl.cli.{cmd_name}").command
+        command = import_module(f"aseme_dsl.cli.{usable(cmd_name)}").command
         assert isinstance(command, click.Command)
         return command
 

@@ -1,0 +1,39 @@
+"""`asemec import`: what other tools have written, as text for a `.aseme` file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from aseme_dsl.cli.shared import (
+    FilePath,
+    colour_option,
+    diagnostics_json,
+    json_option,
+    print_diagnostics,
+    print_json,
+)
+
+
+@click.command(
+    short_help="Read what another tool has written.",
+    help="Read FILE, Monas' agents.xml with the modules of a robot, and print them as a `modules` block to be"
+    " put into an srm. What they read and write is to be added by hand.",
+    epilog="Example: asemec import config/agents.xml",
+)
+@click.argument("file", type=FilePath(path_type=Path))
+@json_option
+@colour_option
+def command(file: Path, as_json: bool, colour: str) -> int:
+    """Print the text; 1 if the file cannot be read."""
+    from aseme_dsl.build.foreign import imported_modules
+    from aseme_dsl.diagnostics import has_errors
+
+    text, found = imported_modules(file)
+    if as_json:
+        print_json({"text": text, **diagnostics_json(found)})
+    else:
+        print_diagnostics(found, colour)
+        click.echo(text, nl=False)
+    return int(has_errors(found))
