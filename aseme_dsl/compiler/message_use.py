@@ -26,7 +26,7 @@ from aseme_dsl.source import Span
 
 @dataclass(frozen=True, slots=True)
 class Use:
-    """A place where a channel is read or published: by a transition, or (`activity`) by an activity.
+    """A place where a channel is read or published: by a transition, or (`activity`) an activity or module.
 
     `host` is the sender that is asked for, None for any; `whole` where a whole topic is read.
     """
@@ -54,7 +54,7 @@ def message_use(
     written: Iterable[tree.Activity],
     symbols: Symbols,
 ) -> MessageUse:
-    """What the charts' transitions and the activities in them read and publish.
+    """What the charts' transitions, the activities in them and the modules beside them read and publish.
 
     `activities` is what is said of each, `written` where it is said.
     """
@@ -80,6 +80,14 @@ def message_use(
             for channel in activities[name].writes:
                 span = places.get((name, str(channel)), activities[name].span)
                 writes.append(Use(channel, chart.name, region, None, name, span))
+        for module in chart.modules:
+            said, root = module.statement, chart.root.label
+            for channel, subscription in read_channels(said, symbols):
+                whole, host = subscription.channel is None, subscription.host
+                reads.append(Use(channel, chart.name, root, host, module.name, subscription.span, whole))
+            for channel in said.writes:
+                span = places.get((module.name, str(channel)), said.span)
+                writes.append(Use(channel, chart.name, root, None, module.name, span))
         for transition in chart.transitions:
             if transition.expression.condition is None and not transition.expression.actions:
                 continue

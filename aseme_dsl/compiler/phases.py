@@ -144,7 +144,7 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     if not has_errors(found):  # else the line that starts a timer may be what is missing
         found += [problem for chart in charts for problem in check_timers(chart)]
         if symbols.system is not None and len(charts) == len(eacs) + len(iacs):
-            found += check_use(_built(iacs), _built(eacs), described, list(_described_in(blocks)), symbols)
+            found += check_use(_built(iacs), _built(eacs), described, list(_statements(blocks)), symbols)
         compared, unchecked = check_conditions(charts, prover)
         found += compared
 
@@ -201,6 +201,12 @@ def _formulas(blocks: Blocks) -> list[tree.NamedFormula]:
     for protocol in blocks.aips:
         found += [item for part in protocol.participants for item in part.formulas]
     return found
+
+
+def _statements(blocks: Blocks) -> Iterable[tree.Activity]:
+    """What is said of activities and modules."""
+    yield from _described_in(blocks)
+    yield from (module.activity for block in blocks.roles for module in block.modules)
 
 
 def _described_in(blocks: Blocks) -> Iterable[tree.Activity]:

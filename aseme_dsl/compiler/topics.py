@@ -73,12 +73,14 @@ def _publishers(collector: Collector) -> set[str]:
         found.add(role.name.text)
         found |= _activities(role.formulas)
         found |= {item.name.text for item in role.activities}
+        found |= {item.name.text for item in role.modules}
         found |= {binding.own.text for item in role.plays for binding in item.bindings}
     for protocol in collector.every(tree.Aip):
         for participant in protocol.participants:
             found |= _activities(participant.formulas)
     for chart in collector.every(tree.Statechart):
         found.add(chart.name.text)
+        found |= {item.name.text for item in chart.modules}
         found |= {node.activity.text for node in chart.nodes if node.activity is not None}
         found |= {node.name.text for node in chart.nodes if node.name is not None}
     return found

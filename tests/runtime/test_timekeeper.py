@@ -142,7 +142,7 @@ def test_a_period_keeps_its_beat_however_late_each_start_is(monkeypatch: pytest.
     at, lateness = team.driver.at, iter([3, 3, 3, 38, 3, 3, 3])
 
     def lately(moment: int, call: Callable[[], None], background: bool = False) -> Timer:
-        timer = at(moment + next(lateness) * MS, call, background)
+        timer = at(moment + next(lateness, 3) * MS, call, background)
         timer.moment = moment
         return timer
 

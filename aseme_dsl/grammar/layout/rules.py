@@ -66,6 +66,7 @@ Shape: TypeAlias = Line | Braces | Words | Part
 
 _USE_CASE = {"By": 1, "Includes": 1, "Realises": 1, "Requirements": 1}
 _ACTIVITY = {"Every": 1, "Takes": 1, "As": 1, "Uses": 2, "Reads": 3, "Writes": 3}
+_MODULE = {**_ACTIVITY, "ModuleCode": 3}
 _GOAL = {"Depends": 1, "Requirements": 2}
 
 SHAPES: Mapping[str, Shape] = MappingProxyType(
@@ -122,6 +123,9 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "Liveness": Braces(),
         "Activities": Braces(),
         "Activity": Line(_ACTIVITY, clauses=frozenset(_ACTIVITY), padded={3: False}),
+        "Modules": Braces(),
+        "Module": Line(_MODULE, clauses=frozenset(_MODULE), padded={3: False}),
+        "ModuleCode": Part(),
         "Every": Part(),
         "Takes": Part(),
         "As": Part(),
