@@ -37,8 +37,8 @@ def broken(chance: random.Random) -> bytes:
     kind = chance.randrange(6)
     if kind <= 1:
         for _ in range(chance.choice([1, 2, 3, 8, 30])):
-            if len(text.split()) > 10:
-                text = next(slips(text, chance.randrange(1 << 30))).text
+            slip = next(slips(text, chance.randrange(1 << 30)), None)
+            text = slip.text if slip is not None else text
         return text.encode()
     if kind == 2:
         other = chance.choice(PROGRAMS)

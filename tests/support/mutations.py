@@ -24,11 +24,14 @@ class Slip:
 
 
 def slips(text: str, seed: int) -> Iterator[Slip]:
-    """Slips without end, the same for the same seed; the four kinds take turns. Comments are left alone."""
+    """Slips without end, the same for the same seed; the four kinds take turns. Comments are left alone.
+
+    A text with fewer than three tokens, or without a word, has none.
+    """
     chance = random.Random(seed)
     tokens = [match for match in _TOKEN.finditer(text) if not match[0].startswith(("//", "/*"))]
     words = [match for match in tokens if len(match[0]) > 2 and match[0].isidentifier()]
-    while True:
+    while words and len(tokens) > 2:
         for kind in KINDS:
             match = chance.choice(words if kind == "misspelt" else tokens[:-1])
             start, end, token = match.start(), match.end(), match[0]
