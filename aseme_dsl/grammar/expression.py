@@ -11,10 +11,11 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.formula import RESERVED, Malformed, is_hyphen
 from aseme_dsl.grammar.lexer import UNITS, shown
+from aseme_dsl.grammar.recovery import BLOCKS
 from aseme_dsl.grammar.token import Token, token
 from aseme_dsl.source import Source, Span
 
@@ -534,6 +535,23 @@ class _Reader:
         return self.error("E102", f"expected an event, '[' or '/', found {shown(first)}", first)
 
     def _after_transition(self, has_actions: bool, has_condition: bool) -> Malformed:
+        found = self._after_parts(has_actions, has_condition)
+        verb = self._misspelt_verb()
+        if verb is None:
+            return found
+        return Malformed(replace(found.diagnostic, hint=f"did you mean `{verb}`?", fix=verb))
+
+    def _misspelt_verb(self) -> str | None:
+        """The verb for which the next token is misspelt, where it begins a line."""
+        if self.index >= len(self.tokens):
+            return None
+        word = self.tokens[self.index]
+        line = self.source.text.rfind("\n", 0, word.start) + 1
+        if self.source.text[line : word.start].strip():
+            return None
+        return surely(word, BLOCKS["JunkControl"].words)
+
+    def _after_parts(self, has_actions: bool, has_condition: bool) -> Malformed:
         if has_actions:
             return self.unexpected("';' and an action, or the end of the entry,")
         if has_condition:

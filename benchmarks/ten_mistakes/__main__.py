@@ -7,6 +7,7 @@ installed into DIR (Python packages and, where npm is there, XState with TypeScr
 from __future__ import annotations
 
 import argparse
+import re
 import shutil
 import subprocess
 import sys
@@ -60,19 +61,48 @@ def report(peers: Path) -> str:
     for tool in tools:
         calm = answer(tool, text_of(tool), peers)
         assert "nothing; no difference" in calm or calm == "", f"{tool} without a mistake: {calm}"
-    lines = [HEAD]
+    lines: list[str] = []
+    kinds: dict[str, list[str]] = {tool: [] for tool in tools}
     for number, mistake in enumerate(mistakes, 1):
         lines.append(f"## {number}. {mistake['name'][0].upper()}{mistake['name'][1:]}\n")
-        lines.append(f"```text\n{answer('aseme', mutated('aseme', mistake), peers).strip()}\n```\n")
+        said = answer("aseme", mutated("aseme", mistake), peers).strip()
+        kinds["aseme"].append(kind(said))
+        lines.append(f"```text\n{said}\n```\n")
         lines.append("| | what is said |\n| --- | --- |")
         for tool in tools[1:]:
             if tool not in mistake:
                 said = "(there is no place for it)"
             else:
                 said = answer(tool, mutated(tool, mistake), peers)
+            kinds[tool].append(kind(said))
             lines.append(f"| {NAMES.get(tool, tool)} | {cell(said)} |")
         lines.append(f"| KSE, the original | {mistake['original']} |\n")
-    return "\n".join(lines)
+    return "\n".join([HEAD, *table(kinds), "", *lines])
+
+
+def kind(said: str) -> str:
+    """When and how something was said."""
+    if re.search(r"^kicker.aseme:\d+:\d+: |^behaviour.ts\(\d|when loaded: .*\bline \d", said):
+        return "with its place"
+    if said.startswith("when loaded"):
+        return "when loaded"
+    return "in the match" if said.startswith("at event") else "not at all"
+
+
+def table(kinds: dict[str, list[str]]) -> list[str]:
+    """How many of the mistakes each tool names, and when."""
+    columns = ["with its place", "when loaded", "in the match", "not at all"]
+    titles = [
+        "before it runs, with the place",
+        "before it runs",
+        "in the match, if it comes there",
+        "not at all",
+    ]
+    lines = ["| | " + " | ".join(titles) + " |", "| --- " * 5 + "|"]
+    for tool, found in kinds.items():
+        counts = " | ".join(str(found.count(column) or "") for column in columns)
+        lines.append(f"| {'**asemec**' if tool == 'aseme' else NAMES.get(tool, tool)} | {counts} |")
+    return lines
 
 
 HEAD = f"""# Ten mistakes, seven tools
