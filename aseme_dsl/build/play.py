@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -156,6 +156,7 @@ def play(
     Raises:
         PlayError: it cannot be run like that; or the project's own functions fail.
     """
+    from aseme_dsl.build.operable import operable, others
     from aseme_dsl.runtime.activities import ActivityError
     from aseme_dsl.runtime.loading import activities_in, importing
     from aseme_dsl.runtime.team import TeamError, make_team
@@ -195,13 +196,15 @@ def play(
                 listeners=listeners,
                 path=folders,
                 real_time=_real_time(project),
+                carried=lambda: others(loaded, activities, configuration),
             )
         except (TeamError, ActivityError) as problem:
             raise PlayError(str(problem)) from problem
         except OSError as problem:
             place = problem.filename or trace
             raise PlayError(f"{place} cannot be written: {problem.strerror or problem}") from problem
-        result = team.run()
+        with operable(team, loaded, activities, tell) if request.real else nullcontext():
+            result = team.run()
         watch.look(team)
         summary = ""
         if project and project.summary and world is not None:

@@ -191,6 +191,25 @@ def folder_option(*names: str, text: str) -> Callable[[CommandT], CommandT]:
     return click.option(*names, type=FilePath(path_type=Path), metavar="DIR", help=text)
 
 
+def running_option(command: CommandT) -> CommandT:
+    """`-o`: the output folder that something runs from; the project's, if nothing is said."""
+
+    def default(context: click.Context, parameter: click.Parameter, value: Path | None) -> Path:
+        from aseme_dsl.build.build import OUTPUT
+        from aseme_dsl.build.configuration import find_configuration
+
+        return value or find_configuration(Path())[0].output or Path(OUTPUT)
+
+    return click.option(
+        "-o",
+        "--output",
+        type=FilePath(path_type=Path),
+        metavar="DIR",
+        callback=default,
+        help="The output folder that it runs from.  [default: the project's, else out]",
+    )(command)
+
+
 def check_backends(names: Iterable[str], others: Iterable[str] = ()) -> None:
     """Refuse, as wrong use, what is neither a backend nor one of `others`."""
     from aseme_dsl.backends.backend import backend_names

@@ -86,8 +86,8 @@ def importing(folders: Sequence[Path]) -> Iterator[None]:
                 sys.path.remove(entry)
 
 
-def load_beside(folder: Path, running: Loaded | None, path: Sequence[Path] = ()) -> Loaded:
-    """Import another version of a system that is running, which stays in its place.
+def load_beside(folder: Path, running: Modules, path: Sequence[Path] = ()) -> Loaded:
+    """Import another version of a system that is running with these modules, and leave them in their place.
 
     If the messages of both are the same, they are the same classes in both, so that activities of the one
     and of the other understand each other's.
@@ -98,10 +98,9 @@ def load_beside(folder: Path, running: Loaded | None, path: Sequence[Path] = ())
     names = (folder.parent.name, f"{folder.parent.name}.{folder.name}")
     before = {name: module for name, module in sys.modules.items() if _is_inside(name, names)}
     same: Modules = {}
-    if running is not None and running.folder is not None:
-        module = running.modules.get(f"{names[1]}.messages")
-        if module is not None and _code(running.folder / "messages.py") == _code(folder / "messages.py"):
-            same[f"{names[1]}.messages"] = module
+    module = running.get(f"{names[1]}.messages")
+    if module is not None and _code(Path(module.__file__ or "")) == _code(folder / "messages.py"):
+        same[f"{names[1]}.messages"] = module
     try:
         return load_system(folder, path, same)
     finally:

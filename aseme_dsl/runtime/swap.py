@@ -135,7 +135,7 @@ class Swap:
         """Hold the agents where they are, if they can change there; the state says what came of it."""
         for agent in self.agents:
             self._held.enter_context(agent.driver.guard(agent))
-        self.reasons = tuple(self._busy())
+        self.reasons = self.busy()
         if self.reasons:
             self._held.close()
             return False
@@ -159,8 +159,11 @@ class Swap:
         self.state = "prepared"
         return True
 
-    def _busy(self) -> Iterable[str]:
-        """The agents that are inside a protocol run which the new version would play differently."""
+    def busy(self) -> tuple[str, ...]:
+        """Which agents are inside a protocol run that the new version would play differently, if any."""
+        return tuple(self._conversations())
+
+    def _conversations(self) -> Iterable[str]:
         for agent in self.agents:
             branches = self.version.charts[agent.role].PLAN.branches
             known = {(b.protocol, b.participant): b.version for b in branches}

@@ -1,0 +1,38 @@
+"""`asemec select`: have a running agent follow another plan."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from aseme_dsl.cli.shared import json_option, print_json, running_option
+
+
+@click.command(
+    short_help="Have a running agent follow another plan.",
+    help="Have AGENT, which runs in real time, leave its plan and enter PLAN: ROLE, or SYSTEM.ROLE, of any"
+    " system whose package is in the output folder. Its activities are cancelled and its conversations left;"
+    " role variables that both plans have, and the states that the agent knows, stay.",
+    epilog="Example: asemec select robot2 goalie   ·   asemec select keeper Kouretes.player -o out",
+)
+@click.argument("agent")
+@click.argument("plan")
+@running_option
+@json_option
+def command(agent: str, plan: str, output: Path, as_json: bool) -> int:
+    """Change it; 1 if it cannot be."""
+    from aseme_dsl.build.operate import OperateError, select
+
+    try:
+        reply = select(output, agent, plan)
+    except OperateError as problem:
+        if as_json:
+            print_json({"ok": False, "reasons": list(problem.args)})
+            return 1
+        raise click.ClickException("\n".join(problem.args)) from problem
+    if as_json:
+        print_json(reply)
+    else:
+        click.echo(f"{agent} follows {reply['plan']} (model {reply['model']})")
+    return 0

@@ -1,0 +1,39 @@
+"""`asemec status`: what runs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from aseme_dsl.cli.shared import json_option, print_json, running_option
+
+
+@click.command(
+    short_help="Say what runs, and in which state.",
+    help="Say which agents run in real time from an output folder: their plans, the models of these, and what"
+    " each is doing.",
+    epilog="Example: asemec status   ·   asemec status -o out --json",
+)
+@running_option
+@json_option
+def command(output: Path, as_json: bool) -> int:
+    """Print what the processes say; 1 if there is none."""
+    from aseme_dsl.build.operate import OperateError, nodes
+
+    try:
+        found = nodes(output)
+    except OperateError as problem:
+        raise click.ClickException("\n".join(problem.args)) from problem
+    if as_json:
+        print_json({"processes": [{"socket": str(node.socket), **node.status} for node in found]})
+        return 0
+    for node in found:
+        status = node.status
+        click.echo(f"{status['system']}  model {status['model']}  {status['time'] / 1e9:.1f} s")
+        for agent in status["agents"]:
+            doing = ", ".join(agent["activities"]) or "no activity"
+            if agent["over"]:
+                doing = f"failed: {agent['failure']}" if agent["failure"] else "has ended"
+            click.echo(f"  {agent['name']:<12} {agent['role']:<12} model {agent['model']}  {doing}")
+    return 0

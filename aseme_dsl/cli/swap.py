@@ -1,0 +1,91 @@
+"""`asemec swap`: change a running team to another version of its model."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from aseme_dsl.cli.shared import (
+    FilePath,
+    colour_option,
+    diagnostics_json,
+    folder_option,
+    json_option,
+    one_system,
+    print_diagnostics,
+    print_json,
+    running_option,
+)
+from aseme_dsl.diagnostics import has_errors
+
+
+def _seconds(context: click.Context, parameter: click.Parameter, value: str) -> float:
+    from aseme_dsl.build.duration import duration
+
+    try:
+        return duration(value) / 1e9
+    except ValueError as problem:
+        raise click.BadParameter(f"{problem}.") from problem
+
+
+@click.command(
+    short_help="Change a running team to another version of its model.",
+    help="Compile FILE, and have the agents that run in real time from the output folder go on under it: each"
+    " in the states in which it is, with what it knows. It is done between two steps, for all agents or for"
+    " none; it is refused, with the reason, where an agent is in a state that FILE does not have.",
+    epilog="Example: asemec swap team.aseme   ·   asemec swap half_time.aseme -o out --within 5s",
+)
+@click.argument("file", type=FilePath())
+@running_option
+@click.option(
+    "--within",
+    metavar="DURATION",
+    default="10s",
+    show_default=True,
+    callback=_seconds,
+    help="How long to wait for conversations that FILE plays differently to end.",
+)
+@click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only this agent. May be repeated.")
+@folder_option("--activities", text="Where the new version's activities are.  [default: as those that run]")
+@json_option
+@colour_option
+def command(
+    file: str,
+    output: Path,
+    within: float,
+    agents: tuple[str, ...],
+    activities: Path | None,
+    as_json: bool,
+    colour: str,
+) -> int:
+    """Change it; 1 if the file has errors or the change is refused."""
+    from aseme_dsl.build.build import choose
+    from aseme_dsl.build.operate import OperateError, generate_version, nodes, swap
+    from aseme_dsl.diagnostics import Severity
+
+    compiled = one_system(file)
+    found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
+    if not as_json:
+        print_diagnostics(found, colour)
+    if compiled.system is None or has_errors(found):
+        if as_json:
+            print_json({"ok": False, "reasons": ["the file has errors"], **diagnostics_json(found)})
+        return 1
+    try:
+        nodes(output)  # before anything is written
+        folder, model = generate_version(compiled.system, output, choose(compiled.configuration))
+        replies = swap(output, folder, model, within=within, activities=activities, agents=agents or None)
+    except OperateError as problem:
+        if as_json:
+            print_json({"ok": False, "reasons": list(problem.args), **diagnostics_json(found)})
+            return 1
+        raise click.ClickException("\n".join(("nothing has changed:", *problem.args))) from problem
+    notes = [note for reply in replies for note in reply["notes"]]
+    if as_json:
+        print_json({"ok": True, "model": model, "notes": notes, **diagnostics_json(found)})
+        return 0
+    for note in notes:
+        click.echo(f"note: {note}", err=True)
+    click.echo(f"{compiled.system.name} goes on as model {model}")
+    return 0

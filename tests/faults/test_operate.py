@@ -1,0 +1,292 @@
+"""Operating real processes: status, select and swap over their sockets, also when one does not answer."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import stat
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from aseme_dsl.runtime import control_socket
+from aseme_dsl.runtime.control import Control
+from aseme_dsl.runtime.control_socket import ControlError, ask, endpoints, listening
+from aseme_dsl.runtime.team import Team
+from aseme_dsl.runtime.trace import Record
+from tests.faults.test_swap import ONE, WITHOUT_KICK
+from tests.runtime.playing import SECOND, make
+
+WAIT = 60.0
+"""How long, in seconds, a process may take to come up on a busy machine."""
+
+LONGER = ONE.replace("Search . (Kick | Wait)", "Search . (Kick | Wait) . Cheer")
+OTHER = """\
+srm goalie { liveness { goalie = Guard~ } activities { Guard takes 50ms } }
+team S"""
+
+
+def until(what: Callable[[], Any]) -> Any:
+    """Wait for something to be true."""
+    end = time.monotonic() + WAIT
+    while not (found := what()):
+        assert time.monotonic() < end, "it never was"
+        time.sleep(0.02)
+    return found
+
+
+class Here:
+    """A folder with texts, and processes that run from it."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.running: list[subprocess.Popen[str]] = []
+        runtime = folder / "run"
+        runtime.mkdir()
+        self.environment = {
+            **os.environ,
+            "PYTHONPATH": str(Path(__file__).parents[2]),
+            "XDG_RUNTIME_DIR": str(runtime),
+        }
+
+    def write(self, name: str, text: str) -> None:
+        (self.folder / name).write_text(text, "utf-8")
+
+    def start(self, *arguments: str) -> subprocess.Popen[str]:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "aseme_dsl", "run", *arguments, "--real", "-q"],
+            cwd=self.folder,
+            env=self.environment,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
+        self.running.append(process)
+        return process
+
+    def asemec(self, *arguments: str) -> tuple[int, str]:
+        done = subprocess.run(
+            [sys.executable, "-m", "aseme_dsl", *arguments],
+            cwd=self.folder,
+            env=self.environment,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            timeout=WAIT,
+            check=False,
+        )
+        return done.returncode, done.stdout
+
+    def status(self) -> list[dict[str, Any]]:
+        code, said = self.asemec("status", "-o", "out", "--json")
+        return json.loads(said)["processes"] if code == 0 else []
+
+    def agents(self) -> dict[str, dict[str, Any]]:
+        return {agent["name"]: agent for process in self.status() for agent in process["agents"]}
+
+
+@pytest.fixture
+def here(tmp_path: Path) -> Iterator[Here]:
+    made = Here(tmp_path)
+    yield made
+    for process in made.running:
+        if process.poll() is None:
+            process.send_signal(signal.SIGCONT)
+            process.kill()
+        process.communicate()
+
+
+def test_a_team_is_asked_and_changed(here: Here) -> None:
+    here.write("one.aseme", ONE.replace("team S", OTHER))
+    here.write("two.aseme", LONGER.replace("team S", OTHER))
+    here.write("three.aseme", WITHOUT_KICK.replace("player", "striker"))
+    here.write("wrong.aseme", ONE.replace("Kick takes", "Kik takes"))
+    here.start("one.aseme", "-o", "out")
+    before = until(here.agents)
+    assert {name: agent["role"] for name, agent in before.items()} == {"a": "player", "b": "player"}
+
+    code, said = here.asemec("swap", "wrong.aseme", "-o", "out")
+    assert code == 1
+    assert "error" in said
+    code, said = here.asemec("swap", "three.aseme", "-o", "out")
+    assert code == 1
+    assert "the new model has no player, which a plays; it has striker" in said
+    assert {a["model"] for a in here.agents().values()} == {before["a"]["model"]}
+
+    code, said = here.asemec("swap", "two.aseme", "-o", "out")
+    assert code == 0, said
+    after = here.agents()
+    assert {a["model"] for a in after.values()} != {before["a"]["model"]}
+    until(lambda: "Cheer" in here.agents()["a"]["activities"])
+
+    code, said = here.asemec("select", "b", "goalie", "-o", "out")
+    assert code == 0, said
+    assert here.agents()["b"]["role"] == "goalie"
+    code, said = here.asemec("select", "b", "sweeper", "-o", "out")
+    assert code == 1
+    assert "there is no plan sweeper; there are S.player, S.goalie" in said
+    code, said = here.asemec("select", "nobody", "goalie", "-o", "out")
+    assert "there is no agent nobody; there are a, b" in said
+    process = here.running[0]
+    process.send_signal(signal.SIGINT)
+    process.wait(WAIT)
+    assert here.asemec("status", "-o", "out")[0] == 1
+    kinds = [json.loads(line)["kind"] for line in (here.folder / "out/trace.jsonl").read_text().splitlines()]
+    assert kinds.count("swap") == 3  # refused, and done by two
+    assert kinds.count("select") == 2
+
+
+def test_a_team_in_several_processes_changes_as_one_or_not_at_all(here: Here) -> None:
+    here.write("one.aseme", ONE)
+    here.write("two.aseme", LONGER)
+    assert here.asemec("build", "one.aseme", "-o", "out")[0] == 0
+    for name in ("a", "b"):
+        here.start("out", "--plan", "player", "--agent", name, "--trace", f"{name}.jsonl")
+    before = until(lambda: found if len(found := here.agents()) == 2 else None)
+
+    here.running[1].send_signal(signal.SIGSTOP)
+    code, said = here.asemec("swap", "two.aseme", "-o", "out")
+    assert code == 1, said
+    assert "does not answer" in said
+    here.running[1].send_signal(signal.SIGCONT)
+    assert here.agents() and {a["model"] for a in here.agents().values()} == {before["a"]["model"]}
+
+    code, said = here.asemec("swap", "two.aseme", "-o", "out")
+    assert code == 0, said
+    models = {agent["model"] for agent in here.agents().values()}
+    assert len(models) == 1
+    assert models != {before["a"]["model"]}
+
+
+# ---- one process, by its control ------------------------------------------------------------------
+
+
+class Running:
+    """A team that runs in real time in a thread."""
+
+    def __init__(self, text: str = ONE) -> None:
+        self.team, self.records = make(text, clock="real", until=60 * SECOND)
+        self.thread = threading.Thread(target=self.team.run, daemon=True)
+        self.thread.start()
+        until(lambda: all(agent.steps for agent in self.team.agents))
+
+    def __enter__(self) -> tuple[Team, list[Record]]:
+        return self.team, self.records
+
+    def __exit__(self, *problem: object) -> None:
+        self.team.driver.stop("over")
+        self.thread.join(WAIT)
+
+
+def package(folder: Path, text: str) -> tuple[str, str]:
+    """A generated package on disk, and the hash of its models."""
+    from aseme_dsl.build.build import Choice
+    from aseme_dsl.build.operate import generate_version
+    from tests.support.generated import system_of
+
+    place, model = generate_version(system_of(text), folder, Choice())
+    return str(place), model
+
+
+def said(control: Control, **request: Any) -> dict[str, Any]:
+    return control.handle({"version": 1, **request})
+
+
+def test_who_hears_no_more_goes_on_as_it_was(tmp_path: Path) -> None:
+    folder, model = package(tmp_path, LONGER)
+    with Running() as (team, records):
+        control = Control(team)
+        old = {agent.plan.model for agent in team.agents}
+        reply = said(control, request="swap", phase="prepare", folder=folder, model=model, within=5, hold=0.2)
+        assert reply["state"] == "prepared"
+        steps = [agent.steps for agent in team.agents]
+        other = said(control, request="swap", phase="prepare", folder=folder, model=model)
+        assert other["reasons"] == ["another swap is under way"]
+        assert [agent.steps for agent in team.agents] == steps  # they are held
+        until(lambda: said(control, request="status")["swap"] is None)
+        late = said(control, request="swap", phase="commit", id=reply["id"])
+        assert late["reasons"] == [f"the swap {reply['id']} is not held here any more"]
+        assert {agent.plan.model for agent in team.agents} == old
+        until(lambda: [agent.steps for agent in team.agents] > steps)
+    (line,) = [r for r in records if r["kind"] == "swap"]
+    assert (line["what"], line["reasons"]) == ("rolled back", ["nobody has confirmed it within 0.2 s"])
+
+
+def test_who_has_committed_goes_on_to_the_end(tmp_path: Path) -> None:
+    folder, model = package(tmp_path, LONGER)
+    with Running() as (team, records):
+        control = Control(team)
+        held = said(control, request="swap", phase="prepare", folder=folder, within=5, hold=0.3)
+        assert said(control, request="swap", phase="finish", id=held["id"])["ok"] is False
+        assert said(control, request="swap", phase="commit", id=held["id"])["state"] == "committed"
+        until(lambda: said(control, request="status")["swap"] is None)
+        assert said(control, request="status")["model"] == model
+    assert [r["what"] for r in records if r["kind"] == "swap"] == ["done", "done"]
+
+
+@pytest.mark.parametrize(
+    "request_, reason",
+    [
+        ({"request": "dance"}, "there is no request 'dance'"),
+        ({"request": "swap", "phase": "hop"}, "there is no phase 'hop'"),
+        ({"request": "swap", "phase": "prepare", "folder": "/nowhere"}, "there is no generated package"),
+        ({"request": "select", "agent": "zoe", "plan": "x"}, "there is no agent zoe here; there are a, b"),
+        ({"request": "status", "version": 9}, "requests of version 9 are not known"),
+    ],
+)
+def test_requests_that_mean_nothing(request_: dict[str, Any], reason: str) -> None:
+    with Running() as (team, _):
+        reply = said(Control(team), **request_)
+    assert reply["ok"] is False
+    assert reason in reply["reasons"][0]
+
+
+class TestSocket:
+    @pytest.fixture(autouse=True)
+    def place(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
+
+    def test_it_is_the_users_alone_and_goes_with_the_run(self, tmp_path: Path) -> None:
+        with Running() as (team, _):
+            with listening(Control(team), tmp_path / "out", "team") as path:
+                assert stat.S_IMODE(path.stat().st_mode) == 0o600
+                assert stat.S_IMODE(path.parent.stat().st_mode) == 0o700
+                assert endpoints(tmp_path / "out") == [path]
+                assert ask(path, {"request": "status"})["system"] == "S"
+            assert not path.exists()
+            assert endpoints(tmp_path / "out") == []
+            with pytest.raises(ControlError, match="cannot be reached"):
+                ask(path, {"request": "status"})
+
+    def test_what_a_killed_run_has_left_is_removed(self, tmp_path: Path) -> None:
+        import socket
+
+        folder = control_socket.folder_for(tmp_path / "out")
+        folder.mkdir(parents=True)
+        left = folder / "team-1.sock"
+        with socket.socket(socket.AF_UNIX) as server:
+            server.bind(str(left))
+        assert left.exists()
+        assert endpoints(tmp_path / "out") == []
+        assert not left.exists()
+
+    def test_nonsense_is_answered(self, tmp_path: Path) -> None:
+        import socket
+
+        with Running() as (team, _), listening(Control(team), tmp_path / "out", "team") as path:
+            with socket.socket(socket.AF_UNIX) as connection:
+                connection.connect(str(path))
+                connection.sendall(b"\x00\xff\n[1]\n")
+                answer = b""
+                connection.settimeout(WAIT)
+                while answer.count(b"\n") < 2 and (part := connection.recv(4096)):
+                    answer += part
+            replies = [json.loads(line) for line in answer.splitlines()]
+            assert [reply["ok"] for reply in replies] == [False, False]
