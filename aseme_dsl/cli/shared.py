@@ -195,8 +195,7 @@ def running_option(command: CommandT) -> CommandT:
     """`-o`: the output folder that something runs from; the project's, if nothing is said."""
 
     def default(context: click.Context, parameter: click.Parameter, value: Path | None) -> Path:
-        from aseme_dsl.build.build import OUTPUT
-        from aseme_dsl.build.configuration import find_configuration
+        from aseme_dsl.build.configuration import OUTPUT, find_configuration
 
         return value or find_configuration(Path())[0].output or Path(OUTPUT)
 
