@@ -41,6 +41,8 @@ class RunConfiguration:
     seed: int | None = None
     trace: Path | None = None
     """Where the trace goes."""
+    state: Path | None = None
+    """Where `persist` states are kept from one run to the next."""
     cancel_within: int | None = None
     """With the rest, what a run in real time asks of the machine: see `runtime.real_time.RealTime`."""
     threads: int | None = None
@@ -174,6 +176,7 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
                 "duration": _duration,
                 "seed": _seed,
                 "trace": path,
+                "state": path,
                 "cancel_within": _duration,
                 "threads": _count,
                 "processes": _count,

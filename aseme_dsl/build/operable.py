@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -22,21 +22,23 @@ def output_of(loaded: Loaded) -> Path:
 
 
 @contextmanager
-def operable(team: Team, loaded: Loaded, activities: Path, tell: Callable[[str], None]) -> Iterator[None]:
-    """Inside, `asemec status`, `select` and `swap` reach the team.
+def operable(team: Team, loaded: Loaded, activities: Path) -> Iterator[None]:
+    """Inside, operators reach the team: over a socket, and over its transport where it has one.
 
-    A run to which no socket can be opened goes on without one, and `tell` is told.
+    A run to which no socket can be opened goes on without one, with a line in its trace.
     """
     from aseme_dsl.runtime.control import Control
     from aseme_dsl.runtime.control_socket import ControlError, listening
 
     agents = team.agents
     name = agents[0].name if len(agents) == 1 else "team"
-    socket = listening(Control(team, activities), output_of(loaded), name)
+    control = Control(team, activities)
+    team.transport.answer(control.handle)
+    socket = listening(control, output_of(loaded), name)
     try:
         socket.__enter__()
     except ControlError as problem:
-        tell(f"operators cannot reach this run: {problem}")
+        team.trace.remark(0, "", f"operators cannot reach this run: {problem}")
         yield
         return
     try:

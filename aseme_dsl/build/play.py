@@ -66,6 +66,8 @@ class Request:
     begin: Callable[[], int | None] = lambda: None
     """Called when everything is there; gives the moment at which the run has begun, if it is not now (ns of
     the machine's monotonic clock)."""
+    state: Path | None = None
+    """Where `persist` states are kept from one run to the next."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,13 +199,14 @@ def play(
                 path=folders,
                 real_time=_real_time(project),
                 carried=lambda: others(loaded, activities, configuration),
+                state_directory=_state(request, project),
             )
         except (TeamError, ActivityError) as problem:
             raise PlayError(str(problem)) from problem
         except OSError as problem:
             place = problem.filename or trace
             raise PlayError(f"{place} cannot be written: {problem.strerror or problem}") from problem
-        with operable(team, loaded, activities, tell) if request.real else nullcontext():
+        with operable(team, loaded, activities) if request.real else nullcontext():
             result = team.run()
         watch.look(team)
         summary = ""
@@ -223,6 +226,7 @@ def _play_robot(
 ) -> Played:
     """Run one robot of the team in this process."""
     from aseme_dsl.build.deployment import misfits, network_of
+    from aseme_dsl.build.operable import operable, others
     from aseme_dsl.runtime.activities import ActivityError
     from aseme_dsl.runtime.body import BodyLost
     from aseme_dsl.runtime.loading import activities_in, importing
@@ -276,8 +280,11 @@ def _play_robot(
                 transport=transport,
                 origin=request.begin(),
                 real_time=_real_time(project),
+                carried=lambda: others(loaded, activities, configuration),
+                state_directory=_state(request, project),
             )
-            result = team.run()
+            with operable(team, loaded, activities):
+                result = team.run()
         except (TeamError, ActivityError, TransportError) as problem:
             raise PlayError(str(problem)) from problem
         except OSError as problem:
@@ -340,6 +347,11 @@ def _duration(request: Request, configuration: Configuration, world: object) -> 
         return configuration.run.duration
     # On a robot the end is Ctrl-C; virtual time would go on for ever.
     return None if request.real and world is None else PLAY_NS
+
+
+def _state(request: Request, project: RunConfiguration | None) -> Path | None:
+    """Where `persist` states are kept."""
+    return request.state or (project.state if project is not None else None)
 
 
 def _real_time(project: RunConfiguration | None) -> RealTime:

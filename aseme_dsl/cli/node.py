@@ -56,6 +56,7 @@ GRACE = 2.0
     metavar="FILE",
     help="Where the trace goes.  [default: OUTPUT/trace.ROBOT.jsonl]",
 )
+@folder_option("--state", text="Where `persist` states are kept for the next run.  [default: the project's]")
 @folder_option(
     "--activities", text="Where your activities are.  [default: the project's, else OUTPUT/monas/activities]"
 )
@@ -83,6 +84,7 @@ def command(
     seed: int | None,
     script: Path | None,
     trace: Path | None,
+    state: Path | None,
     activities: Path | None,
     bodies: dict[str, str],
     quiet: bool,
@@ -137,6 +139,7 @@ def command(
             script=script,
             trace=trace or folder / f"trace.{robot}.jsonl",
             bodies=bodies,
+            state=state,
             robot=robot,
             world_at=(world_at, key) if world_at is not None else None,
             begin=_told_to_begin() if supervised else lambda: None,

@@ -110,6 +110,7 @@ def _is_function(text: str) -> bool:
     metavar="FILE",
     help="Where the trace goes.  [default: the project's, else OUTPUT/trace.jsonl]",
 )
+@folder_option("--state", text="Where `persist` states are kept for the next run.  [default: the project's]")
 @folder_option(
     "--activities", text="Where your activities are.  [default: the project's, else OUTPUT/monas/activities]"
 )
@@ -143,6 +144,7 @@ def command(
     process_per_robot: bool,
     script: Path | None,
     trace: Path | None,
+    state: Path | None,
     activities: Path | None,
     templates: Path | None,
     world: str | None,
@@ -183,13 +185,13 @@ def command(
         if process_per_robot:
             request = Request(duration=duration, seed=seed, trace=trace, world=world, bodies=bodies)
             options = _options_of_robots(
-                configuration, duration, seed, script, bodies, quiet, verbose, colour
+                configuration, duration, seed, script, state, bodies, quiet, verbose, colour
             )
             place = activities_folder(folder, choice)
             return _supervise(loaded, folder, place, configuration, request, options, quiet, as_json)
         if configuration.run is None or configuration.run.trace is None:
             trace = trace or folder / "trace.jsonl"
-        request = Request(plan, agent, duration, seed, real, script, trace, world, bodies)
+        request = Request(plan, agent, duration, seed, real, script, trace, world, bodies, state=state)
         telling = Telling(
             loaded,
             alone=plan,
@@ -269,6 +271,7 @@ def _options_of_robots(
     duration: int | None,
     seed: int | None,
     script: Path | None,
+    state: Path | None,
     bodies: dict[str, str],
     quiet: bool,
     verbose: bool,
@@ -282,6 +285,8 @@ def _options_of_robots(
         options += ["--seed", str(seed)]
     if script is not None:
         options += ["--input", str(script.absolute())]
+    if state is not None:
+        options += ["--state", str(state.absolute())]
     for agent, function in bodies.items():
         options += ["--body", f"{agent}={function}" if agent else function]
     return options + ["-q"] * quiet + ["-v"] * verbose

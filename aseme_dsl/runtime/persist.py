@@ -1,4 +1,10 @@
-"""Kept states: what `persist` channels said last, in one JSON file per agent."""
+"""Kept states: what `persist` channels said last, in one JSON file per agent.
+
+Whatever happens to the process or the machine, a file is either what it was or what it is to be: it is
+written beside, brought to the disk (fsync), and then put in its place (rename, fsync of the folder). It is
+written off the agents' steps, in real time a quarter of a second after a change at the latest; what was said
+since then is lost with the process.
+"""
 
 from __future__ import annotations
 
@@ -11,12 +17,13 @@ from aseme_dsl.runtime.as_json import from_json, to_json
 
 
 class Kept:
-    """The files of a state directory. A file is replaced whole, so that a broken run leaves the old one."""
+    """The files of a state directory."""
 
     def __init__(self, directory: Path) -> None:
         self._directory = directory
         self._states: dict[str, dict[tuple[str, str | None], Any]] = {}
         self._changed: set[str] = set()
+        self._told: dict[str, str] = {}
 
     def put(self, agent: str, channel: str, host: str | None, message: Any) -> str | None:
         """Note what an agent said last; the reason why it cannot be kept, or None."""
@@ -29,8 +36,12 @@ class Kept:
         return None
 
     def save(self) -> list[tuple[str, str]]:
-        """Write what has changed; for each agent where that failed, why."""
+        """Write what has changed; for each agent where that failed, why.
+
+        What could not be written is tried again the next time; the same reason is given once.
+        """
         failed: list[tuple[str, str]] = []
+        again: set[str] = set()
         while self._changed:
             agent = min(self._changed)
             self._changed.discard(agent)
@@ -50,8 +61,16 @@ class Kept:
                     file.flush()
                     os.fsync(file.fileno())
                 part.replace(path)
+                _settle(self._directory)
             except OSError as error:
-                failed.append((agent, f"its states are not kept in {path}: {error.strerror or error}"))
+                again.add(agent)
+                reason = f"its states are not kept in {path}: {error.strerror or error}"
+                if self._told.get(agent) != reason:
+                    failed.append((agent, reason))
+                    self._told[agent] = reason
+            else:
+                self._told.pop(agent, None)
+        self._changed |= again
         return failed
 
     def load(
@@ -87,3 +106,12 @@ class Kept:
 
     def _path(self, agent: str) -> Path:
         return self._directory / f"{agent}.json"
+
+
+def _settle(folder: Path) -> None:
+    """Bring to the disk which files a folder has."""
+    number = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(number)
+    finally:
+        os.close(number)

@@ -1,0 +1,143 @@
+"""What `persist` topics said last is there after a crash, whenever the process was killed."""
+
+from __future__ import annotations
+
+import json
+import random
+import signal
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from aseme_dsl.runtime.context import Context
+from tests.faults.test_operate import Here, until
+from tests.runtime.playing import MS, play
+
+COUNTING = """\
+system Memory
+message Count { int n }
+topic count { state Count persist }
+srm robot {
+  liveness { robot = Add~ }
+  activities { Add every 2ms reads count.state.Count writes count.state.Count }
+}
+team Memory { one : robot }
+"""
+
+ADD = """\
+from monas.Memory.messages import Count
+
+
+class Add:
+    def execute(self, context):
+        count = context.state("count.state.Count")
+        context.publish("count.state.Count", Count((count.n if count else 0) + 1))
+"""
+
+
+@pytest.fixture
+def here(tmp_path: Path) -> Iterator[Here]:
+    made = Here(tmp_path)
+    yield made
+    for process in made.running:
+        if process.poll() is None:
+            process.kill()
+        process.communicate()
+
+
+def kept(path: Path) -> int:
+    """The count in the file of kept states, 0 if there is none yet."""
+    if not path.exists():
+        return 0
+    (state,) = json.loads(path.read_text("utf-8"))["states"]
+    return int(state["message"]["n"])
+
+
+def test_kill_at_any_moment(here: Here) -> None:
+    here.write("memory.aseme", COUNTING)
+    (here.folder / "activities").mkdir()
+    here.write("activities/add.py", ADD)
+    path = here.folder / "kept" / "one.json"
+    chance = random.Random(1)
+    before = 0
+    for life in range(5):
+        process = here.start(
+            "memory.aseme",
+            *("-o", "out", "--state", "kept", "--activities", "activities", "--trace", f"{life}.jsonl"),
+        )
+        until(lambda before=before: kept(path) > before)
+        time.sleep(chance.random() * 0.6)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        now = kept(path)  # it can be read, whenever that was
+        assert now > before
+        before = now
+    process = here.start(
+        "memory.aseme",
+        *(
+            "-o",
+            "out",
+            "--state",
+            "kept",
+            "--activities",
+            "activities",
+            "--trace",
+            "last.jsonl",
+            "--for",
+            "1s",
+        ),
+    )
+    assert process.wait(60) == 0
+    lines = [json.loads(line) for line in (here.folder / "last.jsonl").read_text("utf-8").splitlines()]
+    restored = next(line for line in lines if line["kind"] == "message")
+    assert (restored["via"], restored["message"]["n"]) == ("kept", before)
+
+
+def test_where_nothing_can_be_kept_the_run_goes_on(tmp_path: Path) -> None:
+    class Add:
+        def execute(self, context: Context) -> None:
+            count = context.state("count.state.Count")
+            kind = type(count) if count is not None else None
+            if kind is not None:
+                context.publish("count.state.Count", kind(count.n + 1))
+
+    state = tmp_path / "kept"
+    state.write_text("a file is no folder", "utf-8")
+    script = [{"at": "1ms", "channel": "count.state.Count", "message": {"n": 1}}]
+    options: dict[str, Any] = {"until": 100 * MS, "script": script, "state_directory": state}
+    run = play(COUNTING, {"Add": Add}, **options)
+    read, written = [fault["reason"] for fault in run.of("fault")]
+    assert "cannot be read" in read
+    assert "its states are not kept" in written
+    assert run.result.reason == "time"
+    assert run.of("message")[-1]["message"]["n"] > 10
+
+
+def test_a_full_disk_is_told_once_and_what_was_kept_stays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import os
+
+    from aseme_dsl.runtime.persist import Kept
+    from tests.support.generated import generate
+
+    made = generate(COUNTING)
+    states = Kept(tmp_path)
+    states.put("one", "count.state.Count", None, made.message("Count", n=1))
+    assert states.save() == []
+
+    def full(number: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    sync = os.fsync
+    monkeypatch.setattr("os.fsync", full)
+    states.put("one", "count.state.Count", None, made.message("Count", n=2))
+    told = [reason for _ in range(3) for _, reason in states.save()]
+    assert told == [f"its states are not kept in {tmp_path / 'one.json'}: No space left on device"]
+    assert kept(tmp_path / "one.json") == 1
+    monkeypatch.setattr("os.fsync", sync)
+    assert states.save() == []
+    assert kept(tmp_path / "one.json") == 2
