@@ -19,6 +19,10 @@ _SHOWN = 4
 """How many related places a problem shows at most."""
 
 
+SELECT_PLAN = "runtime.signal.SelectPlan"
+"""The signal of `import runtime` that the runtime itself reads."""
+
+
 def check_life(
     roles: Sequence[Statechart], use: MessageUse, activities: Mapping[str, Activity], symbols: Symbols
 ) -> Iterator[Diagnostic]:
@@ -61,7 +65,7 @@ def _unread(
     on a topic that another file declares.
     """
     for channel, uses in writers.items():
-        if channel in readers:
+        if channel in readers or str(channel) == SELECT_PLAN:
             continue
         topic = topics[channel.topic]
         if channel.comm is Comm.SIGNAL:

@@ -122,3 +122,14 @@ def test_a_plan_of_another_system_that_the_robot_carries() -> None:
     assert of(records, "select")[0]["plan"] == "Other.sweeper"
     assert team.agent("b").plan.system == "Other"
     assert len(of(records, "activity", agent="b", what="start", activity="Sweep")) > 10
+
+
+def test_the_signal_that_the_runtime_reads_is_no_slip() -> None:
+    from tests.support.compiling import codes
+
+    chosen = TWO.replace(
+        "control goalie {",
+        'control goalie {\n    enter Guard : / runtime.signal.SelectPlan.plan = "player" ; '
+        "write_messages.runtime.signal.SelectPlan\n",
+    )
+    assert codes(chosen) == codes(TWO)
