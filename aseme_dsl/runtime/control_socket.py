@@ -23,6 +23,8 @@ from typing import Any
 
 from aseme_dsl.runtime.control import FORMAT, Control
 
+ROOM = 32
+"""A folder whose path has more bytes leaves too few for the rest of a socket's path."""
 LARGEST = 1 << 20
 """A request or reply has at most so many bytes."""
 _IDLE_SECONDS = 60.0
@@ -35,10 +37,11 @@ class ControlError(Exception):
 
 def folder_for(output: Path) -> Path:
     """Where the sockets are of what runs from an output folder."""
-    base = os.environ.get("XDG_RUNTIME_DIR")
-    root = Path(base) if base else Path(tempfile.gettempdir())
-    name = f"asemec-{os.getuid()}"
-    return root / name / hashlib.sha256(os.fsencode(output.resolve())).hexdigest()[:16]
+    places = (os.environ.get("XDG_RUNTIME_DIR", ""), tempfile.gettempdir(), "/tmp")
+    root = next((place for place in places if place and len(os.fsencode(place)) <= ROOM), "/tmp")
+    return (
+        Path(root) / f"asemec-{os.getuid()}" / hashlib.sha256(os.fsencode(output.resolve())).hexdigest()[:16]
+    )
 
 
 @contextmanager

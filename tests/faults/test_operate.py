@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 import stat
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -48,12 +50,11 @@ class Here:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.running: list[subprocess.Popen[str]] = []
-        runtime = folder / "run"
-        runtime.mkdir()
+        self.runtime = Path(tempfile.mkdtemp(prefix="aseme", dir="/tmp"))  # a socket's path is short
         self.environment = {
             **os.environ,
             "PYTHONPATH": str(Path(__file__).parents[2]),
-            "XDG_RUNTIME_DIR": str(runtime),
+            "XDG_RUNTIME_DIR": str(self.runtime),
         }
 
     def write(self, name: str, text: str) -> None:
@@ -101,6 +102,7 @@ def here(tmp_path: Path) -> Iterator[Here]:
             process.send_signal(signal.SIGCONT)
             process.kill()
         process.communicate()
+    shutil.rmtree(made.runtime)
 
 
 def test_a_team_is_asked_and_changed(here: Here) -> None:
@@ -250,8 +252,15 @@ def test_requests_that_mean_nothing(request_: dict[str, Any], reason: str) -> No
 
 class TestSocket:
     @pytest.fixture(autouse=True)
-    def place(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
+    def place(self, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+        short = tempfile.mkdtemp(prefix="aseme", dir="/tmp")
+        monkeypatch.setenv("XDG_RUNTIME_DIR", short)
+        yield
+        shutil.rmtree(short)
+
+    def test_a_folder_with_a_long_path_is_not_used(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setenv("XDG_RUNTIME_DIR", "/tmp/" + "x" * 60)
+        assert len(str(control_socket.folder_for(Path("out")) / f"{'n' * 32}-4194304.sock")) < 104
 
     def test_it_is_the_users_alone_and_goes_with_the_run(self, tmp_path: Path) -> None:
         with Running() as (team, _):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import random
+import shutil
 import signal
 import time
 from collections.abc import Iterator
@@ -46,6 +47,7 @@ def here(tmp_path: Path) -> Iterator[Here]:
         if process.poll() is None:
             process.kill()
         process.communicate()
+    shutil.rmtree(made.runtime)
 
 
 def kept(path: Path) -> int:
