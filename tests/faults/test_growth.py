@@ -66,7 +66,7 @@ def test_starts_and_cancellations_leave_nothing_behind(tmp_path: Path) -> None:
         stop=enough,
         listeners=[count],
         real_time=RealTime(cancel_within=2000 * MS),
-        until=60_000 * MS,
+        until=(60_000 + 100 * STARTS) * MS,
     )
     result = team.run()
     assert result.reason == "enough" and not result.left

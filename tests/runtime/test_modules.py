@@ -12,8 +12,9 @@ import pytest
 from aseme_dsl.runtime import Context, activities_in
 from aseme_dsl.runtime.real_time import RealTime
 from aseme_dsl.runtime.team import TeamError
+from tests.faults.changing import version
 from tests.faults.test_activities import folder
-from tests.runtime.playing import MS, Played, play
+from tests.runtime.playing import MS, Played, make, play
 from tests.support.generated import generate
 
 TEXT = """
@@ -255,3 +256,24 @@ def test_a_process_module_whose_worker_is_killed_begins_anew(tmp_path: Path) -> 
     assert [text.split()[1] for text in logs[:3]] == ["1", "2", "1"]
     assert logs[0].split()[0] == logs[1].split()[0] != logs[2].split()[0]
     assert run.of("module", what="crash")[0]["reason"] == "its process was killed by SIGKILL"
+
+
+def test_a_swap_gives_modules_new_objects_and_the_new_period() -> None:
+    text = BESIDE.replace("CLAUSES", "")
+    beats: list[tuple[int, int]] = []
+
+    class Work:
+        def __init__(self) -> None:
+            self.number = 0
+
+        def execute(self, context: Context) -> None:
+            self.number += 1
+            beats.append((context.now // MS, self.number))
+
+    team, records = make(text, {"Work": Work}, until=200 * MS)
+    team.swap(version(text.replace("every 30ms", "every 50ms"), {"Work": Work}), at=100 * MS)
+    team.run()
+    assert [record["what"] for record in records if record["kind"] == "swap"] == ["done"]
+    assert beats == [(0, 1), (30, 2), (60, 3), (90, 4), (100, 1), (150, 2), (200, 3)]
+    said = [(r["time"] // MS, r["what"]) for r in records if r["kind"] == "module"]
+    assert said == [(0, "begin"), (100, "end"), (100, "begin"), (200, "end")]
