@@ -45,6 +45,13 @@ LONG = [
     ("one slip, one message", ["benchmarks/mutations.py"], {}),
     ("latency", ["benchmarks/latency.py"], {}),
     ("faults of activities", ["-m", "pytest", "tests/faults"], {"FAULT_STARTS": "20000"}),
+    ("robots in processes", ["benchmarks/transport.py"], {}),
+    (
+        "links that lose",
+        ["-m", "pytest", "tests/runtime/transport/test_stream.py"],
+        {"STREAM_EXAMPLES": "2000"},
+    ),
+    ("a real match of ten minutes", ["benchmarks/real_match.py"], {}),
     ("random charts", ["-m", "pytest", "tests/oracle"], {"ORACLE_EXAMPLES": "5000"}),
 ]
 """What `long` runs: too heavy for every change, to be run before a release."""

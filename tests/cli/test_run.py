@@ -399,3 +399,20 @@ def test_activities_and_functions_come_from_nowhere_else(folder: Path) -> None:
         [sys.executable, "-c", program], capture_output=True, text=True, cwd=folder, env=os.environ
     )
     assert done.stdout.splitlines()[-1] == "0 True"
+
+
+def test_processes_need_zenoh_and_it_is_said_how_to_get_it(tmp_path: Path) -> None:
+    (tmp_path / "zenoh.py").write_text("raise ImportError\n")
+    (tmp_path / "walk.aseme").write_text(GOOD)
+    paths = {"PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])}
+    for words in (("run", "walk.aseme", "--process-per-robot"), ("node", "one", "walk.aseme")):
+        done = asemec(*words, cwd=tmp_path, **paths)
+        assert done.code == 1
+        assert 'pip install "aseme-dsl[zenoh]"' in done.err and "Traceback" not in done.err
+
+
+def test_a_robot_that_the_team_does_not_have(tmp_path: Path) -> None:
+    (tmp_path / "walk.aseme").write_text(GOOD)
+    done = asemec("node", "onne", "walk.aseme", cwd=tmp_path)
+    assert done.code == 2
+    assert "there is no robot onne; did you mean one? there are one, two" in done.err

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -12,6 +13,8 @@ import pytest
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.team import TeamError
 from aseme_dsl.runtime.transport import Network
+from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport.link import Link
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 from tests.runtime.playing import make
 from tests.runtime.transport.net import Air, Part, part, wait_until
@@ -216,6 +219,46 @@ def test_data_has_the_time_of_its_sender(talk: Generated, box: Box) -> None:
     measured = [r["measured"] for r in bob.of("arrived", channel="team.data.M")]
     assert measured == [moment - 10**9 for moment in ann_times]
     assert [(moment, message.n) for moment, message in history] == [(measured[0], 1), (measured[1], 2)]
+
+
+class OtherMachine:
+    """A link from a machine whose clock is ahead by `SKEW`."""
+
+    SKEW = 3_600_000_000_000
+
+    def __init__(self, link: Link) -> None:
+        self.link = link
+
+    def send(self, to: str, sender: str, way: str, envelope: bytes, payload: bytes, sure: bool) -> None:
+        read = envelopes.read(envelope, payload)
+        heard = read.heard + self.SKEW if read.kind == envelopes.PONG else 0
+        ahead = replace(read, time=read.time + self.SKEW, clock=42, heard=heard)
+        data = envelopes.written(
+            ahead, payload, addressee=read.addressee, place=read.place, sample=read.sample
+        )
+        self.link.send(to, sender, way, data, payload, sure)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.link, name)
+
+
+def test_the_clock_of_another_machine_is_measured(talk: Generated, box: Box) -> None:
+    air = Air()
+    began = time.monotonic_ns()
+    ann = part(talk, ["ann"], box.activities, OtherMachine(air.link()), origin=began).start()
+    bob = part(talk, ["bob"], box.activities, air.link(), origin=began).start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    box.say += [("team.data.M", 1, None)]
+    wait_until(lambda: bob.team.peers()["ann"].uncertainty not in (None, 0))
+    box.say += [("team.data.M", 2, None)]
+    wait_until(lambda: 2 in arrived(bob, "bob", "team.data.M"))
+    uncertainty = bob.team.peers()["ann"].uncertainty
+    ann.stop()
+    bob.stop()
+    assert uncertainty is not None
+    (sent,) = [r["time"] for r in ann.of("message", channel="team.data.M") if r["message"]["n"] == 2]
+    (line,) = [r for r in bob.of("arrived", channel="team.data.M") if r["message"]["n"] == 2]
+    assert abs(line["measured"] - sent) <= max(uncertainty, 1_000_000) and line["measured"] <= line["time"]
 
 
 def test_another_model_is_refused_and_said_once(talk: Generated, box: Box) -> None:

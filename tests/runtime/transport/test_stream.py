@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import itertools
+import os
 import random
 
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from aseme_dsl.runtime.transport.stream import (
@@ -19,7 +20,11 @@ from aseme_dsl.runtime.transport.stream import (
     Outgoing,
 )
 
+EXAMPLES = int(os.environ.get("STREAM_EXAMPLES", "50"))
+"""How many runs are tried; `python3 dev.py long` tries more."""
 
+
+@settings(max_examples=EXAMPLES, deadline=None)
 @given(
     count=st.integers(1, 700),
     seed=st.integers(0, 10**6),
