@@ -324,17 +324,16 @@ class Bus:
         identity: Identity,
         moment: int,
         host: str | None = None,
-    ) -> None:
+    ) -> str | None:
         """The transport has brought what an agent elsewhere published, measured at `moment`.
 
-        The rules hold whoever sent it: what by them does not concern the agent is refused.
+        The rules hold whoever sent it: what by them is not for the agent is not taken; gives the reason.
         """
         reason = self._objection(agent, channel, sender, host)
+        if reason is not None:
+            return reason
         with self._driver.holding(), self._lock:
             now = self._driver.clock.now()
-            if reason is not None:
-                self.trace.write("peer", now, agent=agent.name, peer=sender, what="refused", reason=reason)
-                return
             if self.trace.active:
                 self.trace.write(
                     "arrived",
@@ -348,6 +347,7 @@ class Bus:
                 )
             if channel in self._reads[agent.name] or channel == SELECT:
                 agent.post(identity, Arrived(channel, message, sender, moment, identity))
+        return None
 
     def _objection(self, agent: Agent, channel: str, sender: str, host: str | None) -> str | None:
         """Why a message from elsewhere is not for this agent, or None."""

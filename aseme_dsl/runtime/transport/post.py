@@ -98,6 +98,8 @@ class _Other:
     name: str
     alive: bool = False
     life: int | None = None
+    present: set[int] = field(default_factory=set)
+    """The lives that say that they are there; there may be two for a while."""
     clock: int | None = None
     measured: deque[tuple[int, int]] = field(default_factory=lambda: deque(maxlen=QUESTIONS))
     """(round trip, difference) of the last measurements of its clock."""
@@ -443,10 +445,10 @@ class Post:
         now = time.monotonic_ns()
         for (mine, name), way in self._ways.items():
             other = self._others[name]
-            if not other.alive:
-                continue
             if way.owed:
                 self._acknowledge(mine, name, way)
+            if not other.alive:
+                continue
             for place, letter in way.out.overdue(now):
                 self._hand_over(other, letter.item, place=place)
             self._pump_quietly(way, other)
@@ -504,15 +506,23 @@ class Post:
 
     def _is_current(self, other: _Other, envelope: Envelope) -> bool:
         """Whether an envelope is from the life that its sender leads, and for ours. Called with the lock."""
-        if other.life is not None and envelope.incarnation < other.life:
+        life = envelope.incarnation
+        if life != other.life and not self._is_next(other, life):
             self._count(other, "late", "it is of an earlier life of its sender")
             return False
         if envelope.addressee not in (0, self.incarnation):
             self._count(other, "late", "it is for an earlier life of its receiver")
             return False
-        if other.life is None or envelope.incarnation > other.life:
-            self._begin_life(other, envelope.incarnation)
+        if life != other.life:
+            self._begin_life(other, life)
         return True
+
+    def _is_next(self, other: _Other, life: int) -> bool:
+        """Whether this life comes after the one that is known.
+
+        A robot whose clock was set back begins one with a lower number: it counts when the other has ended.
+        """
+        return other.life is None or life > other.life or (not other.alive and life in other.present)
 
     def _decoded(self, other: _Other, envelope: Envelope, payload: bytes) -> _Got:
         """The message in an envelope; None, after telling why, if it is none for us."""
@@ -604,7 +614,10 @@ class Post:
             else:
                 moment = self._moment(other, envelope)
                 host = envelope.host or None
-                team.bus.arrived(agent, envelope.channel, message, other.name, identity, moment, host)
+                channel = envelope.channel
+                reason = team.bus.arrived(agent, channel, message, other.name, identity, moment, host)
+                if reason is not None:
+                    self._count(other, "refused", reason, about=channel)
         except Exception as problem:  # the link's thread has nobody above who would tell
             reason = f"what {other.name} sent could not be taken: {type(problem).__name__}: {problem}"
             team.trace.fault(team.driver.clock.now(), to, reason)
@@ -638,7 +651,9 @@ class Post:
             other = self._others.get(agent)
             if other is None:
                 self._meet_stranger(agent)
-            elif other.life is None or incarnation > other.life:
+                return
+            other.present.add(incarnation)
+            if incarnation != other.life and self._is_next(other, incarnation):
                 self._begin_life(other, incarnation)
             elif incarnation == other.life and not other.alive:
                 other.alive = True
@@ -654,11 +669,17 @@ class Post:
         self._gate.wait()
         with self._lock:
             other = self._others.get(agent)
-            if other is None or other.life != incarnation or not other.alive or self._closing:
+            if other is None or self._closing:
+                return
+            other.present.discard(incarnation)
+            if other.life != incarnation or not other.alive:
                 return
             other.alive = False
             self._tell(other, "gone")
         self._team.conversations.vanished(agent)
+        with self._lock:
+            if not other.alive and other.present:
+                self._begin_life(other, max(other.present))
 
     def _begin_life(self, other: _Other, life: int) -> None:
         """An agent is there for the first time, or again after it had ended. Called with the lock."""

@@ -297,6 +297,23 @@ def test_a_newer_process_of_the_same_robot_takes_over(talk: Generated, box: Box)
     assert ann.news("restarted", "gone") == ["bob restarted", "bob gone"]
 
 
+def test_a_robot_whose_clock_was_set_back_is_known_again(talk: Generated, box: Box) -> None:
+    air = Air()
+    ann = part(talk, ["ann"], box.activities, air.link()).start()
+    first = part(talk, ["bob"], box.activities, air.link()).start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    first.stop()
+    wait_until(lambda: "bob gone" in ann.news())
+    second = part(talk, ["bob"], box.activities, air.link())
+    second.post.incarnation = 12345  # it is 1970 again
+    second.start()
+    wait_until(lambda: "bob restarted" in ann.news())
+    box.say += [("team.signal.M", 1, None)]
+    wait_until(lambda: arrived(second, "bob", "team.signal.M") == [1])
+    second.stop()
+    ann.stop()
+
+
 def test_control_requests_come_through(talk: Generated, box: Box, links: Any) -> None:
     ann = part(talk, ["ann"], box.activities, links()).start()
     bob = part(talk, ["bob"], box.activities, links())
