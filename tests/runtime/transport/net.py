@@ -80,7 +80,7 @@ class Air:
 
     def _tell(self, name: str, what: str) -> None:
         mine = next(end for end in self.ends if name in end.agents)
-        for end in self.ends:
+        for end in tuple(self.ends):
             if end is not mine:
                 self.later(lambda end=end: getattr(end.hears, what)(name, mine.incarnation), ordered=True)
                 for other in end.agents:
@@ -97,7 +97,7 @@ class _AirLink:
 
     def open(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
         self.mine = _End(tuple(agents), incarnation, hears)
-        for end in self.air.ends:
+        for end in tuple(self.air.ends):
             for agent in agents:
                 self.air.later(lambda e=end, a=agent: e.hears.appeared(a, incarnation), ordered=True)
             for agent in end.agents:
@@ -115,12 +115,12 @@ class _AirLink:
     def _arrive(self, to: str, sender: str, envelope: bytes, payload: bytes) -> None:
         if {to, sender} & self.air.cut:
             return
-        for end in self.air.ends:
+        for end in tuple(self.air.ends):
             if to in end.agents:
                 end.hears.arrived(to, sender, envelope, payload)
 
     def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[tuple[bytes, bytes]]:
-        for end in self.air.ends:
+        for end in tuple(self.air.ends):
             if to in end.agents:
                 return list(end.hears.asked(to, what, question))
         return []
@@ -128,7 +128,7 @@ class _AirLink:
     def close(self) -> None:
         if self.mine in self.air.ends:
             self.air.ends.remove(self.mine)
-            for end in self.air.ends:
+            for end in tuple(self.air.ends):
                 for agent in self.mine.agents:
                     self.air.later(
                         lambda e=end, a=agent: e.hears.vanished(a, self.mine.incarnation), ordered=True
