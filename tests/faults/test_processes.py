@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import signal
 import time
 from pathlib import Path
@@ -9,10 +10,11 @@ from pathlib import Path
 import psutil
 import pytest
 
+from aseme_dsl.runtime.transport import Network
 from tests.faults.team import Started, project, signals_from, started
 from tests.runtime.playing import check_line
 
-pytest.importorskip("zenoh")
+zenoh = pytest.importorskip("zenoh")
 
 
 def gone(processes: list[psutil.Process], seconds: float = 10.0) -> bool:
@@ -104,6 +106,25 @@ def test_a_robot_that_stands_still_is_gone_and_comes_back(tmp_path: Path) -> Non
     assert [
         r for r in run.trace("robot1") if r["kind"] == "lost" and r["reason"].startswith("it ended")
     ] == []
+
+
+def test_a_robot_can_be_asked_over_the_network(tmp_path: Path) -> None:
+    config = zenoh.Config()
+    for key, value in Network().settings():
+        config.insert_json5(key, value)
+    with started(project(tmp_path)) as run, zenoh.open(config) as session:
+        run.wait_for_talk()
+        question = json.dumps({"version": 1, "request": "status"})
+        replies = [
+            json.loads(reply.ok.payload.to_string())
+            for reply in session.get("asemec/Talk/control/robot2", payload=question, timeout=5.0)
+            if reply.ok is not None
+        ]
+        assert run.end() == 130
+    (status,) = replies
+    assert status["ok"] and status["system"] == "Talk"
+    assert [agent["name"] for agent in status["agents"]] == ["robot2"]
+    assert status["elsewhere"] == ["robot1", "robot3"]
 
 
 def test_a_robot_that_always_dies_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
