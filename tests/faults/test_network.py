@@ -155,6 +155,26 @@ def test_nonsense_is_counted_told_and_harmless(wire: Generated, mouth: Mouth) ->
     assert bob.result is not None and not bob.result.failed
 
 
+def test_keys_without_sense_are_harmless(
+    wire: Generated, mouth: Mouth, capfd: pytest.CaptureFixture[str]
+) -> None:
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink("Wire", Network())).start()
+    ann = Hostile(wire)
+    wait_until(lambda: bob.team.transport.is_there("ann"))
+    token = ann.session.liveliness().declare_token("asemec/Wire/here/ann/whenever")
+    ann.session.put("asemec/Wire/to/bob", b"", attachment=b"")
+    for selector in ("asemec/**", "asemec/Wire/*/bob", "asemec/Wire/nothing/bob", "asemec/Wire/history/bob"):
+        for reply in ann.session.get(selector, payload=b"[", timeout=2.0):
+            assert reply.ok is None or b"error" in reply.ok.payload.to_bytes()
+    ann.message(bob, 1, 1)
+    wait_until(lambda: heard(bob) == [1])
+    token.undeclare()
+    ann.close()
+    bob.stop()
+    assert "Traceback" not in capfd.readouterr().err
+    assert "? stranger" in bob.news()
+
+
 def test_what_is_not_for_it_is_refused(wire: Generated, mouth: Mouth) -> None:
     bob = part(wire, ["bob"], mouth.activities, ZenohLink("Wire", Network())).start()
     ann = Hostile(wire)

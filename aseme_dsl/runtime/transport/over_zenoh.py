@@ -8,6 +8,7 @@ WHAT/AGENT                 questions: `history` and `control`
 from __future__ import annotations
 
 import contextlib
+import re
 import threading
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -21,6 +22,12 @@ if TYPE_CHECKING:
 MISSING = (
     'robots in several processes talk over Zenoh, which is not installed: pip install "aseme-dsl[zenoh]"'
 )
+
+
+NOBODY = "?"
+"""Stands for a sender whose name is missing in the key."""
+QUESTIONS = ("history", "control")
+_LIFE = re.compile("[0-9a-f]{1,16}")
 
 
 def import_zenoh() -> Any:
@@ -68,7 +75,8 @@ class ZenohLink:
         put = zenoh.SampleKind.PUT
 
         def arrived(sample: Any) -> None:
-            _, _, _, to, sender, *_ = str(sample.key_expr).split("/")
+            _, _, _, to, *further = str(sample.key_expr).split("/")
+            sender = further[0] if further else NOBODY
             attachment = sample.attachment
             hears.arrived(
                 to, sender, b"" if attachment is None else attachment.to_bytes(), sample.payload.to_bytes()
@@ -76,10 +84,14 @@ class ZenohLink:
 
         def lives(sample: Any) -> None:
             *_, agent, life = str(sample.key_expr).split("/")
+            if not _LIFE.fullmatch(life):
+                agent, life = NOBODY, "0"
             (hears.appeared if sample.kind == put else hears.vanished)(agent, int(life, 16))
 
         def asked(query: Any) -> None:
             what, to = str(query.key_expr).split("/")[-2:]
+            if to not in agents or what not in QUESTIONS:
+                return  # a query for all that there is
             question = b"" if query.payload is None else query.payload.to_bytes()
             for envelope, payload in hears.asked(to, what, question):
                 query.reply(f"{self._root}/{what}/{to}", payload, attachment=envelope)

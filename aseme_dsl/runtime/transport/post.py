@@ -428,7 +428,14 @@ class Post:
     def _beat(self) -> None:
         with self._lock:
             while not self._closing:
-                if self._look_after():
+                try:
+                    busy = self._look_after()
+                except Exception as problem:  # without this thread nothing would be sent again
+                    now = self._team.driver.clock.now()
+                    reason = f"the transport failed: {type(problem).__name__}: {problem}"
+                    self._team.trace.remark(now, next(iter(self._here)), reason)
+                    busy = True
+                if busy:
                     self._rest.wait(BEAT)
                 else:
                     self._resting = True
