@@ -44,6 +44,8 @@ PICTURE_STEPS = 3
 """The cameras take a picture, and the bodies a percept, every so many steps."""
 TRAIL_STEPS = 10
 """The path of the ball is noted every so many steps."""
+TRAIL_POINTS = 18_000
+"""So many of its points are kept, those of the last half an hour: longer than any match, but not for ever."""
 
 PLACE_NOISE = 6.0
 """The standard deviation of each coordinate of the pose that a robot believes in, cm."""
@@ -205,7 +207,7 @@ class Match:
         self._radios = tuple(
             Radio([player.name for player in sheet.players], settings) for sheet in self.sheets
         )
-        self._trail = [TrailPoint(0, 0.0, 0.0, False)]
+        self._trail = deque([TrailPoint(0, 0.0, 0.0, False)], TRAIL_POINTS)
         self._bodies = {
             robot.name: FieldBody(self, robot.name, self._radios[robot.team], percept)
             for robot, percept in self._percepts()
@@ -238,7 +240,7 @@ class Match:
 
     @property
     def trail(self) -> tuple[TrailPoint, ...]:
-        """The path of the ball so far, ten points a second."""
+        """The path of the ball so far, or in the last half an hour, ten points a second."""
         return tuple(self._trail)
 
     @property

@@ -1,0 +1,158 @@
+"""Does a long match stay flat? `python benchmarks/soak.py [HOURS]`, `… --real MINUTES [--processes]`.
+
+In virtual time, the example team plays one match of HOURS (2) with a trace. Sampled: memory, Python's objects,
+threads, file handles. After the warm-up, a quarter of the match, none may grow: memory and objects by less than
+1 %, the others not at all. With `--real`, `asemec run --real` plays for MINUTES in a process of its own
+(`--processes`: in one for each robot), is watched from outside, and is stopped with SIGINT and, in another run
+of ten seconds, with SIGTERM: it has ended well within two seconds. Exit code 1 if anything is otherwise.
+"""
+
+from __future__ import annotations
+
+import argparse
+import gc
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import psutil
+
+ROOT = Path(__file__).resolve().parents[1]
+EXAMPLE = ROOT / "examples" / "robocup"
+sys.path[:0] = [str(ROOT), str(EXAMPLE)]
+
+SECOND = 1_000_000_000
+MINUTE = 60 * SECOND
+SAMPLES = 60
+WARM_UP = 0.25
+"""This share of a run is warm-up."""
+MOST = 0.01
+"""Memory and objects may grow by this share after that."""
+
+
+@dataclass(frozen=True)
+class Sample:
+    """What a process has at a moment (in s since the run began); objects are 0 where they cannot be counted."""
+
+    moment: float
+    memory: int
+    objects: int
+    threads: int
+    handles: int
+
+
+def look(process: psutil.Process, moment: float, objects: int = 0) -> Sample:
+    """A sample of a process."""
+    with process.oneshot():
+        memory = process.memory_info().rss
+        return Sample(moment, memory, objects, process.num_threads(), process.num_fds())
+
+
+def judged(name: str, samples: Sequence[Sample]) -> bool:
+    """Print how what was sampled has grown after the warm-up; whether it is flat.
+
+    Compared are the first and the last quarter of what comes after the warm-up, by their medians: one sample
+    taken amid an activity is no growth.
+    """
+    end = samples[-1].moment
+    after = [item for item in samples if item.moment >= WARM_UP * end]
+    quarter = max(1, len(after) // 4)
+
+    def median(items: Sequence[Sample], what: Callable[[Sample], int]) -> float:
+        return float(sorted(what(item) for item in items)[len(items) // 2])
+
+    flat = True
+    for title, what, share in (
+        ("memory", lambda item: item.memory, MOST),
+        ("objects", lambda item: item.objects, MOST),
+        ("threads", lambda item: item.threads, 0.0),
+        ("handles", lambda item: item.handles, 0.0),
+    ):
+        first, last = median(after[:quarter], what), median(after[-quarter:], what)
+        if not first:
+            continue
+        growth = last / first - 1
+        flat = flat and growth <= share
+        unit, scale = (" MB", 1e6) if title == "memory" else ("", 1)
+        print(
+            f"{name:12}{title:10}{first / scale:10.1f}{unit:3} -> {last / scale:10.1f}{unit:3} {growth:+8.2%}"
+            f"{'' if growth <= share else '   GROWS'}",
+            flush=True,
+        )
+    return flat
+
+
+def played(duration: int, trace: Path | None) -> list[Sample]:
+    """The example team plays one match of this length in virtual time."""
+    import world
+
+    from aseme_dsl import compile
+    from aseme_dsl.build.build import Choice, build
+    from aseme_dsl.build.configuration import find_configuration
+    from aseme_dsl.build.play import load
+    from aseme_dsl.field.match import Match
+    from aseme_dsl.field.referee import Rules
+    from aseme_dsl.runtime.loading import activities_in
+    from aseme_dsl.runtime.team import Team, make_team
+
+    process = psutil.Process()
+    samples: list[Sample] = []
+    every = duration // SAMPLES
+    with tempfile.TemporaryDirectory() as folder:
+        build(compile(EXAMPLE / "kouretes.aseme"), Path(folder), Choice(("monas",)))
+        configuration, _ = find_configuration(EXAMPLE)
+        loaded = load(Path(folder), "Kouretes", configuration)
+        due = every
+
+        def watch(team: Team) -> str | None:
+            nonlocal due
+            now = team.driver.clock.now()
+            if now >= due:
+                due += every
+                gc.collect()
+                samples.append(look(process, now / SECOND, len(gc.get_objects())))
+                if len(samples) % 5 == 0:
+                    last = samples[-1]
+                    print(
+                        f"{now // MINUTE:4} min  {last.memory / 1e6:7.1f} MB  {last.objects:8} objects  "
+                        f"{last.threads} threads  {last.handles} handles  CPU {time.process_time():.0f} s",
+                        flush=True,
+                    )
+            return None
+
+        team = make_team(
+            loaded,
+            activities_in(EXAMPLE / "activities"),
+            seed=11,
+            world=Match(11, home=world.OURS, rules=Rules(half_ns=duration, halves=1)),
+            until=duration,
+            stop=watch,
+            trace=trace,
+        )
+        result = team.run()
+        print(f"{result.reason}, {time.process_time():.0f} s of CPU", flush=True)
+    return samples
+
+
+def virtual(hours: float) -> bool:
+    """The long match; its trace, some gigabytes an hour, goes nowhere."""
+    with tempfile.TemporaryDirectory() as folder:
+        trace = Path(folder) / "trace.jsonl"
+        Path(f"{trace}.part").symlink_to("/dev/null")
+        return judged("one process", played(int(hours * 60 * MINUTE), trace))
+
+
+def main() -> int:
+    """Run what was asked for; the exit code."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("hours", nargs="?", type=float, default=2.0, help="of virtual time")
+    options: Any = parser.parse_args()
+    return 0 if virtual(options.hours) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
