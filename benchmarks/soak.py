@@ -1,10 +1,10 @@
 """Does a long match stay flat? `python benchmarks/soak.py [HOURS]`, `… --real MINUTES [--processes]`.
 
-In virtual time, the example team plays one match of HOURS (2) with a trace. Sampled: memory, Python's objects,
-threads, file handles. After the warm-up, a quarter of the match, none may grow: memory and objects by less than
-1 %, the others not at all. With `--real`, `asemec run --real` plays for MINUTES in a process of its own
-(`--processes`: in one for each robot), is watched from outside, and is stopped with SIGINT and, in another run
-of ten seconds, with SIGTERM: it has ended well within two seconds. Exit code 1 if anything is otherwise.
+In virtual time, the example team plays one match of HOURS (2) with a trace. Sampled: memory, Python's
+objects, threads, file handles. After the warm-up, a quarter of the match, memory and objects may grow by 1 %,
+threads and handles not at all. With `--real`, `asemec run --real` plays for MINUTES in a process of its own
+(`--processes`: in one for each robot), is watched from outside, and is stopped with SIGINT and, in another
+run, with SIGTERM: within two seconds it has ended, and its trace is whole. Exit code 1 if not so.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ MOST = 0.01
 
 @dataclass(frozen=True)
 class Sample:
-    """What a process has at a moment (in s since the run began); objects are 0 where they cannot be counted."""
+    """What a process has at a moment (s since the run began); objects are 0 where nobody counts them."""
 
     moment: float
     memory: int

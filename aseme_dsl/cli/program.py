@@ -31,6 +31,7 @@ COMMANDS = (
     "status",
     "select",
     "swap",
+    "trace",
     "scaffold",
     "import",
     "doctor",

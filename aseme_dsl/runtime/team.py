@@ -27,6 +27,7 @@ from aseme_dsl.runtime.real_time import RealTime
 from aseme_dsl.runtime.scripted import Scripted
 from aseme_dsl.runtime.swap import WITHIN, Swap, Version, activity_errors, plan_record, version_of
 from aseme_dsl.runtime.trace import Listener, Trace
+from aseme_dsl.runtime.trace_files import TraceError
 from aseme_dsl.runtime.transport import LOCAL, Peer, Transport, TransportError
 from aseme_dsl.runtime.virtual import VirtualDriver
 from aseme_dsl.runtime.wire import Schema
@@ -167,8 +168,12 @@ class Team:
         ]
         if with_radio and schema is None:
             raise TeamError(f"{with_radio[0]} has a radio, but the messages have no schema for it")
-        self.trace = Trace(trace, listeners)
+        try:
+            self.trace = Trace(trace, listeners, background=clock == "real")
+        except TraceError as problem:
+            raise TeamError(str(problem)) from problem
         self.driver = self._driver(clock, real_time, origin)
+        self.trace.now = self.driver.clock.now
         self.transport = transport
         self.bus = Bus(self.driver, self.trace, state_directory, transport)
         self.conversations = Conversations(self.driver, self.trace, transport)
@@ -430,7 +435,8 @@ class Team:
         self._has_run = True
         driver = self.driver
         plans = {agent.name: agent.plan for agent in self.agents}
-        self.trace.header(self.system, plans, self.seed, driver.clock.virtual, self.elsewhere)
+        schema = self.version.schema
+        self.trace.header(self.system, plans, self.seed, driver.clock.virtual, self.elsewhere, schema)
         try:
             with importing(self._path), _interruptible(driver.stop):
                 try:

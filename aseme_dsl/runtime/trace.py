@@ -4,21 +4,21 @@ The format is `schemas/trace.schema.json`. Every input has an identity (agent, s
 tells how it came to be; the line of the step that took it cites it. Under the virtual clock the same seed
 gives the same bytes.
 
-A trace has its own name only when it is complete: until then it is `NAME.part`, so that an earlier trace of
-that name is not lost to a full disk or a broken run.
+In real time a thread of its own writes them, so that no step waits for a disk. If the disk is so slow that
+`trace_files.MOST_LINES` wait for it, further lines are dropped until half of them are written; a line `gap`
+stands where they would, and says how many they were.
 """
 
 from __future__ import annotations
 
-import contextlib
 import json
-import os
 import threading
 import time
 from collections.abc import Callable, Iterable, Mapping
+from datetime import datetime
 from functools import cache
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any
 
 from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.inputs import (
@@ -32,6 +32,8 @@ from aseme_dsl.runtime.inputs import (
     Start,
 )
 from aseme_dsl.runtime.plan import Plan
+from aseme_dsl.runtime.trace_files import Background, Direct, Output, format_for, part_of, reason_of
+from aseme_dsl.runtime.wire import Schema
 
 FORMAT = 1
 """The version of the format."""
@@ -45,8 +47,9 @@ _encode = json.JSONEncoder(ensure_ascii=False, separators=(",", ":"), allow_nan=
 _text = cache(_encode)
 _NUMBERS = frozenset({"sequence"})
 """Members of the line of an activity that are always whole numbers."""
-_FLUSH_SECONDS = 1.0
-"""A trace of the real clock is on disk after this time at the latest."""
+_TOO_SLOW = "the disk is slower than the run"
+_MOST_REMARKS = 1000
+"""After so many different ones it is forgotten which were told: some texts are different for ever."""
 
 
 def schema() -> dict[str, Any]:
@@ -62,28 +65,38 @@ class Trace:
     A trace that cannot be written any more ends with `error`; the run goes on.
     """
 
-    def __init__(self, path: Path | None = None, listeners: Iterable[Listener] = ()) -> None:
-        """Raises OSError if there cannot be a file at `path`."""
+    def __init__(
+        self, path: Path | None = None, listeners: Iterable[Listener] = (), *, background: bool = False
+    ) -> None:
+        """`background`: a thread writes the file, as real time needs it.
+
+        Raises:
+            OSError: there cannot be a file at `path`.
+            TraceError: a file of that kind needs a package that is not installed.
+        """
         self.path = path
         self.error: str | None = None
+        self.now: Callable[[], int] = _no_time
+        """The time of the run, for what the trace has to say itself."""
         self._listeners = tuple(listeners)
         self._listening: dict[tuple[str, str | None], tuple[Listener, ...]] = {}
-        self._ways: dict[tuple[int, tuple[int, ...]], str] = {}
+        self._ways: dict[tuple[str, str, tuple[int, ...]], str] = {}
         self._remarks: set[str] = set()
         self._lock = threading.Lock()
-        self._file: TextIO | None = None
-        self._flushed = time.monotonic()
+        self._output: Output | None = None
+        self._dropped = 0
+        self._has_gaps = False
         if path is not None:
-            self._part = path.with_name(path.name + ".part")
-            # A text may hold half a surrogate pair; written with a backslash it is JSON's own escape.
-            self._file = self._part.open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
-        self.active = self._file is not None or bool(self._listeners)
+            self._part = part_of(path)
+            file = format_for(path, self._part)
+            self._output = Background(file, self._give_up) if background else Direct(file)
+        self.active = self._output is not None or bool(self._listeners)
         """Whether anybody reads what is written: who has a costly line to write asks first."""
 
     def write(self, kind: str, moment: int, **members: Any) -> None:
         """Write a line. Members that are None or empty tuples are left out."""
         listening = self._who_wants(kind, members.get("what"))
-        if self._file is None and not listening:
+        if self._output is None and not listening:
             return
         record: Record = {"kind": kind, "time": moment}
         for name, value in members.items():
@@ -92,8 +105,7 @@ class Trace:
         with self._lock:
             for listener in listening:
                 listener(record)
-            if self._file is not None:
-                self._put(self._file, _encode(record))
+            self._put(_encode(record) if self._output is not None else "", last=kind == "finish")
 
     def _who_wants(self, kind: str, what: str | None = None) -> tuple[Listener, ...]:
         """The listeners that are shown such a line."""
@@ -105,46 +117,66 @@ class Trace:
 
     def _is_only_written(self, kind: str, what: str | None = None) -> bool:
         """Whether such a line goes nowhere but into the file: then it may be put together by hand."""
-        return self._file is not None and not self._who_wants(kind, what)
+        return self._output is not None and not self._who_wants(kind, what)
 
     def _put_line(self, line: str) -> None:
         with self._lock:
-            if self._file is not None:
-                self._put(self._file, line)
+            self._put(line)
 
-    def _put(self, file: TextIO, line: str) -> None:
+    def _put(self, line: str, last: bool = False) -> None:
+        output = self._output
+        if output is None:
+            return
+        has_room = last or output.has_room(self._dropped > 0)
+        if not has_room:
+            self._dropped += 1
+            if not self._has_gaps:
+                self._has_gaps = True
+                self._tell(f"the trace has gaps: {_TOO_SLOW}")
+            return
         try:
-            file.write(line + "\n")
-            if time.monotonic() - self._flushed > _FLUSH_SECONDS:
-                file.flush()
-                self._flushed = time.monotonic()
+            if self._dropped:
+                gap = {"kind": "gap", "time": self.now(), "lines": self._dropped, "reason": _TOO_SLOW}
+                self._dropped = 0
+                output.put(_encode(gap))
+            output.put(line)
         except (OSError, ValueError) as error:
-            self._give_up(error)
+            self._end(error)
 
     def close(self) -> None:
         """Put everything on disk, under the trace's own name."""
         with self._lock:
-            file, self._file = self._file, None
+            output, self._output = self._output, None
             self.active = bool(self._listeners)
-            if file is None or self.path is None:
-                return
-            try:
-                file.flush()
-                os.fsync(file.fileno())
-                file.close()
-                self._part.replace(self.path)
-            except OSError as error:
-                self._file = file
-                self._give_up(error)
+        if output is None or self.path is None:
+            return
+        try:
+            output.close()
+            self._part.replace(self.path)
+        except (OSError, ValueError) as error:
+            with self._lock:
+                self._output = output
+                self._end(error)
 
     def _give_up(self, error: Exception) -> None:
-        file, self._file = self._file, None
+        with self._lock:
+            self._end(error)
+
+    def _end(self, error: Exception) -> None:
+        """Nothing can be written any more: say so to who listens, once."""
+        output, self._output = self._output, None
         self.active = bool(self._listeners)
-        reason = getattr(error, "strerror", None) or str(error)
-        self.error = f"the trace {self.path} ends early: {reason}; what was written is in {self._part.name}"
-        if file is not None:
-            with contextlib.suppress(OSError):  # the disk is still full; that is already noted
-                file.close()
+        if output is None:
+            return
+        output.abandon()
+        where = f"what was written is in {self._part.name}"
+        self.error = f"the trace {self.path} ends early: {reason_of(error)}; {where}"
+        self._tell(self.error)
+
+    def _tell(self, reason: str) -> None:
+        """Tell those who listen, at once, what has become of the trace."""
+        for listener in self._who_wants("fault"):
+            listener({"kind": "fault", "time": self.now(), "agent": "", "reason": reason})
 
     # ---- the lines ---------------------------------------------------------------------------
 
@@ -155,8 +187,17 @@ class Trace:
         seed: int,
         virtual: bool,
         elsewhere: Iterable[str] = (),
+        schema: Schema | None = None,
     ) -> None:
-        """The first line: which agents run which models, under which clock, and who runs elsewhere."""
+        """The first line: which agents run which models, under which clock, and who runs elsewhere.
+
+        With `schema`, it also says what the messages are.
+        """
+        messages = None
+        if schema is not None:
+            channels = {channel: schema.classes[kind] for channel, kind in schema.channels.items()}
+            messages = {"descriptors": schema.descriptors, "channels": channels}
+        start = datetime.fromtimestamp(time.time() - self.now() / 1e9).astimezone()
         self.write(
             "header",
             0,
@@ -164,12 +205,13 @@ class Trace:
             system=system,
             seed=seed,
             clock="virtual" if virtual else "real",
-            start=None if virtual else time.strftime("%Y-%m-%dT%H:%M:%S%z"),
+            start=None if virtual else start.isoformat(timespec="microseconds"),
             agents=[
                 {"name": name, "role": plan.name, "model": plan.model, "source": plan.source}
                 for name, plan in plans.items()
             ],
             elsewhere=list(elsewhere) or None,
+            messages=messages,
         )
 
     def message(
@@ -281,9 +323,10 @@ class Trace:
 
     def _way_text(self, plan: Plan, numbers: tuple[int, ...]) -> str:
         """`_way` as it is written; it is the same each time."""
-        found = self._ways.get((id(plan), numbers))
+        key = (plan.name, plan.model, numbers)
+        found = self._ways.get(key)
         if found is None:
-            found = self._ways[id(plan), numbers] = _encode(_way(plan, numbers))
+            found = self._ways[key] = _encode(_way(plan, numbers))
         return found
 
     def activity(self, what: str, moment: int, agent: str, effect: Start | Cancel, **members: Any) -> None:
@@ -313,6 +356,8 @@ class Trace:
         """A fault that is the same for every agent: it is told once in a run."""
         with self._lock:
             known = reason in self._remarks
+            if len(self._remarks) >= _MOST_REMARKS:
+                self._remarks.clear()
             self._remarks.add(reason)
         if not known:
             self.fault(moment, agent, reason, **members)
@@ -324,6 +369,10 @@ class Trace:
     def failure(self, moment: int, agent: str, reason: str, at: str = "", **members: Any) -> None:
         """The agent stops."""
         self.write("error", moment, agent=agent, reason=reason, at=at or None, **members)
+
+
+def _no_time() -> int:
+    return 0
 
 
 def _always(kind: str, what: str | None) -> bool:

@@ -1,0 +1,257 @@
+"""`asemec trace`: what happened in a run."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from aseme_dsl.cli.shared import FilePath, json_option, plural, print_json
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
+    from aseme_dsl.build.traces import Filter
+    from aseme_dsl.runtime.trace_reading import TraceReader
+
+_NANOSECONDS = 1e9
+
+
+def _moment(context: click.Context, parameter: click.Parameter, value: str | None) -> int | None:
+    from aseme_dsl.build.duration import duration
+
+    try:
+        return None if value is None else duration(value)
+    except ValueError as problem:
+        raise click.BadParameter(f"{problem}.") from problem
+
+
+def _kinds(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    from click.shell_completion import CompletionItem
+
+    from aseme_dsl.build.traces import kinds
+
+    found = kinds().items()
+    return [CompletionItem(kind, help=text) for kind, text in found if kind.startswith(incomplete)]
+
+
+def _known_kinds(
+    context: click.Context, parameter: click.Parameter, values: tuple[str, ...]
+) -> tuple[str, ...]:
+    from aseme_dsl.build.traces import kinds
+    from aseme_dsl.diagnostics import closest
+
+    for value in values:
+        if value not in kinds():
+            near = closest(value, kinds())
+            hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(kinds())}."
+            raise click.BadParameter(f"there is no kind of line {value!r}. {hint}")
+    return values
+
+
+@click.command(
+    short_help="Say what happened in a run.",
+    help="Sum up the traces of runs, list their lines, or write them into another file. FILE is a trace as"
+    " JSON lines or MCAP, also one that a killed run has left (FILE.part). The filters go together: a line is"
+    " taken that all let through; of several of one kind, any.",
+    epilog="Example: asemec trace out/trace.jsonl --lines --agent robot1 --from 12.5s --to 14s",
+)
+@click.argument("files", nargs=-1, required=True, metavar="FILE...", type=FilePath(path_type=Path))
+@click.option("--lines", is_flag=True, help="List the lines rather than sum them up.")
+@click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only what is about this agent.")
+@click.option(
+    "--kind",
+    "kinds",
+    multiple=True,
+    metavar="KIND",
+    callback=_known_kinds,
+    shell_complete=_kinds,
+    help="Only lines of this kind: step, activity, message, fault, ...",
+)
+@click.option(
+    "--channel",
+    "channels",
+    multiple=True,
+    metavar="CHANNEL",
+    help="Only this channel, or these: 'vision.*'.",
+)
+@click.option(
+    "--state",
+    "states",
+    multiple=True,
+    metavar="STATE",
+    help="Only this state: a label, or an activity.",
+)
+@click.option("--from", "since", metavar="TIME", callback=_moment, help="Only from this time on: 12.5s.")
+@click.option("--to", "until", metavar="TIME", callback=_moment, help="Only up to this time.")
+@click.option(
+    "-o",
+    "--output",
+    type=FilePath(path_type=Path),
+    metavar="FILE",
+    help="Write the lines into this file: MCAP if it is called .mcap, else JSON lines.",
+)
+@json_option
+def command(
+    files: tuple[Path, ...],
+    lines: bool,
+    agents: tuple[str, ...],
+    kinds: tuple[str, ...],
+    channels: tuple[str, ...],
+    states: tuple[str, ...],
+    since: int | None,
+    until: int | None,
+    output: Path | None,
+    as_json: bool,
+) -> int:
+    """Sum up, list or convert; 1 if a file cannot be read or written, or is not whole."""
+    from aseme_dsl.build.traces import Filter
+    from aseme_dsl.runtime.trace_files import TraceError
+    from aseme_dsl.runtime.trace_reading import TraceReader
+
+    if output is not None and len(files) > 1:
+        raise click.UsageError("-o writes one trace: name one FILE.")
+    if output is not None and lines:
+        raise click.UsageError("-o writes the lines into a file, --lines shows them: choose one.")
+    wanted = Filter(agents, kinds, channels, states, since, until)
+    sums: list[dict[str, Any]] = []
+    code = 0
+    for number, path in enumerate(files):
+        try:
+            reader = TraceReader(path)
+            if output is not None:
+                code = max(code, _convert(reader, wanted, output, as_json))
+                continue
+            if lines:
+                _list(reader, wanted, as_json)
+            else:
+                sums.append(_sum(reader, wanted))
+                if not as_json:
+                    click.echo("\n".join(_shown(sums[-1], blank_before=number > 0)))
+        except TraceError as problem:
+            click.echo(f"asemec: {problem}", err=True)
+            code = 1
+            continue
+        if reader.problem is not None:
+            click.echo(f"asemec: {reader.problem}", err=True)
+            code = 1
+    if as_json and not lines and output is None:
+        print_json({"traces": sums})
+    return code
+
+
+def _convert(reader: TraceReader, wanted: Filter, output: Path, as_json: bool) -> int:
+    from aseme_dsl.build.traces import convert
+
+    number = convert(reader, wanted, output)
+    if reader.problem is not None:
+        click.echo(f"asemec: {reader.problem}", err=True)
+    if as_json:
+        print_json({"file": str(output), "lines": number, "problem": reader.problem})
+    else:
+        click.echo(f"{output}: {plural(number, 'line')}")
+    return int(reader.problem is not None)
+
+
+def _list(reader: TraceReader, wanted: Filter, as_json: bool) -> None:
+    """The lines: as they are, or a table."""
+    from aseme_dsl.build.traces import told
+
+    width = 5
+    for line in reader:
+        record = line.record
+        if line.number == 1:
+            width = max([width, *(len(agent["name"]) for agent in record["agents"])])
+        if not wanted.wants(record):
+            continue
+        if as_json:
+            sys.stdout.write(f"{line.text}\n")
+        else:
+            moment = record["time"] / _NANOSECONDS
+            text = f"{moment:13.6f}  {record.get('agent', ''):<{width}}  {record['kind']:<12}  {told(record)}"
+            sys.stdout.write(f"{text}\n")
+
+
+def _sum(reader: TraceReader, wanted: Filter) -> dict[str, Any]:
+    from aseme_dsl.build.traces import Summary
+
+    summary = Summary()
+    for line in reader:
+        if line.number == 1:
+            summary.begin(line.record, wanted)
+        if wanted.wants(line.record):
+            summary.add(line.record)
+    return {"file": str(reader.path), "problem": reader.problem, **summary.result()}
+
+
+def _shown(result: dict[str, Any], blank_before: bool) -> Iterator[str]:
+    if blank_before:
+        yield ""
+    clock = f"began {result['start']}" if result["start"] else "virtual time"
+    yield f"{result['file']}: {result['system']}, seed {result['seed']}, {clock}"
+    span = f"{_seconds(result['from'])} to {_seconds(result['to'])}, {plural(result['lines'], 'line')}"
+    yield f"{span}{f', ended: {reason}' if (reason := result['reason']) else ''}"
+    if result["missing"]:
+        yield f"{plural(result['missing'], 'line')} missing: the disk was slower than the run"
+    yield from _table(
+        ("agent", "role", "steps", "activities", "crashes", "faults", "stopped by"),
+        [
+            (a["name"], a["role"], a["steps"], a["activities"], a["crashes"], a["faults"], a["error"] or "")
+            for a in result["agents"]
+        ],
+    )
+    span_ns = max(1, result["to"] - result["from"])
+    yield from _table(
+        ("agent", "state", "label", "times", "time", "share"),
+        [
+            (
+                agent["name"],
+                state["name"],
+                state["label"],
+                state["times"],
+                _seconds(state["lasted"]),
+                f"{state['lasted'] / span_ns:.0%}",
+            )
+            for agent in result["agents"]
+            for state in agent["states"]
+        ],
+    )
+    yield from _table(
+        ("channel", "messages", "from"),
+        [
+            (item["channel"], item["messages"], ", ".join(f"{who} {n}" for who, n in item["from"].items()))
+            for item in result["channels"]
+        ],
+    )
+    yield from _table(
+        ("protocol", "opened", "joined", "left", "messages"),
+        [(p["protocol"], p["open"], p["join"], p["leave"], p["messages"]) for p in result["protocols"]],
+    )
+    yield from _table(("times", "fault"), [(item["times"], item["reason"]) for item in result["faults"]])
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[Any]]) -> Iterator[str]:
+    """A table with its head, after a blank line; nothing, if it has no rows. Numbers stand right."""
+    if not rows:
+        return
+    yield ""
+    texts = [[str(cell) for cell in row] for row in rows]
+    widths = [max(len(row[column]) for row in [list(head), *texts]) for column in range(len(head))]
+    right = [_is_number(rows[0][column]) for column in range(len(head))]
+    for row in [list(head), *texts]:
+        cells = [
+            cell.rjust(width) if is_right else cell.ljust(width)
+            for cell, width, is_right in zip(row, widths, right, strict=True)
+        ]
+        yield "  ".join(cells).rstrip()
+
+
+def _is_number(cell: Any) -> bool:
+    return isinstance(cell, int) or (isinstance(cell, str) and cell[:1].isdigit() and cell[-1:] in "s%")
+
+
+def _seconds(moment: int) -> str:
+    return f"{moment / _NANOSECONDS:.3f} s"
