@@ -89,6 +89,8 @@ class Agent:
         self.recent: deque[tuple[int, ...]] = deque(maxlen=8)
         """The transitions taken last, for messages about what does not end."""
         self.stopped = False
+        self.down = False
+        """Whether it has crashed and not started again (in a simulation with faults)."""
         self.failed_at = ""
         """The place in the source where the agent failed."""
         self._sequence = itertools.count(1)
@@ -179,6 +181,9 @@ class Agent:
         self._inputs = None
         if self.intake.left_out:
             self._tell_of_crowd()
+        if self.down:
+            self._lose(inputs)
+            return
         if self.over or not (inputs or self._wanted):
             return
         self._wanted = False
@@ -363,6 +368,27 @@ class Agent:
         if self._inputs is not None:  # it chose this itself, in a message that came with others
             self._inputs[:] = [item for item in self._inputs if _is_for_any_plan(item)]
         self.begin()
+
+    def crash(self) -> None:
+        """Stop dead, as a robot does that is switched off; what it knew is gone. Between two steps."""
+        if not self.over:
+            self.begin_as(type(self.chart)(self.name), self.executions.find, self.messages)
+            self.down = True
+
+    def restart(self) -> None:
+        """Start afresh after a crash."""
+        if self.down:
+            self.down = False
+            self.begin()
+
+    def _lose(self, inputs: Iterable[Posted]) -> None:
+        """What comes for an agent that is down is lost."""
+        for item in inputs:
+            if isinstance(item.input, Arrived | Mail):
+                name = item.input.channel if isinstance(item.input, Arrived) else item.input.message
+                text = f"{name} from {item.input.sender} is lost: {self.name} is down"
+                now = self.driver.clock.now()
+                self.trace.fault(now, self.name, text, input=list(item.identity))
 
     def _adopt(self, chart: Chart) -> None:
         self.chart = chart

@@ -20,7 +20,7 @@ published is told in the trace.
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -36,6 +36,7 @@ from aseme_dsl.runtime.transport.port import LOCAL, Transport
 if TYPE_CHECKING:
     from aseme_dsl.runtime.agent import Agent
     from aseme_dsl.runtime.driver import Driver
+    from aseme_dsl.runtime.faults import Links
     from aseme_dsl.runtime.radio import Radio
 
 
@@ -91,6 +92,8 @@ class Bus:
         self._held: dict[tuple[str, str, str | None], _Held] = {}
         self._given = 0
         self._lock = threading.RLock()
+        self.links: Links | None = None
+        """The simulated links between the agents, if they are not perfect."""
         self._kept = Kept(state_directory) if state_directory is not None else None
 
     def join(self, agent: Agent, radio: Radio | None = None) -> None:
@@ -242,7 +245,13 @@ class Bus:
         if region is not None:
             own = Arrived(item.channel, item.message, item.sender, item.time, item.identity, region)
         for other in receivers:
-            other.post(item.identity, own if other is agent else item)
+            if self.links is None or agent is None or other is agent:
+                other.post(item.identity, own if other is agent else item)
+            else:
+                comm = item.channel.split(".", 2)[1]
+                self.links.carry(
+                    agent.name, other.name, comm, item.channel, item.identity, _giving(other, item)
+                )
 
     # ---- routes ------------------------------------------------------------------------------
 
@@ -408,6 +417,10 @@ class Bus:
                 reason=reason,
                 until=until,
             )
+
+
+def _giving(agent: Agent, item: Arrived) -> Callable[[], None]:
+    return lambda: agent.post(item.identity, item)
 
 
 def _reads(plan: Plan) -> dict[str, frozenset[str | None]]:

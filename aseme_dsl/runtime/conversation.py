@@ -26,6 +26,7 @@ from aseme_dsl.runtime.transport.port import LOCAL, Transport
 if TYPE_CHECKING:
     from aseme_dsl.runtime.agent import Agent
     from aseme_dsl.runtime.driver import Driver
+    from aseme_dsl.runtime.faults import Links
 
 PERFORMATIVES = (
     "accept_proposal",
@@ -117,6 +118,8 @@ class Conversations:
         """Of everybody, also of agents in other processes, in the team's order."""
         self._over: dict[str, set[tuple[str, str]]] = {}
         """Who has left the conversations that are forgotten here but may go on elsewhere, the newest last."""
+        self.links: Links | None = None
+        """The simulated links between the agents, if they are not perfect."""
         self._branches: dict[str, dict[str, _Branch]] = {}
         self._queues: dict[str, list[tuple[AclMessage, BranchInfo]]] = {}
         self._conversations: dict[str, _Conversation] = {}
@@ -180,7 +183,13 @@ class Conversations:
     def _bring(self, name: str, acl: AclMessage) -> None:
         """Deliver a message to an agent here, or have it carried to one elsewhere."""
         if name in self._agents:
-            self._deliver(self._agents[name], acl)
+            if self.links is None or name == acl.sender:
+                self._deliver(self._agents[name], acl)
+            else:
+                agent = self._agents[name]
+                self.links.carry(
+                    acl.sender, name, "mail", acl.message, acl.identity, lambda: self._deliver(agent, acl)
+                )
             return
         conversation = self._conversations.get(acl.conversation)
         self._transport.carry(acl, name, conversation.members if conversation is not None else {})

@@ -328,6 +328,11 @@ class Executions:
         nodes = (*self._nodes.values(), *self._former)
         return [node.current for node in nodes if node.current is not None]
 
+    @property
+    def find(self) -> ActivityFinder:
+        """Where the code of activities is found."""
+        return self._find
+
     # ---- another plan ------------------------------------------------------------------------
 
     def carry(self, labels: Mapping[str, str], find: ActivityFinder) -> None:

@@ -19,6 +19,7 @@ from aseme_dsl.runtime.carry import knowledge_of, variables_of
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.clock import shown
 from aseme_dsl.runtime.conversation import Conversations
+from aseme_dsl.runtime.faults import Faults, Links
 from aseme_dsl.runtime.loading import Loaded, importing, put_in_place, standing_in
 from aseme_dsl.runtime.plan import Plan
 from aseme_dsl.runtime.radio import Radio
@@ -100,6 +101,7 @@ class Team:
         real_time: RealTime | None = None,
         version: Version | None = None,
         carried: Callable[[], Sequence[Version]] = tuple,
+        faults: Faults | None = None,
     ) -> None:
         """Put the agents, given with their charts in the team's order, on a bus.
 
@@ -110,7 +112,8 @@ class Team:
         is what a run with the real clock asks of the machine.
 
         `version` is the system that the agents are of, with all its plans; `carried` gives, when somebody
-        asks for a plan of another system, what the robots carry besides.
+        asks for a plan of another system, what the robots carry besides. `faults` is what goes wrong between
+        the agents in virtual time.
 
         `here` names the agents that run in this process, if not all do; the others run elsewhere, and
         `transport` carries messages to them. `origin` is when the run began, in ns of the machine's monotonic
@@ -209,6 +212,8 @@ class Team:
             self.conversations.join(agent)
             agent.chosen = self._chosen
         self.driver.bring(self.agents)
+        if faults is not None:
+            self._make_faulty(faults)
 
     # ---- making ------------------------------------------------------------------------------
 
@@ -240,6 +245,15 @@ class Team:
                 known = ", ".join(sorted(read)) or "none"
                 raise TeamError(f"nobody in the team reads {item.channel}; there are {known}")
         return script
+
+    def _make_faulty(self, faults: Faults) -> None:
+        if not self.driver.clock.virtual:
+            raise TeamError("faults are simulated in virtual time; a real link has its own")
+        self.bus.links = self.conversations.links = Links(faults, self.driver, self.trace)
+        for crash in faults.crashes:
+            agent = self.agent(crash.agent)
+            self.driver.at(crash.at, agent.crash)
+            self.driver.at(crash.at + crash.down, agent.restart)
 
     # ---- other plans -------------------------------------------------------------------------
 
