@@ -1,16 +1,20 @@
-"""Does a long match stay flat? `python benchmarks/soak.py [HOURS]`, `… --real MINUTES [--processes]`.
+"""Does a long match stay flat? `python benchmarks/soak.py [HOURS]`, or `… --real MINUTES`.
 
 In virtual time, the example team plays one match of HOURS (2) with a trace. Sampled: memory, Python's
 objects, threads, file handles. After the warm-up, a quarter of the match, memory and objects may grow by 1 %,
-threads and handles not at all. With `--real`, `asemec run --real` plays for MINUTES in a process of its own
-(`--processes`: in one for each robot), is watched from outside, and is stopped with SIGINT and, in another
-run, with SIGTERM: within two seconds it has ended, and its trace is whole. Exit code 1 if not so.
+threads and handles not at all. With `--real`, `asemec run --real` plays for MINUTES in a process of its own,
+is watched from outside, and is stopped with SIGINT and, in another run, with SIGTERM: within two seconds it
+has ended, and its trace is whole. Exit code 1 if not so. (`real_match.py` does it with a process a robot.)
 """
 
 from __future__ import annotations
 
 import argparse
 import gc
+import os
+import shutil
+import signal
+import subprocess
 import sys
 import tempfile
 import time
@@ -32,6 +36,8 @@ WARM_UP = 0.25
 """This share of a run is warm-up."""
 MOST = 0.01
 """Memory and objects may grow by this share after that."""
+MOST_SECONDS = 2.0
+"""So long may the end of a real match take."""
 
 
 @dataclass(frozen=True)
@@ -99,6 +105,15 @@ def played(duration: int, trace: Path | None) -> list[Sample]:
     from aseme_dsl.runtime.loading import activities_in
     from aseme_dsl.runtime.team import Team, make_team
 
+    class Endless(Match):
+        """A match that forgets: what the referee notes and the way of the ball grow with every match."""
+
+        def advance(self, until_ns: int) -> None:
+            super().advance(until_ns)
+            del self._referee.events[:-100]
+            while len(self._trail) > 600:
+                self._trail.popleft()
+
     process = psutil.Process()
     samples: list[Sample] = []
     every = duration // SAMPLES
@@ -128,7 +143,7 @@ def played(duration: int, trace: Path | None) -> list[Sample]:
             loaded,
             activities_in(EXAMPLE / "activities"),
             seed=11,
-            world=Match(11, home=world.OURS, rules=Rules(half_ns=duration, halves=1)),
+            world=Endless(11, home=world.OURS, rules=Rules(half_ns=duration, halves=1)),
             until=duration,
             stop=watch,
             trace=trace,
@@ -146,12 +161,64 @@ def virtual(hours: float) -> bool:
         return judged("one process", played(int(hours * 60 * MINUTE), trace))
 
 
+LONG = """
+import world
+from aseme_dsl.field.referee import SECOND, Rules
+
+world.RULES = Rules(half_ns={seconds} * SECOND, halves=1)
+make = world.make
+"""
+
+
+def real(minutes: float, number: signal.Signals) -> bool:
+    """A match in a process of its own, ended by a signal; whether it is as it should be."""
+    from aseme_dsl.runtime.trace_files import part_of
+    from aseme_dsl.runtime.trace_reading import TraceReader
+
+    with tempfile.TemporaryDirectory() as folder:
+        project = Path(folder) / "robocup"
+        shutil.copytree(EXAMPLE, project, ignore=shutil.ignore_patterns("build"))
+        (project / "long.py").write_text(LONG.format(seconds=round(minutes * 60 + 600)))
+        command = [sys.executable, "-m", "aseme_dsl", "run", str(project), "--real", "--quiet"]
+        command += ["--world", "long:make", "--for", f"{minutes + 10:g}min"]
+        environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+        with subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL) as team:
+            process = psutil.Process(team.pid)
+            trace = project / "build" / "trace.jsonl"
+            while not part_of(trace).exists() and team.poll() is None:
+                time.sleep(0.1)
+            begun = time.monotonic()
+            samples = [look(process, 0.0)]
+            while (passed := time.monotonic() - begun) < minutes * 60 and team.poll() is None:
+                time.sleep(min(5.0, minutes * 60 / SAMPLES))
+                samples.append(look(process, passed))
+            told = time.monotonic()
+            team.send_signal(number)
+            code = team.wait(60)
+            lasted = time.monotonic() - told
+        flat = minutes < 1 or judged(number.name, samples)
+        reader = TraceReader(trace)
+        lines = sum(1 for _ in reader)
+        size = reader.path.stat().st_size / 1e6
+        fine = flat and lasted < MOST_SECONDS and reader.problem is None and code == 130
+        print(
+            f"{number.name:12}ended after {lasted:.2f} s with exit code {code}, trace {size:.0f} MB, "
+            f"{lines} lines, {reader.problem or 'whole'}{'' if fine else '   WRONG'}",
+            flush=True,
+        )
+        return fine
+
+
 def main() -> int:
     """Run what was asked for; the exit code."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("hours", nargs="?", type=float, default=2.0, help="of virtual time")
+    parser.add_argument("--real", type=float, metavar="MINUTES", help="of real time, instead")
     options: Any = parser.parse_args()
-    return 0 if virtual(options.hours) else 1
+    if options.real is None:
+        return 0 if virtual(options.hours) else 1
+    fine = [real(0.2, signal.SIGTERM), real(options.real, signal.SIGINT)]
+    return 0 if all(fine) else 1
 
 
 if __name__ == "__main__":

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
 
 _ALLOW = re.compile(r"(?:#|//)\s*asemec\s*:\s*allow\s*\((?P<codes>[^()]*)\)\s*(?P<reason>.*)")
-_READS = ("read", "state", "latest", "history", "take")
+_HISTORIES = ("history", "at", "interpolated", "mean")
+_READS = ("read", "state", "latest", "age", "take", *_HISTORIES)
 _VARIABLES = ("set", "variable")
 _METHODS = (*_READS, *_VARIABLES, "publish", "raise_event")
 
@@ -311,7 +312,7 @@ def _unknown(call: _Call, activity: Activity | None, world: _World) -> Iterator[
             message = f"there is no agent `{call.host[0]}`"
             yield Diagnostic("W530", message, call.host[1], hint=f"did you mean `{near}`?" if near else None)
         return
-    if call.method == "history" and world.channels[call.name].comm is not Comm.DATA:
+    if call.method in _HISTORIES and world.channels[call.name].comm is not Comm.DATA:
         comm = world.channels[call.name].comm
         message = f"only data has a history; `{call.name}` is a {comm}"
         yield Diagnostic("W530", message, call.span)
@@ -356,7 +357,7 @@ def _missing(call: _Call, activity: Activity) -> tuple[str, str] | None:
     """The clause and the name that the description of the activity lacks."""
     if call.method in _READS:
         own = [item for item in activity.reads if str(item.channel) == call.name]
-        if call.method == "history" and own and not any(item.history for item in own):
+        if call.method in _HISTORIES and own and not any(item.history for item in own):
             return "reads", f"{call.name} for …"
         reads = own or any(item.channel is None for item in activity.reads)
         return None if reads else ("reads", call.name)

@@ -5,10 +5,9 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import reduce
-from operator import add
 from typing import Any, ClassVar
 
+from aseme_dsl.runtime import history
 from aseme_dsl.runtime.inputs import Arrived, Identity
 
 NEVER = sys.maxsize
@@ -129,22 +128,15 @@ class Board:
 
     def at(self, channel: str, host: str | None, moment: int) -> Any:
         """The message as it was at `moment`: the newest measured by then, or None."""
-        found = None
-        for item in self.history(channel, host):
-            if item.time <= moment:
-                found = item.message
-        return found
+        found = history.at(self.history(channel, host), moment)
+        return None if found is None else found.message
 
     def mean(self, channel: str, host: str | None, since: int, member: str) -> float | None:
         """The mean of a member (`pose.x`) over what was measured since then, or None.
 
         A message in which the member is absent does not count.
         """
-        path = member.split(".")
-        found = (_member(item.message, path) for item in self.history(channel, host) if item.time >= since)
-        values = [value for value in found if value is not None]
-        # `sum` adds floats differently from one version of Python to another
-        return reduce(add, values) / len(values) if values else None
+        return history.mean(self.history(channel, host), since, member)
 
     def expired(self, timer: str, now: int) -> bool:
         """Whether a timer was started and has run out."""
@@ -204,14 +196,6 @@ class Board:
         if not hosts:
             return [(None, kind())]
         return [(host, built(kind(), self.drafts.pop((channel, host)))) for host in hosts]
-
-
-def _member(message: Any, path: list[str]) -> Any:
-    for step in path:
-        if message is None:
-            return None
-        message = getattr(message, step)
-    return message
 
 
 def built(message: Any, members: Mapping[tuple[str, ...], Any]) -> Any:

@@ -6,8 +6,9 @@ import random
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeVar, overload
 
+from aseme_dsl.runtime import history
 from aseme_dsl.runtime.body import Body
-from aseme_dsl.runtime.clock import nanoseconds
+from aseme_dsl.runtime.clock import SECOND, nanoseconds
 from aseme_dsl.runtime.inputs import Arrived, Mail
 
 MessageT = TypeVar("MessageT")
@@ -90,6 +91,8 @@ class Port(Protocol):
     async def sleep(self, duration: int) -> None: ...
     def newest(self, channel: str, host: str | None) -> Arrived | None: ...
     def history(self, channel: str, host: str | None) -> tuple[Arrived, ...]: ...
+    def looks_back(self, channel: str, duration: int) -> None: ...
+    def frozen(self) -> Port: ...
     def take(self, channel: str, host: str | None) -> Arrived | None: ...
     def variable(self, name: str) -> Any: ...
     def receive(self, performative: str | None, message: str | None, sender: str | None) -> Mail | None: ...
@@ -198,9 +201,60 @@ class Context:
         """Like `state`, with the sender and the time of measurement."""
         return self._port.newest(channel, host)
 
-    def history(self, channel: str, host: str | None = None) -> tuple[Arrived, ...]:
-        """What is kept of a data channel, oldest first, with times of measurement."""
-        return self._port.history(channel, host)
+    def age(self, channel: str, *, host: str | None = None) -> float | None:
+        """How many seconds ago the newest message of a channel was measured, or None if there is none."""
+        item = self._port.newest(channel, host)
+        return None if item is None else (self._port.now() - item.time) / SECOND
+
+    def snapshot(self) -> Context:
+        """The same context, but all that is read from it is as it is at this moment: of one step.
+
+        Its time stands still, too. What is published, written or taken through it is done in the agent.
+        """
+        return Context(self._port.frozen())
+
+    # ---- histories ---------------------------------------------------------------------------
+    #
+    # Of a data channel the document says how long it is kept: `reads vision.data.Ball for 2s`. Who looks back
+    # further is told, once, in the trace. Without `host`, the messages of all senders are one history.
+
+    def history(
+        self, channel: str, host: str | None = None, *, seconds: float | None = None
+    ) -> tuple[Arrived, ...]:
+        """What is kept of a data channel, oldest first, with times of measurement; or its last seconds."""
+        if seconds is None:
+            return self._port.history(channel, host)
+        moment = self._back(channel, seconds)
+        return history.since(self._port.history(channel, host), moment)
+
+    def at(self, channel: str, seconds_ago: float, *, host: str | None = None) -> Any:
+        """The message as it was so long ago, the newest that was measured by then, or None."""
+        moment = self._back(channel, seconds_ago)
+        found = history.at(self._port.history(channel, host), moment)
+        return None if found is None else found.message
+
+    def interpolated(
+        self, channel: str, member: str, seconds_ago: float, *, host: str | None = None
+    ) -> float | None:
+        """A member (`pose.x`) so long ago, on the straight line between the measurements before and after.
+
+        None before the first and after the last measurement. Raises TypeError for what is no number.
+        """
+        moment = self._back(channel, seconds_ago)
+        return history.interpolated(self._port.history(channel, host), moment, member)
+
+    def mean(self, channel: str, member: str, seconds: float, *, host: str | None = None) -> float | None:
+        """The mean of a member (`pose.x`) over the last seconds, or None if nothing was measured in them."""
+        moment = self._back(channel, seconds)
+        return history.mean(self._port.history(channel, host), moment, member)
+
+    def _back(self, channel: str, seconds: float) -> int:
+        """The moment so long ago. Raises LookupError for what is no data channel."""
+        if channel.split(".", 2)[1:2] != ["data"]:
+            raise LookupError(f"{channel} is no data channel: only data has a history")
+        duration = nanoseconds(seconds)
+        self._port.looks_back(channel, duration)
+        return self._port.now() - duration
 
     def take(self, channel: str, host: str | None = None) -> Any:
         """The oldest waiting signal (of that sender), which is gone then, or None."""

@@ -27,6 +27,8 @@ WITHOUT_CODE = 100 * MILLISECOND
 TICK = 10 * MILLISECOND
 """How long a `step` activity sleeps that yields nothing."""
 
+_MOST_NOTED = 1000
+"""After so many different remarks it is forgotten which were told: some texts are different for ever."""
 _CANCELLATIONS = ("Cancelled", "CancelledError", "GeneratorExit")
 """How a cancelled activity may end without having failed."""
 _RUNTIME = str(Path(__file__).parent)
@@ -96,7 +98,7 @@ class Execution:
         self.branch = branch
         self.context = c.Context(self)
         self.kind = kind
-        self.cancelled = False
+        self.cancelled: bool = False
         self.has_returned = False
         self.error: BaseException | None = None
         self.opens: int | None = None
@@ -169,6 +171,22 @@ class Execution:
         agent = self.owner.agent
         with agent.driver.guard(agent):
             return self.board.history(channel, host)
+
+    def looks_back(self, channel: str, duration: int) -> None:
+        self.note_lookback(channel, duration, self.board.RETENTION.get(channel, 0))
+
+    def note_lookback(self, channel: str, duration: int, kept: int) -> None:
+        """Remark on an activity that looks back further than messages are kept."""
+        if duration > kept:
+            agent = self.owner.agent
+            text = f"activity {self.activity} looks back {shown(duration)} at {channel}"
+            text += f", of which {shown(kept)} are kept: say how long in its `reads {channel} for …`"
+            agent.trace.remark(self.now(), agent.name, text, activity=self.activity)
+
+    def frozen(self) -> c.Port:
+        from aseme_dsl.runtime.snapshot import FrozenPort
+
+        return FrozenPort(self)
 
     def take(self, channel: str, host: str | None) -> Arrived | None:
         self._declared("reads", channel)
@@ -599,6 +617,8 @@ class Executions:
         """Note, once in a run, that an activity does what it does not declare."""
         key = (execution.activity, what)
         if key not in self._noted:
+            if len(self._noted) >= _MOST_NOTED:
+                self._noted.clear()
             self._noted.add(key)
             text = f"activity {execution.activity} {what}, which it does not declare"
             now = self.agent.driver.clock.now()

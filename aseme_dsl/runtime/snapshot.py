@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.board import Board
 from aseme_dsl.runtime.body import Body
-from aseme_dsl.runtime.context import Context, Doing, matches
+from aseme_dsl.runtime.context import Context, Doing, Port, matches
 from aseme_dsl.runtime.inputs import Arrived, Identity, Mail
 
 if TYPE_CHECKING:
@@ -48,6 +48,8 @@ class Snapshot:
     """What waits; None outside a protocol's participant."""
     received: tuple[Mail, ...]
     """What was taken."""
+    kept: dict[str, int]
+    """How long each data channel is kept, in ns."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,13 +69,22 @@ class TookMail:
 
 
 @dataclass(frozen=True, slots=True)
+class LookedBack:
+    """The activity looks back further, in ns, than a channel is kept."""
+
+    channel: str
+    duration: int
+    kept: int
+
+
+@dataclass(frozen=True, slots=True)
 class Undeclared:
     """The activity does something that it does not declare."""
 
     what: str
 
 
-Told = Doing | TookSignal | TookMail | Undeclared
+Told = Doing | TookSignal | TookMail | LookedBack | Undeclared
 """What is told to the agent while the activity runs."""
 
 
@@ -140,6 +151,16 @@ class SnapshotPort:
         self._declared(channel)
         return self._snapshot.board.history(channel, host)
 
+    def looks_back(self, channel: str, duration: int) -> None:
+        kept = self._snapshot.kept.get(channel, 0)
+        if duration > kept:
+            self._tell(LookedBack(channel, duration, kept))
+
+    def frozen(self) -> Port:
+        """What it sees stands still already; now its time does, too."""
+        now = self.now()
+        return SnapshotPort(self._snapshot, self._tell, lambda: now, self._wait, self._is_cancelled)
+
     def take(self, channel: str, host: str | None) -> Arrived | None:
         self._declared(channel)
         item = self._snapshot.board.take(channel, host)
@@ -178,6 +199,34 @@ class SnapshotPort:
             self._tell(Undeclared(f"reads {channel}"))
 
 
+class FrozenPort(SnapshotPort):
+    """The port of a context that stands on a snapshot, in the process of its agent."""
+
+    def __init__(self, execution: Execution) -> None:
+        agent = execution.owner.agent
+        with agent.driver.guard(agent):
+            snapshot = snapshot_of(execution)
+        super().__init__(
+            snapshot,
+            lambda told: tell(execution, told),
+            lambda: snapshot.now,
+            execution.wait,
+            lambda: execution.cancelled,
+        )
+        self._execution = execution
+
+    @property
+    def body(self) -> Body[Any, Any]:
+        return self._execution.body
+
+    @property
+    def random(self) -> random.Random:
+        return self._execution.random
+
+    async def sleep(self, duration: int) -> None:
+        await self._execution.sleep(duration)
+
+
 def snapshot_of(execution: Execution) -> Snapshot:
     """What the activity sees now. Called while its agent is guarded."""
     agent = execution.owner.agent
@@ -201,6 +250,7 @@ def snapshot_of(execution: Execution) -> Snapshot:
         variables,
         mail,
         () if execution.branch is None else execution.received(),
+        {name: kept for name, kept in execution.board.RETENTION.items() if name in execution.info.reads},
     )
 
 
@@ -216,6 +266,8 @@ def tell(execution: Execution, told: Told) -> None:
         case TookMail(identity):
             with agent.driver.guard(agent):
                 agent.take_mail(execution, None, None, None, identity)
+        case LookedBack(channel, duration, kept):
+            execution.note_lookback(channel, duration, kept)
         case Undeclared(what):
             execution.owner.undeclared(execution, what)
         case _:

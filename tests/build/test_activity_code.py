@@ -65,6 +65,7 @@ def shown(found: list[Diagnostic]) -> list[tuple[str, str, str | None]]:
     [
         'context.read("vision.state.Ball")',
         'context.history("vision.data.Ball", host="one")',
+        'context.mean("vision.data.Ball", "x", 0.5) or context.age("vision.state.Ball")',
         'context.publish("motion.signal.Ball", ball)',
         'context.set("tired", context.variable("tired"))',
         'context.raise_event("seen")',
@@ -89,6 +90,8 @@ def test_what_is_right_or_cannot_be_known_is_not_reported(tmp_path: Path, body: 
         ('context.read(channel="vison.state.Ball")', "W530", '"vison.state.Ball"', None),
         ('context.take("motion.state.Ball")', "W530", '"motion.state.Ball"', None),
         ('context.history("vision.state.Ball")', "W530", '"vision.state.Ball"', None),
+        ('context.at("vision.state.Ball", 0.1)', "W530", '"vision.state.Ball"', None),
+        ('context.interpolated("vision.data.Bal", "x", 1)', "W530", '"vision.data.Bal"', None),
         ('context.latest("vision.state.Ball", host="on")', "W530", '"on"', "did you mean `one`?"),
         ('context.set("tird", True)', "W530", '"tird"', "did you mean `tired`?"),
         ('context.variable("x")', "W530", '"x"', "declare it: `var x : …`"),
