@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from aseme_dsl.amola.expression import Raised
 from aseme_dsl.amola.messages import Channel, Comm
 from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.build.activity_words import unknown_messages, unknown_methods
 from aseme_dsl.diagnostics import Diagnostic, Related, Suppressed, closest
 from aseme_dsl.runtime.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
@@ -54,6 +55,8 @@ def check_code(
         if module is not None:
             modules.append(module)
             found += _of_activity(module, activity, world)
+            found += unknown_methods(module.tree, module.span)
+            found += unknown_messages(module.tree, system, module.span)
     for path in sorted(folder.glob("*.py")):
         if path.name not in known:
             helper = _module(path, [])
@@ -230,6 +233,15 @@ def _of_activity(module: _Module, activity: Activity, world: _World) -> Iterator
             (Related(activity.span, "the activity"),),
             hint=f"did you mean `{wanted}`?" if near else f"write `class {wanted}:`",
         )
+    for node in classes:
+        methods = [item for item in node.body if isinstance(item, (ast.FunctionDef, ast.AsyncFunctionDef))]
+        named = [item.name for item in methods if not item.name.startswith("_")]
+        if node.name == wanted and named and not node.bases and not _defines(node, "execute"):
+            hint = f"is it `{named[0]}`?" if len(named) == 1 else "`execute` is what an activity does"
+            message = f"the class `{wanted}` has no method `execute`, so the activity does nothing"
+            yield Diagnostic(
+                "W533", message, _named(module, node), (Related(activity.span, "the activity"),), hint=hint
+            )
     undeclared: dict[tuple[str, str], _Call] = {}
     for call in _calls(module):
         problems = list(_unknown(call, activity, world))
@@ -253,6 +265,14 @@ def _of_activity(module: _Module, activity: Activity, world: _World) -> Iterator
 
 def _is_described(activity: Activity) -> bool:
     return bool(activity.reads or activity.writes or activity.writes_variables or activity.uses)
+
+
+def _defines(node: ast.ClassDef, name: str) -> bool:
+    """Whether the body of a class gives `name` a meaning, by whatever statement."""
+    return any(
+        getattr(item, "name", None) == name or (isinstance(item, ast.Name) and item.id == name)
+        for item in ast.walk(node)
+    )
 
 
 def _named(module: _Module, node: ast.ClassDef) -> Span:

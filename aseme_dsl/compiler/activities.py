@@ -64,6 +64,8 @@ def _read(checker: Checker, written: tree.ActivityRead) -> Subscription | None:
                 if symbols.message(topic.text) is not None:
                     channels = symbols.channels_of(topic.text)
                     hint = f"it is a message: `{channels[0]}`" if channels else "it is a message"
+                elif topic.text in checker.scope.variables or topic.text in checker.scope.lets:
+                    hint = "it is a variable, and `reads` is about messages: leave it out"
                 checker.diagnostics.append(unknown("E502", "there is no topic", topic, pool, certain=hint))
             return None
         if history is not None:

@@ -124,6 +124,12 @@ def _no_overload(
         checker.report("E504", problem, written.span, hint, related)
         return
     if len(fits) == 1:
+        order = _order(fits[0], arguments)
+        if order is not None:
+            meant = f"{name}({', '.join(arguments[index].span.text for index in order)})"
+            problem = f"the arguments of `{name}` are in another order"
+            checker.report("E504", problem, written.span, f"write `{meant}`", related)
+            return
         for (parameter, kind), argument in zip(fits[0].parameters, arguments, strict=True):
             if _cost(replace(fits[0], parameters=((parameter, kind),)), [argument]) is None:
                 problem = f"`{name}` wants {a(kind)} as `{parameter}`, not {a(argument.type)}"
@@ -131,6 +137,15 @@ def _no_overload(
         return
     given = ", ".join(str(argument.type) for argument in arguments)
     checker.report("E504", f"no `{name}` takes ({given})", written.span, hint, related)
+
+
+def _order(function: Function, arguments: Sequence[Value]) -> list[int] | None:
+    """The one order in which the arguments fit, each type being there once; None if there is none."""
+    given = [argument.type for argument in arguments]
+    kinds = [kind for _, kind in function.parameters]
+    if len({*map(str, given)}) < len(given) or {*map(str, given)} != {*map(str, kinds)}:
+        return None
+    return [given.index(kind) for kind in kinds]
 
 
 # ---- forms of the language ---------------------------------------------------------------------

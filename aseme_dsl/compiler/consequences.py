@@ -135,7 +135,10 @@ def _without_what_was_not_read(found: list[Diagnostic], broken: dict[_Line, int]
         unread.update(_WORD.findall(_around(line[0], place, line in ended)))
     unread |= {name for word in tuple(unread) for name in declared_by(word)}
     unsure = _unsure(found)
-    formulas_read = not any(item.code == "E101" for item in found)
+    formulas_read = not any(
+        item.code == "E101" or (item.code == "E100" and item.message.startswith("expected a formula"))
+        for item in found
+    )
     said: set[str] = set()
     kept = []
     for item in found:
@@ -225,8 +228,11 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     for; a participant that no formula uses (N702) may be what an activity is misspelt for (W200), and so may
     a formula that nothing uses (E302), which then says so; a formula without control (N704) may have one that
     is misspelt (E403), or stands in a role that plays the protocol (E408). The constant conditions of a loop
-    that is none (W420) always hold, or never (N712, W412).
+    that is none (W420) always hold, or never (N712, W412); with a timer that is never started (W501), they
+    overlap or leave gaps. A protocol that is misspelt where it is played (E205) is played by nobody (N702).
     """
+    unstarted = [place for item in found if item.code == "W501" for place in _places(item)]
+    unplayed = {item.fix for item in found if item.code == "E205"}
     fixed = [place for item in found if item.code == "W420" for place in _places(item)]
     unused = {item.span for item in found if item.code == "E302"}
     controls = {item.fix for item in found if item.code == "E403"}
@@ -241,11 +247,15 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
         if span is None:
             return False
         if item.code == "N702":
-            return span in misspelt
+            return span in misspelt or any(place.span.text in unplayed for place in item.related)
         if item.code == "N704":
             return any(item.message.startswith(f"`{name}` ") for name in controls)
         if item.code == "W200":
             return bool(item.related) and item.related[0].span in unused
+        if item.code in _OF_CONDITIONS and any(
+            _is_in(timer, place) for timer in unstarted for place in _places(item)
+        ):
+            return True
         if item.code in ("N712", "W412"):
             return any(_is_in(span, line) or _is_in(line, span) for line in fixed)
         if item.code in ("E405", "W403"):
@@ -256,10 +266,29 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
         place = close.get(item.span) if item.code == "E302" and item.span is not None else None
         if place is None:
             return item
+        span = item.span
+        assert span is not None
+        if _occurrences(span) > 1 and _occurrences(place) == 1:
+            return Diagnostic(
+                "E302",
+                f"`{place.text}` has no formula, and nothing uses the formula `{span.text}`",
+                place,
+                (Related(span, "the formula"),),
+                hint=f"did you mean `{span.text}`?",
+                fix=span.text,
+            )
         related = (Related(place, f"`{place.text}` has no formula"),)
         return replace(item, related=related, hint=f"did you mean `{place.text}`?", fix=place.text)
 
     return [explained(item) for item in found if not follows(item)]
+
+
+def _occurrences(span: Span) -> int:
+    """How often the word at a place stands in its file: a slip is made once."""
+    return len(re.findall(rf"\b{re.escape(span.text)}\b", _COMMENT.sub("", span.source.text)))
+
+
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
 
 def _places(item: Diagnostic) -> list[Span]:
@@ -267,6 +296,7 @@ def _places(item: Diagnostic) -> list[Span]:
     return places if item.span is None else [item.span, *places]
 
 
+_OF_CONDITIONS = ("W410", "W411", "W412", "N711", "N712", "N713")
 _ABOUT_TYPES = ("E500", "E504", "E505", "E506", "E509", "E514", "E515", "W500")
 
 

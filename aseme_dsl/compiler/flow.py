@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.expression import (
     After,
@@ -91,12 +91,20 @@ def check_timers(chart: Statechart) -> Iterator[Diagnostic]:
         for action in transition.expression.actions:
             if isinstance(action, StartTimer):
                 started.setdefault(action.timer, set()).add(chart.region_of(transition.source))
+    found: dict[tuple[str, str], Diagnostic] = {}
+    edits: tuple[Edit, ...]
     for transition in chart.transitions:
         region = chart.region_of(transition.source)
         for value in values_of(transition.expression):
             if isinstance(value, Expired) and region not in started.get(value.timer, ()):
+                first = found.get((region, value.timer))
+                if first is not None:
+                    also = (*first.related, Related(value.span, "also here"))
+                    edits = (*first.edits, *_renamed(value, first.edits[0].text)) if first.edits else ()
+                    found[region, value.timer] = replace(first, related=also, edits=edits)
+                    continue
                 hint = f"start it on the way there: / start_timer({value.timer}, 1s)"
-                edits: tuple[Edit, ...] = ()
+                edits = ()
                 if value.timer in started:
                     hint = (
                         "a timer belongs to the region that starts it; this is another one of the same role"
@@ -106,7 +114,8 @@ def check_timers(chart: Statechart) -> Iterator[Diagnostic]:
                     if near == surely(value.timer, started):
                         edits = _renamed(value, near)
                 message = f"the timer `{value.timer}` is never started here, so it never expires"
-                yield Diagnostic("W501", message, value.span, hint=hint, edits=edits)
+                found[region, value.timer] = Diagnostic("W501", message, value.span, hint=hint, edits=edits)
+    yield from found.values()
 
 
 def _renamed(value: Expired, name: str) -> tuple[Edit, ...]:
@@ -122,7 +131,8 @@ def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
     """N724 for a state that may complete and is then left by time or by a `when` only.
 
     A line with an event or `when` takes the place of the way out on completion. A message, an event or an
-    `error` is plainly meant to be waited for; a time limit or a `when` may be meant besides completion.
+    `error` is plainly meant to be waited for, and so is a `when` with a time limit beside it; one of them
+    alone may be meant besides completion.
     """
     ended = {node.parent for node in chart.nodes if node.type is NodeType.END}
     for node in chart.nodes:
@@ -133,6 +143,8 @@ def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
             continue  # there is no template whose way out was replaced
         if not ways or not all(_is_limit(item.expression) for item in ways):
             continue
+        if len({item.expression.when for item in ways}) > 1:
+            continue  # a wait with a time limit is one, whether the activity ends or not
         name, line = cut(node.name), ways[0].span.text.partition(":")[0].strip()
         hint = "if completion is meant to lead there, too, write a line without event beside this one"
         if "\n" not in line and len(line) < 60:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Named, Value, operands
@@ -421,6 +422,10 @@ def _assign(checker: Checker, written: tree.Assign) -> amola.Action | None:
     value = _whole(checker, written.value)
     if target is None or value is None or not assignable(checker, value, target.type):
         return None
+    if isinstance(value, amola.VariableValue) and target == replace(value, span=target.span):
+        checker.report(
+            "W500", f"`{target.name}` is given the value that it has", written.span, "leave it out"
+        )
     return amola.Assign(target, value, written.span)
 
 

@@ -44,6 +44,8 @@ _MEANT = {
     "&": ("&&", "'&&' is and"),
     "|": ("||", "'||' is or"),
     "=": ("==", "write '==' to compare"),
+    "and": ("&&", "write && for and"),
+    "or": ("||", "write || for or"),
     "^": (None, "there is no power; multiply, or call a function"),
     "?": (None, "there is no '? :'; use two transitions, or a function"),
     ",": (None, None),
@@ -422,8 +424,9 @@ class _Reader:
         previous = self.tokens[self.index - 1] if self.index else None
         hint: str | None = None
         fix: str | None = None
-        if found in _MEANT and previous is not None:
-            fix, hint = _MEANT[found]
+        meant = None if found in RESERVED else _MEANT.get(found.lower())
+        if meant is not None and previous is not None:
+            fix, hint = meant
         if found == "=" and previous is not None:
             after_it = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else ""
             if after_it in ("<", ">") or previous in ("<", ">", "==", "!="):

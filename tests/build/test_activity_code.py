@@ -208,3 +208,34 @@ def test_a_history_is_kept_as_long_as_somebody_says(tmp_path: Path) -> None:
         "W531",
         "add `reads vision.data.Ball for …` to it among the `activities` of the role",
     )
+
+
+def test_a_class_that_does_nothing_is_reported_where_it_does_something_else(tmp_path: Path) -> None:
+    (found,) = say(tmp_path, "search.py", "class Search:\n    def run(self, context):\n        pass\n")
+    assert (found.code, found.hint) == ("W533", "is it `run`?")
+    assert found.span is not None and found.span.text == "Search"
+    assert say(tmp_path, "search.py", "class Search:\n    pass\n") == []
+    assert say(tmp_path, "search.py", "class Search(Base):\n    def aim(self): ...\n") == []
+
+
+@pytest.mark.parametrize(
+    ("body", "place", "hint"),
+    [
+        ('context.publsh("vision.state.Ball", Ball(True))', "publsh", "did you mean `publish`?"),
+        ("Ball(visble=True)", "visble", "did you mean `visible`?"),
+        ("Ball(True, 3)", "Ball(True, 3)", None),
+    ],
+)
+def test_words_that_the_context_and_the_messages_do_not_have(
+    tmp_path: Path, body: str, place: str, hint: str | None
+) -> None:
+    code = "from aseme_dsl.runtime import Context\nfrom monas.Team.messages import Ball\n\n\n"
+    code += f"class Search:\n    def execute(self, context: Context) -> None:\n        {body}\n"
+    assert shown(say(tmp_path, "search.py", code)) == [("W530", place, hint)]
+
+
+def test_a_message_that_the_system_does_not_have(tmp_path: Path) -> None:
+    code = "from monas.Team.messages import Bal\n\n\n" + activity("pass")
+    (found,) = say(tmp_path, "search.py", code)
+    assert (found.code, found.hint) == ("W530", "did you mean `Ball`?")
+    assert say(tmp_path, "search.py", "from monas.Team.messages import CHANNELS\n" + activity("pass")) == []

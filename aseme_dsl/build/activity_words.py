@@ -1,0 +1,100 @@
+"""Activity words: what the Python of an activity takes from its context and from the system's messages."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from aseme_dsl.diagnostics import Diagnostic, closest
+from aseme_dsl.source import Span
+
+if TYPE_CHECKING:
+    from aseme_dsl.amola.system import System
+
+Place = Callable[[ast.expr | ast.stmt], Span]
+
+
+def unknown_methods(tree: ast.Module, place: Place) -> Iterator[Diagnostic]:
+    """W530 for what a `Context` does not have, in methods whose parameter is annotated as one."""
+    from aseme_dsl.runtime.context import Context
+
+    known = {name for name in dir(Context) if not name.startswith("_")}
+    for function in ast.walk(tree):
+        if not isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            continue
+        arguments = (*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs)
+        contexts = {item.arg for item in arguments if _is_context(item.annotation)}
+        if not contexts:
+            continue
+        for node in ast.walk(function):
+            if (
+                isinstance(node, ast.Attribute)
+                and isinstance(node.value, ast.Name)
+                and node.value.id in contexts
+                and node.attr not in known
+                and not node.attr.startswith("_")
+            ):
+                near = closest(node.attr, known)
+                span = place(node)
+                span = Span(span.source, span.end - len(node.attr.encode()), span.end)
+                hint = f"did you mean `{near}`?" if near else None
+                yield Diagnostic("W530", f"a context has no `{node.attr}`", span, hint=hint)
+
+
+def _is_context(annotation: ast.expr | None) -> bool:
+    match annotation:
+        case ast.Name(id="Context") | ast.Attribute(attr="Context") | ast.Constant(value="Context"):
+            return True
+    return False
+
+
+def unknown_messages(tree: ast.Module, system: System, place: Place) -> Iterator[Diagnostic]:
+    """W530 for messages, enums, members and constants that the generated `messages.py` does not have."""
+    fields = {item.name: {field.name for field in item.fields} for item in system.messages}
+    constants = {item.name: {name for name, _ in item.constants} for item in system.enums}
+    imported: dict[str, str] = {}
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.ImportFrom) or node.module != f"monas.{system.name}.messages":
+            continue
+        for alias in node.names:
+            if alias.name in fields or alias.name in constants:
+                imported[alias.asname or alias.name] = alias.name
+            elif (near := closest(alias.name, (*fields, *constants))) is not None:
+                message = f"`{system.name}` has no message `{alias.name}`"
+                yield Diagnostic("W530", message, place(node), hint=f"did you mean `{near}`?")
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in imported:
+            yield from _unknown_members(node, imported[node.func.id], fields, place)
+        elif (
+            isinstance(node, ast.Attribute)
+            and isinstance(node.value, ast.Name)
+            and imported.get(node.value.id) in constants
+        ):
+            own = constants[imported[node.value.id]]
+            near = closest(node.attr, own)
+            if node.attr not in own and near is not None:
+                message = f"`{imported[node.value.id]}` has no constant `{node.attr}`"
+                yield Diagnostic("W530", message, place(node), hint=f"did you mean `{near}`?")
+
+
+def _unknown_members(
+    call: ast.Call, name: str, fields: Mapping[str, set[str]], place: Place
+) -> Iterator[Diagnostic]:
+    own = fields.get(name)
+    if own is None:
+        return
+    for keyword in call.keywords:
+        if keyword.arg is not None and keyword.arg not in own:
+            near = closest(keyword.arg, own)
+            value = place(keyword.value)
+            start = value.source.text.rfind(keyword.arg, 0, value.start)
+            span = Span(value.source, start, start + len(keyword.arg))
+            hint = f"did you mean `{near}`?" if near else None
+            yield Diagnostic("W530", f"`{name}` has no member `{keyword.arg}`", span, hint=hint)
+    if len(call.args) > len(own) and not any(isinstance(item, ast.Starred) for item in call.args):
+        message = f"`{name}` has {len(own)} members, and {len(call.args)} are given"
+        yield Diagnostic("W530", message, place(call))
+
+
+__all__ = ["unknown_messages", "unknown_methods"]

@@ -1,0 +1,167 @@
+"""One cause gives one message, and the message says which of two names is the slip."""
+
+from __future__ import annotations
+
+from aseme_dsl.compiler import analyse
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.source import Source
+
+
+def found(text: str) -> list[Diagnostic]:
+    return [item for item in analyse(Source("one.aseme", text)).diagnostics if item.code[0] != "N"]
+
+
+def codes(text: str) -> list[str]:
+    return [item.code for item in analyse(Source("one.aseme", text)).diagnostics if item.code != "N704"]
+
+
+def test_a_timer_misspelt_in_a_choice_is_no_gap() -> None:
+    [item] = found(
+        "system S srm r { liveness { r = A . (B | C)+ }  control r {"
+        "  enter (B | C) : / start_timer(shift, 1s)"
+        "  enter B : [1 < 2]  enter C : else"
+        "  repeat (B | C) : [!expired(shift)]  leave (B | C) : [expired(shif)] } }".replace(
+            "[1 < 2]", "[f()]"
+        )
+        + '  function f() : bool = "m:f"'
+    )
+    assert (item.code, item.hint) == ("W501", "did you mean `shift`?")
+
+
+def test_a_timer_that_is_asked_twice_and_never_started() -> None:
+    [item] = found(
+        "system S srm r { liveness { r = A . B+ }  control r {"
+        "  repeat B : [!expired(shift)]  leave B : [expired(shift)] } }"
+    )
+    assert item.code == "W501"
+    assert [place.message for place in item.related] == ["also here"]
+
+
+FORMULAS = """system S
+topic t { state M }
+message M { bool a }
+srm r {
+  liveness {
+    r = Wait . (USE | Rest)
+    DECLARED = Turn . Drive*
+  }
+  control r {
+    enter CONTROLLED : [t.state.M.a]
+    enter Rest : else
+  }
+}
+"""
+
+
+def test_a_formula_misspelt_where_it_is_used() -> None:
+    text = """system S
+topic t { state M }
+message M { bool a }
+srm r {
+  liveness {
+    r = Wait . serch
+    search = Turn . [Drive]
+  }
+  control search {
+    enter Drive : [t.state.M.a]
+    skip Drive : else
+  }
+}
+"""
+    [item] = found(text)
+    assert (item.code, item.fix, item.hint) == ("E302", "search", "did you mean `search`?")
+    assert item.span is not None and item.span.text == "serch"
+
+
+def test_a_formula_misspelt_where_it_is_declared() -> None:
+    text = FORMULAS.replace("USE", "search").replace("DECLARED", "serch").replace("CONTROLLED", "search")
+    [item] = found(text)
+    assert (item.code, item.fix) == ("E302", "search")
+    assert item.span is not None and item.span.text == "serch"
+
+
+def test_a_formula_that_is_not_there_has_no_activities() -> None:
+    text = """system S
+srm r {
+  liveness {
+    r = Wait . search
+    search =
+    carry = Lift
+  }
+  activities { Turn takes 1s  Drive takes 1s }
+}
+"""
+    assert codes(text) == ["E100"]
+
+
+def test_a_protocol_misspelt_in_plays() -> None:
+    text = """system S
+suc { usecase deal by r, s includes Offer, Take }
+aip deal {
+  participant r { process = Offer }
+  participant s { process = Take }
+}
+srm r { plays dael.r  liveness { r = r } }
+srm s { plays deal.s  liveness { s = s } }
+"""
+    text = text.replace(
+        "srm r { plays dael.r  liveness { r = r } }", "srm x { plays dael.r  liveness { x = r } }"
+    )
+    text = text.replace(
+        "srm s { plays deal.s  liveness { s = s } }", "srm y { plays deal.s  liveness { y = s } }"
+    )
+    text = text.replace("by r, s", "by x, y")
+    assert codes(text) == ["E205"]
+
+
+def test_swapped_arguments() -> None:
+    [item] = found(
+        "system S message B { double x }  topic t { state B }"
+        '  function near(B ball, double limit) : bool = "m:near"'
+        "  srm r { liveness { r = A | C }  control r { enter A : [near(2.0, t.state.B)]  enter C : else } }"
+    )
+    assert item.code == "E504"
+    assert item.hint is not None and "near(t.state.B, 2.0)" in item.hint
+
+
+def test_a_variable_assigned_to_itself() -> None:
+    [item] = found(
+        "system S srm r { var n : int = 0  liveness { r = A | C }"
+        "  control r { enter A : [n > 2] / n = n  enter C : else } }"
+    )
+    assert item.code == "W500"
+
+
+def test_other_words_for_operators() -> None:
+    for word, meant in (("AND", "&&"), ("OR", "||"), ("And", "&&")):
+        [item] = found(
+            "system S srm r { var a : bool  var b : bool  liveness { r = A | C }"
+            f"  control r {{ enter A : [a {word} b]  enter C : else }} }}"
+        )
+        assert item.code == "E102"
+        assert item.hint is not None and meant in item.hint
+        assert item.fix == meant
+
+
+def test_a_variable_is_not_read_by_a_clause() -> None:
+    [item] = found(
+        "system S topic t { state M }  message M { int n }"
+        "  srm r { var tries : int = 0  liveness { r = A }  activities { A reads tries } }"
+    )
+    assert item.code == "E502"
+    assert item.hint is not None and "variable" in item.hint
+
+
+def test_a_wait_with_a_time_limit_is_meant() -> None:
+    text = """system S
+topic t { state M }
+message M { bool a }
+srm r {
+  liveness { r = Look . Go }
+  activities { Look takes 1s  Go takes 1s  See writes t.state.M }
+  control r { enter Go : when [t.state.M.a]  enter Go : after(5s) }
+}
+"""
+    text = text.replace("r = Look . Go", "r = See~ || go  go = Look . Go").replace("control r", "control go")
+    assert codes(text) == []
+    assert codes(text.replace("enter Go : after(5s)", "")) == ["N724"]
