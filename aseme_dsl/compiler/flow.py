@@ -143,7 +143,7 @@ def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
             continue  # there is no template whose way out was replaced
         if not ways or not all(_is_limit(item.expression) for item in ways):
             continue
-        if len({item.expression.when for item in ways}) > 1:
+        if len({item.expression.when for item in ways}) > 1 and len({item.target for item in ways}) == 1:
             continue  # a wait with a time limit is one, whether the activity ends or not
         name, line = cut(node.name), ways[0].span.text.partition(":")[0].strip()
         hint = "if completion is meant to lead there, too, write a line without event beside this one"

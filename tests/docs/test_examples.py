@@ -12,9 +12,10 @@ from tests.docs.pages import ROOT, Page
 PAGES = sorted(
     path
     for path in [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
-    if not {"_build", "_ext", "diagnostics"} & set(path.relative_to(ROOT).parts)
+    if not {"_build", "_ext", "diagnostics", "ten-mistakes.md"} & set(path.relative_to(ROOT).parts)
 )
-"""Not those that a build makes: of the codes of diagnostics, whose examples tests/diagnostics compiles."""
+"""Not those that a build makes: of the codes of diagnostics, whose examples tests/diagnostics compiles; nor
+the comparison with other tools, which test_ten_mistakes.py looks at."""
 
 
 @pytest.mark.parametrize("path", PAGES, ids=lambda path: path.relative_to(ROOT).as_posix())
