@@ -192,6 +192,10 @@ def real(minutes: float, number: signal.Signals) -> bool:
             while (passed := time.monotonic() - begun) < minutes * 60 and team.poll() is None:
                 time.sleep(min(5.0, minutes * 60 / SAMPLES))
                 samples.append(look(process, passed))
+                if len(samples) % 12 == 0:
+                    last = samples[-1]
+                    rest = f"{last.threads} threads  {last.handles} handles"
+                    print(f"{passed:5.0f} s  {last.memory / 1e6:7.1f} MB  {rest}", flush=True)
             told = time.monotonic()
             team.send_signal(number)
             code = team.wait(60)

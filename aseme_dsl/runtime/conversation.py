@@ -3,9 +3,10 @@
 A conversation is opened by the first message that a participant sends after it was entered. A message goes to
 everybody who takes part as the addressed participant or, while nobody does, to all other agents that play
 it. At the receiver it goes to the branch that takes part in that conversation; if none does, it is offered to
-a free branch of the participant, or waits until one is entered or free. A branch that is left takes part no
-more. What a participant does not list as received, and what comes for a participation that is over, is
-unexpected: it is told in the trace and answered `not_understood`.
+a free branch of the participant, or waits until one is entered or free, with `WAITING` others at the most. A
+branch that is left takes part no more. What a participant does not list as received, what nothing more can
+wait with, and what comes for a participation that is over, is unexpected: it is told in the trace and
+answered `not_understood`.
 """
 
 from __future__ import annotations
@@ -55,6 +56,8 @@ PERFORMATIVES = (
 """FIPA's communicative acts, as a document writes them."""
 
 NOT_UNDERSTOOD = "not_understood"
+WAITING = 1000
+"""So many messages wait at the most, at one agent, for a participant to be entered."""
 REMEMBERED = 4096
 """Of so many conversations that are over here is known who has left them, while others may not know it."""
 
@@ -288,6 +291,9 @@ class Conversations:
             self._unexpected(agent, acl, reason)
             return
         queue = self._queues[agent.name]
+        if len(queue) >= WAITING:
+            self._unexpected(agent, acl, f"{WAITING} messages wait already for a participant to be entered")
+            return
         if not any(other.conversation == acl.conversation for other, _ in queue):
             for place in self._branches[agent.name].values():
                 if self._is_free(place, acl):

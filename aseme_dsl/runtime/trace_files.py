@@ -24,6 +24,8 @@ GATHER_SECONDS = 0.05
 """In real time, lines are handed to the disk together, this often."""
 FLUSH_SECONDS = 1.0
 """In virtual time, a trace of JSON lines is handed to the system after this time at the latest."""
+SYNC_SECONDS = 5.0
+"""In real time, what was written is on the disk after this time: little is left for the end of a run."""
 CLOSE_SECONDS = 1.0
 """How long the end of a run waits for a slow disk."""
 
@@ -46,6 +48,10 @@ class Format(Protocol):
 
     def flush(self) -> None:
         """Hand everything to the system: it stays even if this process is killed."""
+        ...
+
+    def sync(self) -> None:
+        """Wait until what was flushed is on the disk."""
         ...
 
     def finish(self) -> None:
@@ -73,6 +79,9 @@ class JsonLines:
 
     def flush(self) -> None:
         self._file.flush()
+
+    def sync(self) -> None:
+        to_disk(self._file)
 
     def finish(self) -> None:
         self._file.flush()
@@ -191,7 +200,7 @@ class Background:
         self._closing.set()
 
     def _run(self) -> None:
-        flushed = time.monotonic()
+        flushed = synced = time.monotonic()
         try:
             closing = False
             while not closing:
@@ -202,6 +211,9 @@ class Background:
                 if time.monotonic() - flushed >= self._file.flush_seconds:
                     self._file.flush()
                     flushed = time.monotonic()
+                if time.monotonic() - synced >= SYNC_SECONDS:
+                    self._file.sync()
+                    synced = time.monotonic()
             self._file.finish()
         except (OSError, ValueError) as error:
             self._error = error

@@ -25,7 +25,7 @@ from aseme_dsl.runtime.trace_files import TraceError, to_disk
 MAGIC = b"\x89MCAP0\r\n"
 PREFIX = "trace/"
 """How the topics of the lines begin."""
-CHUNK_BYTES = 256 * 1024
+CHUNK_BYTES = 1024 * 1024
 _LONGEST = 64 * 1024 * 1024
 """No record of a trace has so many bytes: a number beyond is damage."""
 _BEGINNING = re.compile(r'\{"kind":"(\w+)","time":(\d+)[,}]')
@@ -71,6 +71,9 @@ class McapFile:
 
     def flush(self) -> None:
         self._writer.flush()
+
+    def sync(self) -> None:
+        to_disk(self._file)
 
     def finish(self) -> None:
         self._writer.finish()

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from aseme_dsl.runtime import Context
+import pytest
+
+from aseme_dsl.runtime import Context, conversation
 from aseme_dsl.runtime.conversation import PERFORMATIVES, fipa_name
 from tests.runtime.playing import MS, SECOND, Played, play
 from tests.support.generated import generate
@@ -262,3 +264,30 @@ def _three_answers(team: Any) -> str | None:
 def test_performatives_are_fipas() -> None:
     assert len(PERFORMATIVES) == 22
     assert fipa_name("accept_proposal") == "accept-proposal"
+
+
+def test_no_more_messages_wait_than_an_agent_can_remember(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Who asks for ever somebody who never listens is told, and nothing grows."""
+    monkeypatch.setattr(conversation, "WAITING", 20)
+    run = play(
+        """
+        system S
+        message Task { int n }
+        aip ask {
+          participant asker { sends request Task  process = Ask }
+          participant teller { receives request Task  process = Answer }
+          control asker { enter Ask : / send request Task to teller }
+          control teller { enter Answer : request Task from asker }
+        }
+        srm boss { plays ask.asker  liveness { boss = asker~ }  activities { Ask takes 50ms } }
+        srm worker { plays ask.teller  liveness { worker = Sleep . teller }  activities { Sleep takes 1min } }
+        team T { boss1 : boss  worker1 : worker }
+        """,
+        until=10 * SECOND,
+    )
+    asked = len(run.of("mail", agent="boss1"))
+    assert asked >= 150
+    told = "worker1 request Task: 20 messages wait already for a participant to be entered"
+    assert unexpected(run).count(told) == asked - 20
+    conversations = run.team.conversations
+    assert len(conversations._conversations) <= 21

@@ -17,7 +17,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from aseme_dsl.runtime import Context, trace_files
+from aseme_dsl.runtime import Context, trace_files, trace_mcap
 from aseme_dsl.runtime.trace import Trace
 from aseme_dsl.runtime.trace_files import TraceError, format_for
 from aseme_dsl.runtime.trace_reading import TraceReader
@@ -337,8 +337,11 @@ def test_without_the_package_it_is_said_what_to_install(
     assert not list(tmp_path.iterdir())
 
 
-def test_a_cut_mcap_file_is_read_as_far_as_it_goes(generated: Generated, tmp_path: Path) -> None:
-    run(generated, tmp_path / "run.mcap", until=60 * SECOND)
+def test_a_cut_mcap_file_is_read_as_far_as_it_goes(
+    generated: Generated, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(trace_mcap, "CHUNK_BYTES", 50_000)
+    run(generated, tmp_path / "run.mcap", until=20 * SECOND)
     lines = texts_of(tmp_path / "run.mcap")
     data = (tmp_path / "run.mcap").read_bytes()
     cut = tmp_path / "cut.mcap"
