@@ -192,7 +192,7 @@ class Background:
                 f"the disk is too slow: {len(self._waiting)} lines and more were still to be written"
             )
         if self._error is not None:
-            raise self._error
+            raise OSError(reason_of(self._error)) from self._error
 
     def abandon(self) -> None:
         """The thread closes the file, since it may be in the midst of writing."""
@@ -215,7 +215,7 @@ class Background:
                     self._file.sync()
                     synced = time.monotonic()
             self._file.finish()
-        except (OSError, ValueError) as error:
+        except Exception as error:  # whatever it is, the run must hear of it
             self._error = error
             self._file.abandon()
             if not self._closing.is_set():
