@@ -40,6 +40,28 @@ MOST_SECONDS = 2.0
 """So long may the end of a real match take."""
 
 
+MATCH = """
+import world
+from aseme_dsl.field.referee import SECOND, Rules
+
+world.RULES = Rules(half_ns=24 * 3600 * SECOND, halves=1)
+
+
+class Endless(world.Game):
+    # What the referee notes, and the way of the ball, grow with every match: this one forgets.
+    def advance(self, until_ns):
+        super().advance(until_ns)
+        del self._referee.events[:-100], self.lines[:]
+        self.noted = len(self._referee.events)
+        while len(self._trail) > 600:
+            self._trail.popleft()
+
+
+make = Endless
+"""
+"""A match that never ends, as a module beside the example's `world`."""
+
+
 @dataclass(frozen=True)
 class Sample:
     """What a process has at a moment (s since the run began); objects are 0 where nobody counts them."""
@@ -94,30 +116,21 @@ def judged(name: str, samples: Sequence[Sample]) -> bool:
 
 def played(duration: int, trace: Path | None) -> list[Sample]:
     """The example team plays one match of this length in virtual time."""
-    import world
-
     from aseme_dsl import compile
     from aseme_dsl.build.build import Choice, build
     from aseme_dsl.build.configuration import find_configuration
     from aseme_dsl.build.play import load
-    from aseme_dsl.field.match import Match
-    from aseme_dsl.field.referee import Rules
     from aseme_dsl.runtime.loading import activities_in
     from aseme_dsl.runtime.team import Team, make_team
-
-    class Endless(Match):
-        """A match that forgets: what the referee notes and the way of the ball grow with every match."""
-
-        def advance(self, until_ns: int) -> None:
-            super().advance(until_ns)
-            del self._referee.events[:-100]
-            while len(self._trail) > 600:
-                self._trail.popleft()
 
     process = psutil.Process()
     samples: list[Sample] = []
     every = duration // SAMPLES
     with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "long_match.py").write_text(MATCH)
+        sys.path.insert(0, folder)
+        import long_match
+
         build(compile(EXAMPLE / "kouretes.aseme"), Path(folder), Choice(("monas",)))
         configuration, _ = find_configuration(EXAMPLE)
         loaded = load(Path(folder), "Kouretes", configuration)
@@ -143,7 +156,7 @@ def played(duration: int, trace: Path | None) -> list[Sample]:
             loaded,
             activities_in(EXAMPLE / "activities"),
             seed=11,
-            world=Endless(11, home=world.OURS, rules=Rules(half_ns=duration, halves=1)),
+            world=long_match.make(11),
             until=duration,
             stop=watch,
             trace=trace,
@@ -161,15 +174,6 @@ def virtual(hours: float) -> bool:
         return judged("one process", played(int(hours * 60 * MINUTE), trace))
 
 
-LONG = """
-import world
-from aseme_dsl.field.referee import SECOND, Rules
-
-world.RULES = Rules(half_ns={seconds} * SECOND, halves=1)
-make = world.make
-"""
-
-
 def real(minutes: float, number: signal.Signals) -> bool:
     """A match in a process of its own, ended by a signal; whether it is as it should be."""
     from aseme_dsl.runtime.trace_files import part_of
@@ -178,9 +182,9 @@ def real(minutes: float, number: signal.Signals) -> bool:
     with tempfile.TemporaryDirectory() as folder:
         project = Path(folder) / "robocup"
         shutil.copytree(EXAMPLE, project, ignore=shutil.ignore_patterns("build"))
-        (project / "long.py").write_text(LONG.format(seconds=round(minutes * 60 + 600)))
+        (project / "long_match.py").write_text(MATCH)
         command = [sys.executable, "-m", "aseme_dsl", "run", str(project), "--real", "--quiet"]
-        command += ["--world", "long:make", "--for", f"{minutes + 10:g}min"]
+        command += ["--world", "long_match:make", "--for", f"{minutes + 10:g}min"]
         environment = {**os.environ, "PYTHONPATH": str(ROOT)}
         with subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL) as team:
             process = psutil.Process(team.pid)

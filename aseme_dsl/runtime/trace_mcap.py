@@ -225,7 +225,9 @@ def _fill(proto: Any, content: Mapping[str, Any]) -> None:
 
     Raises TypeError or ValueError if they are not of that message.
     """
-    for (_, value), field in zip(content.items(), proto.DESCRIPTOR.fields, strict=True):
+    for (name, value), field in zip(content.items(), proto.DESCRIPTOR.fields, strict=True):
+        if name.strip("_") != field.name.strip("_"):  # of a word of Python's the member has an underscore
+            raise ValueError(f"{name} is not {field.name}")
         if value is None:
             continue
         if not field.is_repeated:

@@ -317,15 +317,27 @@ def test_in_real_time_the_log_time_is_that_of_the_world(generated: Generated, tm
     assert before - SECOND // 1000 <= min(times) and max(times) <= after + SECOND // 1000
 
 
-def test_a_message_of_another_version_is_json(tmp_path: Path) -> None:
-    header = {"kind": "header", "time": 0, "format": 1, "system": "S", "agents": []}
-    header["messages"] = {"descriptors": "", "channels": {"t.state.M": "S.M"}}
-    line = {"kind": "message", "time": 1, "agent": "a", "sequence": 1, "channel": "t.state.M"}
-    texts = [json.dumps(header), json.dumps({**line, "message": {"z": 1}, "to": []})]
+def test_a_message_of_another_version_is_json(generated: Generated, tmp_path: Path) -> None:
+    """The descriptors are those of the beginning: what has other members now must not become nonsense."""
+    from mcap.reader import make_reader
+
+    schema = generated.messages.SCHEMA
+    header: dict[str, Any] = {"kind": "header", "time": 0, "format": 1, "system": "S", "agents": []}
+    header["messages"] = {
+        "descriptors": schema.descriptors,
+        "channels": {"t.state.P": schema.classes[generated.messages.Place]},
+    }
+    line = {"kind": "message", "time": 1, "agent": "a", "sequence": 1, "channel": "t.state.P"}
+    contents = [{"x": 1.0, "y": 2.0}, {"y": 1.0, "x": 2.0}, {"x": 1.0}, {"x": "far", "y": None}]
+    texts = [json.dumps(header), *(json.dumps({**line, "message": item, "to": []}) for item in contents)]
     file = format_for(tmp_path / "x.mcap", tmp_path / "x.mcap")
     file.put(texts)
     file.finish()
     assert texts_of(tmp_path / "x.mcap") == texts
+    with (tmp_path / "x.mcap").open("rb") as opened:
+        read = list(make_reader(opened).iter_messages(topics="a/t/state/P"))
+    assert [channel.message_encoding for _, channel, _ in read] == ["protobuf", "json", "json", "json"]
+    assert [json.loads(message.data) for _, _, message in read[1:]] == contents[1:]
 
 
 def test_without_the_package_it_is_said_what_to_install(
