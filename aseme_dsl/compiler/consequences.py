@@ -229,9 +229,11 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     a formula that nothing uses (E302), which then says so; a formula without control (N704) may have one that
     is misspelt (E403), or stands in a role that plays the protocol (E408). The constant conditions of a loop
     that is none (W420) always hold, or never (N712, W412); with a timer that is never started (W501), they
-    overlap or leave gaps. A protocol that is misspelt where it is played (E205) is played by nobody (N702).
+    overlap or leave gaps. A protocol that is misspelt where it is played (E205) is played by nobody (N702),
+    a functionality that is misspelt where it is used (W230) is not used (N727).
     """
     unstarted = [place for item in found if item.code == "W501" for place in _places(item)]
+    almost = {place.span for item in found if item.code == "W230" for place in item.related}
     unplayed = {item.fix for item in found if item.code == "E205"}
     fixed = [place for item in found if item.code == "W420" for place in _places(item)]
     unused = {item.span for item in found if item.code == "E302"}
@@ -256,6 +258,8 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
             _is_in(timer, place) for timer in unstarted for place in _places(item)
         ):
             return True
+        if item.code == "N727":
+            return span in almost
         if item.code in ("N712", "W412"):
             return any(_is_in(span, line) or _is_in(line, span) for line in fixed)
         if item.code in ("E405", "W403"):

@@ -38,6 +38,7 @@ from aseme_dsl.compiler.srm_to_iac import Role, read_role, srm_to_iac
 from aseme_dsl.compiler.statecharts import build_statechart, read_statechart
 from aseme_dsl.compiler.suc_to_aip import read_aip, suc_to_aip
 from aseme_dsl.compiler.suc_to_srm import read_srm, suc_to_srm
+from aseme_dsl.compiler.unused import check_agents, check_exchange, check_unused
 from aseme_dsl.compiler.use import check_use
 from aseme_dsl.compiler.usecases import use_cases
 from aseme_dsl.diagnostics import Diagnostic, has_errors
@@ -145,6 +146,10 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
         found += [problem for chart in charts for problem in check_timers(chart)]
         if symbols.system is not None and len(charts) == len(eacs) + len(iacs):
             found += check_use(_built(iacs), _built(eacs), described, list(_statements(blocks)), symbols)
+        if symbols.system is not None:
+            found += check_unused(loaded.files, symbols)
+            found += check_agents(blocks.roles, symbols)
+            found += check_exchange(blocks.aips)
         compared, unchecked = check_conditions(charts, prover)
         found += compared
 

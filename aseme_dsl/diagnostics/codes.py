@@ -141,6 +141,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W521": ("warning", "a signal that an earlier reader has used up"),
     "W522": ("warning", "a message that nothing publishes"),
     "W523": ("warning", "a history that its source cannot fill"),
+    "W524": ("warning", "an agent message that nobody sends or nobody receives"),
     # The Python of the activities (W53x)
     "W530": ("warning", "code that names what is not there"),
     "W531": ("warning", "an activity that does what it does not say"),
@@ -180,6 +181,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "N724": ("note", "a state that is not left on completion"),
     "N725": ("note", "a variable that is written and never read"),
     "N726": ("note", "an event that no activity raises"),
+    "N727": ("note", "a declaration that nothing uses"),
+    "N728": ("note", "a role that no agent has"),
 }
 
 CODES: dict[str, Code] = {code: Code(code, severity, title) for code, (severity, title) in _TABLE.items()}

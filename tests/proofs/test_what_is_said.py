@@ -102,8 +102,9 @@ def test_what_is_too_large_is_not_looked_at(conditions: list[str]) -> None:
         f"enter {branch} : [{condition}]" for branch, condition in zip(branches, conditions, strict=True)
     ]
     text = ROLE.format(formula=f"({' | '.join(branches)})~", control="\n".join(lines))
-    declared = text.replace("srm robot", 'function shift(int steps) : int = "m:shift"\nsrm robot')
-    assert codes(declared, notes=True) == ["N711"]
+    if "shift" in text:
+        text = text.replace("srm robot", 'function shift(int steps) : int = "m:shift"\nsrm robot')
+    assert codes(text, notes=True) == ["N711"]
 
 
 def test_what_is_too_hard_is_said_once() -> None:
