@@ -36,6 +36,7 @@ from aseme_dsl.field.robot import (
     obey,
 )
 from aseme_dsl.field.team import TeamSheet, kick_off_places, team_sheet
+from aseme_dsl.field.trail import Trail, TrailPoint
 from aseme_dsl.runtime.body import Heard
 
 STEP_NS = 10_000_000
@@ -103,16 +104,6 @@ class Truth:
     state: PlayerState
     ball: BallTruth
     robots: tuple[RobotTruth, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class TrailPoint:
-    """Where the ball was; after a point that is not ``rolling`` it was carried, not played."""
-
-    time_ns: int
-    x: float
-    y: float
-    rolling: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,7 +198,8 @@ class Match:
         self._radios = tuple(
             Radio([player.name for player in sheet.players], settings) for sheet in self.sheets
         )
-        self._trail = deque([TrailPoint(0, 0.0, 0.0, False)], TRAIL_POINTS)
+        self._trail = Trail(TRAIL_POINTS)
+        self._trail.add(0, 0.0, 0.0, False)
         self._bodies = {
             robot.name: FieldBody(self, robot.name, self._radios[robot.team], percept)
             for robot, percept in self._percepts()
@@ -241,7 +233,7 @@ class Match:
     @property
     def trail(self) -> tuple[TrailPoint, ...]:
         """The path of the ball so far, or in the last half an hour, ten points a second."""
-        return tuple(self._trail)
+        return self._trail.points
 
     @property
     def radio(self) -> tuple[RadioCount, RadioCount]:
@@ -282,7 +274,8 @@ class Match:
         self._referee.set_play = SetPlay.NONE
         self._ball.put(place.x, place.y)
         self._ball.vx, self._ball.vy = vx, vy
-        self._trail.append(TrailPoint(self._now_ns, self._trail[-1].x, self._trail[-1].y, False))
+        last = self._trail.last
+        self._trail.add(self._now_ns, last.x, last.y, False)
 
     def put_robot(self, name: str, pose: Pose, posture: Posture = Posture.STANDING) -> None:
         """Set a robot down somewhere, as the home team sees the field: for training and tests.
@@ -334,10 +327,10 @@ class Match:
             radio.carry(now_ns, STEP_NS, self._chance)
         carried = len(referee.events) > notes and (ball.x, ball.y) != before and ball.speed == 0.0
         if carried:
-            self._trail.append(TrailPoint(now_ns, *before, False))
-            self._trail.append(TrailPoint(now_ns, ball.x, ball.y, referee.playing))
+            self._trail.add(now_ns, *before, False)
+            self._trail.add(now_ns, ball.x, ball.y, referee.playing)
         elif self._steps % TRAIL_STEPS == 0:
-            self._trail.append(TrailPoint(now_ns, ball.x, ball.y, referee.playing))
+            self._trail.add(now_ns, ball.x, ball.y, referee.playing)
         if self._steps % PICTURE_STEPS == 0:
             for robot, percept in self._percepts():
                 self._bodies[robot.name]._percept = percept

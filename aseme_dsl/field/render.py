@@ -22,9 +22,10 @@ from aseme_dsl.field.field import (
     POST_RADIUS,
 )
 from aseme_dsl.field.geometry import unit
-from aseme_dsl.field.match import Match, RobotTruth, TrailPoint
+from aseme_dsl.field.match import Match, RobotTruth
 from aseme_dsl.field.percept import Posture
 from aseme_dsl.field.robot import RADIUS
+from aseme_dsl.field.trail import TrailPoint
 
 BUILD_UP_NS = 8_000_000_000
 """The path of the ball before a goal is drawn boldly for so long."""

@@ -67,7 +67,9 @@ class Agent:
         trace: Trace,
         seed: int = 1,
         body: Body[Any, Any] | None = None,
+        behind: int = 0,
     ) -> None:
+        """Identities of what comes from the agent begin `behind` a number."""
         self.name = name
         self.chart = chart
         self.plan = chart.PLAN
@@ -93,7 +95,7 @@ class Agent:
         """Whether it has crashed and not started again (in a simulation with faults)."""
         self.failed_at = ""
         """The place in the source where the agent failed."""
-        self._sequence = itertools.count(1)
+        self._sequence = itertools.count(behind + 1)
         self._wanted = True  # the first step enters the root
         self._inputs: list[Posted] | None = None
         self._due: Timer | None = None

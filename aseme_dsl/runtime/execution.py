@@ -57,7 +57,6 @@ class Execution:
         "branch",
         "cancelled",
         "code",
-        "context",
         "dropped",
         "error",
         "generator",
@@ -96,7 +95,6 @@ class Execution:
         self.started = now
         self.board = board
         self.branch = branch
-        self.context = c.Context(self)
         self.kind = kind
         self.cancelled: bool = False
         self.has_returned = False
@@ -115,6 +113,11 @@ class Execution:
         self._chance: random.Random | None = None
 
     # ---- the port ----------------------------------------------------------------------------
+
+    @property
+    def context(self) -> c.Context:
+        """What the code is given. Not kept here: the context keeps the execution."""
+        return c.Context(self)
 
     @property
     def agent(self) -> str:
@@ -243,19 +246,31 @@ class Execution:
 
     def run(self) -> None:
         """Run the code of a thread activity to its end, in this thread, and say how it ended."""
-        error: BaseException | None = None
+        self.returned(self._error())
+
+    def _error(self) -> BaseException | None:
+        """Run the code; what it raised. Apart, so that no frame holds an exception that holds the frame."""
         try:
-            self.context.check()
+            context = self.context
+            context.check()
             assert self.code is not None
-            self.code().execute(self.context)
+            self.code().execute(context)
         except BaseException as raised:  # whatever it is, the agent must hear of it
-            error = raised
-        self.returned(error)
+            return raised
+        return None
 
     def returned(self, error: BaseException | None) -> None:
         """The code has come to its end. May be called from any thread."""
         agent = self.owner.agent
         agent.errand(lambda: self.owner.returned(self, error))
+
+    def forget(self) -> None:
+        """Let go of what leads back here, so that all of it is freed at once and not by the collector."""
+        self.error = None
+        self.timer = None
+        self.generator = None
+        if self.kind == "step":  # else it belongs to the driver, which may still look at it
+            self.handle = None
 
 
 @dataclass(slots=True)
@@ -580,6 +595,7 @@ class Executions:
         self._free(execution)
 
     def _free(self, execution: Execution) -> None:
+        execution.forget()
         node = self._nodes.get(execution.label)
         if node is not None and node.current is execution:
             node.current = None

@@ -19,7 +19,7 @@ from typing import Any
 from aseme_dsl.runtime.body import Body, BodyLost, Heard, World
 from aseme_dsl.runtime.clock import SECOND
 
-PATIENCE = 1.0
+PATIENCE = 5.0
 """How long, in seconds, a body may take to answer before it counts as lost."""
 HURRY = 5
 """How many steps a world that is late makes at once before it lets others in."""

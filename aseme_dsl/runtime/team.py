@@ -193,6 +193,7 @@ class Team:
                 self.trace,
                 seed,
                 there.get(name),
+                transport.behind,
             )
             for name, chart in members
             if name in mine

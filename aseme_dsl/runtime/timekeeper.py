@@ -87,8 +87,7 @@ class Timekeeper:
                             moment = None
                         self._sleeps_until = moment
                 if timer is not None:
-                    if timer.call is not None:
-                        timer.call()
+                    timer.ring()
                 elif moment is None:
                     bell.acquire()
                 else:

@@ -20,6 +20,12 @@ class Timer:
         self.call: Callable[[], None] | None = call
         self.background = background
 
+    def ring(self) -> None:
+        """Make the call, unless it is cancelled; it is forgotten before, with all that it holds."""
+        call, self.call = self.call, None
+        if call is not None:
+            call()
+
     def cancel(self) -> None:
         """Forget the call."""
         if self.call is not None:

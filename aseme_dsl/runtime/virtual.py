@@ -255,8 +255,7 @@ class VirtualDriver:
             self.clock.jump(moment)
             self.advance(moment)
         while (timer := self._timers.take(moment)) is not None:
-            if timer.call is not None:
-                timer.call()
+            timer.ring()
 
     def _close(self, reason: str) -> None:
         """Stop everything; what is told that it is cancelled still comes to its end."""

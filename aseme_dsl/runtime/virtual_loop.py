@@ -17,14 +17,19 @@ if TYPE_CHECKING:
 
 async def run_async(execution: Execution) -> None:
     """Run the code of an async activity to its end, and say how it ended."""
-    error: BaseException | None = None
+    execution.returned(await _error(execution))
+
+
+async def _error(execution: Execution) -> BaseException | None:
+    """Run the code; what it raised. Apart, so that no frame holds an exception that holds the frame."""
     try:
-        execution.context.check()
+        context = execution.context
+        context.check()
         assert execution.code is not None
-        await execution.code().execute(execution.context)
+        await execution.code().execute(context)
     except BaseException as raised:  # whatever it is, the agent must hear of it
-        error = raised
-    execution.returned(error)
+        return raised
+    return None
 
 
 class VirtualLoop:

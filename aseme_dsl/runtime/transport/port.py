@@ -62,6 +62,11 @@ class Transport(Protocol):
         """What tells this process's conversations from those of an earlier life; empty without others."""
         ...
 
+    @property
+    def behind(self) -> int:
+        """Behind this number the identities of agents begin: those of an earlier life are not used again."""
+        ...
+
     def begin(self, team: Team) -> None:
         """Connect. What comes waits for `go`. Raises TransportError if that cannot be."""
         ...
@@ -129,6 +134,7 @@ class Local:
 
     networked = False
     life = ""
+    behind = 0
 
     def begin(self, team: Team) -> None:
         """Nothing is to be connected."""

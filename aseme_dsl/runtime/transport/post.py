@@ -127,6 +127,8 @@ class Post:
         self.model = model
         self.incarnation = time.time_ns()
         self.life = f"{self.incarnation:x}-"
+        # In microseconds: no life has more identities than that, and they stay exact as JSON numbers.
+        self.behind = self.incarnation // 1000
         self._link = link
         self._schema = schema
         self._clock = clock_identity()

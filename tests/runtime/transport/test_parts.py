@@ -164,6 +164,22 @@ def test_a_new_life_gets_the_states_again_and_what_was_on_its_way_is_lost(talk: 
     assert ann.news("there", "gone", "restarted")[:3] == ["bob there", "bob gone", "bob restarted"]
 
 
+def test_a_new_life_uses_no_identity_of_an_earlier_one(talk: Generated, box: Box) -> None:
+    air = Air()
+    bob = part(talk, ["bob"], box.activities, air.link()).start()
+    for life in range(3):
+        ann = part(talk, ["ann"], box.activities, air.link()).start()
+        wait_until(lambda ann=ann: ann.team.transport.is_there("bob"))
+        box.say += [("team.signal.M", life, None)]
+        wait_until(lambda life=life: arrived(bob, "bob", "team.signal.M") == list(range(life + 1)))
+        ann.stop()
+    bob.stop()
+    identities = [r["input"] for r in bob.of("arrived")]
+    assert len(identities) == 3
+    assert identities == sorted(identities) and len({number for _, number in identities}) == 3
+    assert all(number < 2**53 for _, number in identities)
+
+
 def test_a_partition_loses_nothing(talk: Generated, box: Box) -> None:
     air = Air()
     ann = part(talk, ["ann"], box.activities, air.link()).start()
@@ -172,6 +188,7 @@ def test_a_partition_loses_nothing(talk: Generated, box: Box) -> None:
     box.say += [("team.signal.M", n, None) for n in range(50)]
     wait_until(lambda: len(ann.of("message", channel="team.signal.M")) == 50)
     air.part("bob")
+    wait_until(lambda: not ann.team.transport.is_there("bob"))
     box.say += [("team.signal.M", n, None) for n in range(50, 100)]
     box.say += [("team.state.M", n, None) for n in range(10)]
     wait_until(lambda: len(ann.of("message", channel="team.state.M")) == 10)
