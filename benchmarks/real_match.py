@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import shutil
 import signal
+import socket
 import statistics
 import subprocess
 import sys
@@ -27,6 +28,7 @@ GROWTH = 0.01
 """How much more memory than before counts as growth."""
 END = 2.0
 """How long, in seconds, the end may take."""
+TEAM = ("robot1", "robot2", "robot3", "keeper")
 
 WORLD = """
 import world
@@ -46,6 +48,10 @@ def main(minutes: float) -> int:
     project = folder / "robocup"
     shutil.copytree(ROOT / "examples" / "robocup", project, ignore=shutil.ignore_patterns("build"))
     (project / "long_world.py").write_text(WORLD.format(seconds=int(minutes * 60 + 600)))
+    # Fixed addresses: else other teams on this machine come and go as neighbours, and are counted.
+    with (project / "pyproject.toml").open("a") as file:
+        hosts = ", ".join(f'{name} = "127.0.0.1:{_free_port()}"' for name in TEAM)
+        file.write(f"\n[tool.asemec.deploy]\nhosts = {{ {hosts} }}\n")
     command = [sys.executable, "-m", "aseme_dsl", "run", str(project), "--process-per-robot"]
     command += ["--world", "long_world:make", "--for", f"{int(minutes) + 5}min"]
     team = subprocess.Popen(
@@ -76,6 +82,13 @@ def main(minutes: float) -> int:
     print(f"traces: {sizes / 1e6:.0f} MB")
     shutil.rmtree(folder)
     return 0 if fine else 1
+
+
+def _free_port() -> int:
+    with socket.socket() as found:
+        found.bind(("127.0.0.1", 0))
+        port: int = found.getsockname()[1]
+        return port
 
 
 def _look(team: int, looked: dict[str, list[tuple[int, int, int]]]) -> None:

@@ -398,11 +398,25 @@ class Bus:
                 if route.elsewhere:
                     self._transport.publish(identity, rules, channel, message, route.elsewhere, now, host)
 
+    def keep(self) -> None:
+        """Write, from now on, kept states as they change: in real time, where that can be beside the run."""
+        if self._kept is not None and not self._driver.clock.virtual:
+            self._kept.begin(self._not_kept)
+
     def save(self) -> None:
         """Write the kept states that have changed."""
         if self._kept is not None:
             for name, error in self._kept.save():
-                self.trace.fault(self._driver.clock.now(), name, error)
+                self._not_kept(name, error)
+
+    def end(self) -> None:
+        """Write the last of the kept states."""
+        if self._kept is not None:
+            self._kept.end(1.0)
+            self.save()
+
+    def _not_kept(self, name: str, error: str) -> None:
+        self.trace.fault(self._driver.clock.now(), name, error)
 
     def _refused(
         self, kind: str, agent: Agent, channel: str, message: Any, reason: str, until: int | None = None

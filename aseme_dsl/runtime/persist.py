@@ -2,18 +2,23 @@
 
 Whatever happens to the process or the machine, a file is either what it was or what it is to be: it is
 written beside, brought to the disk (fsync), and then put in its place (rename, fsync of the folder). It is
-written off the agents' steps, in real time a quarter of a second after a change at the latest; what was said
-since then is lost with the process.
+written off the agents' steps; in real time by a thread of its own, at once, and again only after a pause in
+which newer states take the place of older ones. What was said since then is lost with the process.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import threading
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from aseme_dsl.runtime.as_json import from_json, to_json
+
+PAUSE = 0.05
+"""How long, in seconds, at least passes between two writings: a disk stands only so many."""
 
 
 class Kept:
@@ -24,6 +29,31 @@ class Kept:
         self._states: dict[str, dict[tuple[str, str | None], Any]] = {}
         self._changed: set[str] = set()
         self._told: dict[str, str] = {}
+        self._saving = threading.Lock()
+        self._news = threading.Event()
+        self._over = threading.Event()
+        self._writer: threading.Thread | None = None
+
+    def begin(self, failed: Callable[[str, str], None]) -> None:
+        """Write from now on whatever changes, in a thread of its own; `failed` is told (agent, why not)."""
+
+        def work() -> None:
+            while not self._over.is_set():
+                self._news.wait()
+                self._news.clear()
+                for agent, reason in self.save():
+                    failed(agent, reason)
+                self._over.wait(PAUSE)
+
+        self._writer = threading.Thread(target=work, name="aseme kept states", daemon=True)
+        self._writer.start()
+
+    def end(self, seconds: float) -> None:
+        """Write no more by itself; wait for what is being written, so long at the most."""
+        self._over.set()
+        self._news.set()
+        if self._writer is not None:
+            self._writer.join(seconds)
 
     def put(self, agent: str, channel: str, host: str | None, message: Any) -> str | None:
         """Note what an agent said last; the reason why it cannot be kept, or None."""
@@ -33,6 +63,7 @@ class Kept:
             return f"the state {channel} is not kept: {error}"
         self._states.setdefault(agent, {})[channel, host] = value
         self._changed.add(agent)
+        self._news.set()
         return None
 
     def save(self) -> list[tuple[str, str]]:
@@ -40,6 +71,10 @@ class Kept:
 
         What could not be written is tried again the next time; the same reason is given once.
         """
+        with self._saving:
+            return self._save()
+
+    def _save(self) -> list[tuple[str, str]]:
         failed: list[tuple[str, str]] = []
         again: set[str] = set()
         while self._changed:

@@ -462,6 +462,7 @@ class Team:
                     driver.know_threads()  # the transport's
                 try:
                     self._prepare()
+                    self.bus.keep()
                     self.transport.go()
                     driver.run()
                 finally:
@@ -478,7 +479,7 @@ class Team:
     def _end(self, reason: str) -> None:
         """Keep what is to be kept, write the last line, close the trace."""
         try:
-            self.bus.save()
+            self.bus.end()
             results = [self._result(agent) for agent in self.agents]
             self.trace.write(
                 "finish",

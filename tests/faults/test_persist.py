@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import random
 import shutil
 import signal
@@ -14,8 +15,10 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime.context import Context
+from aseme_dsl.runtime.persist import Kept
 from tests.faults.test_operate import Here, until
-from tests.runtime.playing import MS, play
+from tests.runtime.playing import MS, make, play
+from tests.support.generated import generate
 
 COUNTING = """\
 system Memory
@@ -98,6 +101,42 @@ def test_kill_at_any_moment(here: Here) -> None:
     assert (restored["via"], restored["message"]["n"]) == ("kept", before)
 
 
+def test_a_state_is_kept_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("aseme_dsl.runtime.real.LOOK", 600.0)  # the main thread does nothing meanwhile
+    file = tmp_path / "kept" / "one.json"
+    made = generate(COUNTING.replace("Add~", "Add").replace("every 2ms ", ""))
+    found: list[int] = []
+
+    class Add:
+        def execute(self, context: Context) -> None:
+            context.publish("count.state.Count", made.message("Count", n=7))
+            until(lambda: kept(file))
+            found.append(kept(file))
+
+    team, _ = make(made, {"Add": Add}, clock="real", state_directory=file.parent)
+    assert team.run().reason == "finished"
+    assert found == [7]
+
+
+def test_the_writer_coalesces_and_ends(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    made = generate(COUNTING)
+    states, told, files = Kept(tmp_path), list[str](), list[int]()
+    sync = os.fsync
+
+    def slow(number: int) -> None:
+        files.append(number)
+        time.sleep(0.02)
+        sync(number)
+
+    monkeypatch.setattr("os.fsync", slow)
+    states.begin(lambda agent, reason: told.append(reason))
+    for number in range(1000):
+        states.put("one", "count.state.Count", None, made.message("Count", n=number))
+    until(lambda: kept(tmp_path / "one.json") == 999)
+    states.end(20)
+    assert not told and len(files) < 200  # not each by itself
+
+
 def test_where_nothing_can_be_kept_the_run_goes_on(tmp_path: Path) -> None:
     class Add:
         def execute(self, context: Context) -> None:
@@ -121,11 +160,6 @@ def test_where_nothing_can_be_kept_the_run_goes_on(tmp_path: Path) -> None:
 def test_a_full_disk_is_told_once_and_what_was_kept_stays(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    import os
-
-    from aseme_dsl.runtime.persist import Kept
-    from tests.support.generated import generate
-
     made = generate(COUNTING)
     states = Kept(tmp_path)
     states.put("one", "count.state.Count", None, made.message("Count", n=1))
