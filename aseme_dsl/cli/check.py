@@ -88,6 +88,7 @@ def command(
     fixed = fix(inputs)
     if diff:
         click.echo(difference(fixed), nl=False)
+        print_diagnostics(fixed.checked.diagnostics, colour)
         return int(bool(fixed.after) or _is_bad(fixed.checked, strict))
     written = write_fixed(fixed)
     if has_errors(written.diagnostics):

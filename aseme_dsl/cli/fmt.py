@@ -64,7 +64,8 @@ def command(files: tuple[str, ...], check: bool, diff: bool, as_json: bool, colo
         if one.changed and not filtered and (check or not diff):
             click.echo(f"{one.path}: {'would be ' if check else ''}laid out", err=diff)
     if not filtered:
-        click.echo(_summary([one.changed for one in done if not one.diagnostics], look_only), err=diff)
+        laid_out = [one.changed for one in done if not one.diagnostics]
+        click.echo(_summary(laid_out, len(done) - len(laid_out), look_only), err=diff)
     return code
 
 
@@ -75,11 +76,13 @@ def _shown(difference: str, coloured: bool) -> str:
     return "".join(click.style(line, fg=_COLOURS.get(line[:1])) for line in lines)
 
 
-def _summary(changed: list[bool], look_only: bool) -> str:
-    """`2 files laid out, 1 file is fine`."""
+def _summary(changed: list[bool], bad: int, look_only: bool) -> str:
+    """`2 files laid out, 1 file is fine, 1 file left as it is`."""
     number, fine = sum(changed), len(changed) - sum(changed)
     would = "would be " if look_only else ""
     parts = [f"{plural(number, 'file')} {would}laid out"] if number else []
-    if fine or not number:
+    if fine or not (number or bad):
         parts.append(f"{plural(fine, 'file')} {'is' if fine == 1 else 'are'} fine")
+    if bad:
+        parts.append(f"{plural(bad, 'file')} left as {'it is' if bad == 1 else 'they are'}")
     return ", ".join(parts)

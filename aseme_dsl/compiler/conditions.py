@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.messages import EnumType, Message
 from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
 from aseme_dsl.compiler.flow import Contradict
@@ -21,7 +22,7 @@ from aseme_dsl.proofs.choice import (
     judge,
 )
 from aseme_dsl.proofs.prover import Prover
-from aseme_dsl.proofs.unknowns import Vocabulary
+from aseme_dsl.proofs.unknowns import Vocabulary, identity
 from aseme_dsl.source import Span
 
 FROM_CONDITIONS = frozenset(("W410", "W411", "W412", "N711", "N712", "N713"))
@@ -157,17 +158,17 @@ def _target(chart: Statechart, transition: Transition) -> str:
 
 
 def contradiction(prover: Prover) -> Contradict:
-    """What `check_flow` asks about cycles: without z3, nothing is known to contradict."""
+    """What `check_flow` asks about cycles: without z3, only a condition and its own `else` contradict."""
 
-    def contradict(transitions: Sequence[Transition]) -> bool:
-        found = [item.expression.condition for item in transitions]
-        conditions = [condition for condition in found if condition is not None]
-        if len(conditions) < 2 or not prover.is_there:
+    def contradict(holding: Sequence[Value], failing: Sequence[Value]) -> bool:
+        if {identity(condition) for condition in holding} & {identity(condition) for condition in failing}:
+            return True
+        if len(holding) + len(failing) < 2 or not prover.is_there:
             return False
         from aseme_dsl.proofs.snapshot import Undecided
 
         try:
-            return not prover.can_all_hold(conditions)
+            return not prover.is_possible(holding, failing)
         except Undecided:
             return False
 

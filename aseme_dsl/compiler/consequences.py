@@ -10,9 +10,10 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import lru_cache
 
 from aseme_dsl.compiler.library import declared_by
-from aseme_dsl.diagnostics import Diagnostic, Related, Severity, in_order
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related, Severity, in_order
 from aseme_dsl.source import Source, Span
 
 _ABSENCES = frozenset("E200 E204 E205 E206 E207 E212 E400 E403 E501 E502 E508 E511 E512 E513".split())
@@ -37,7 +38,8 @@ def without_consequences(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     ordered = list(in_order(found))
     broken = _broken(ordered)
     ordered = _folded(_without_rest_of_line(ordered, broken))
-    return tuple(_without_followers(_without_what_was_not_read(ordered, broken)))
+    kept = _without_followers(_without_what_was_not_read(ordered, broken))
+    return tuple(map(_blamed_on_its_declaration, kept))
 
 
 def _is_absence(item: Diagnostic) -> bool:
@@ -289,9 +291,47 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
 
 def _occurrences(span: Span) -> int:
     """How often the word at a place stands in its file: a slip is made once."""
-    return len(re.findall(rf"\b{re.escape(span.text)}\b", _COMMENT.sub("", span.source.text)))
+    return _words(span.source.text).get(span.text, (0, 0))[0]
 
 
+@lru_cache(maxsize=4)
+def _words(text: str) -> dict[str, tuple[int, int]]:
+    """Of each word outside of comments how often it stands in a text, and where the last time."""
+    found: dict[str, tuple[int, int]] = {}
+    for word in _WORD.finditer(_COMMENT.sub(lambda comment: " " * len(comment[0]), text)):
+        found[word[0]] = (found.get(word[0], (0, 0))[0] + 1, word.start())
+    return found
+
+
+def _blamed_on_its_declaration(item: Diagnostic) -> Diagnostic:
+    """Where several uses agree and nothing uses the name that is close, its declaration is the slip."""
+    span = item.span
+    if span is None or not _is_absence(item) or not item.changes:
+        return item
+    used, declared = span.text, {edit.text for edit in item.changes}
+    if len(declared) != 1 or any(edit.span.text != used for edit in item.changes):
+        return item
+    (name,) = declared
+    text = span.source.text
+    number, last = _words(text).get(name, (0, 0))
+    if number != 1 or not _is_declared_at(text, last, name) or _occurrences(span) < 2:
+        return item
+    place = Span(span.source, last, last + len(name))
+    hint = f"nothing uses `{name}`: is `{used}` meant there?"
+    related = (*item.related, Related(place, f"`{name}` is declared here"))
+    return replace(item, hint=hint, related=related, fix=None, edits=(Edit(place, used),))
+
+
+def _is_declared_at(text: str, place: int, name: str) -> bool:
+    """Whether the word there is the name of something declared, or a formula."""
+    before = _DECLARED_AFTER.search(text[max(0, place - 40) : place])
+    return before is not None or _ASSIGNED.match(text, place + len(name)) is not None
+
+
+_ASSIGNED = re.compile(r"\s*=(?![=>])")
+_DECLARED_AFTER = re.compile(
+    r"\b(?:enum|message|topic|let|function|sag|suc|role|aip|participant|srm|statechart|scenario|property)\s+\Z"
+)
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
 

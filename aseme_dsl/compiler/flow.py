@@ -16,6 +16,7 @@ from aseme_dsl.amola.expression import (
     ReadMessages,
     StartTimer,
     TransitionExpression,
+    Value,
     VariableValue,
     values_of,
     walk,
@@ -38,11 +39,11 @@ class _Edge:
     transition: Transition
 
 
-Contradict = Callable[[Sequence[Transition]], bool]
-"""Whether the conditions of transitions can surely not hold at one moment."""
+Contradict = Callable[[Sequence[Value], Sequence[Value]], bool]
+"""Whether it can surely not be that the first conditions hold at one moment and the second do not."""
 
 
-def check_flow(chart: Statechart, contradict: Contradict = lambda _: False) -> tuple[Diagnostic, ...]:
+def check_flow(chart: Statechart, contradict: Contradict = lambda _, __: False) -> tuple[Diagnostic, ...]:
     """Waits for what never completes (W402) and cycles that never rest (W403, E412).
 
     A cycle whose conditions `contradict` each other comes to rest. States are called by their names, not by
@@ -128,23 +129,20 @@ def _renamed(value: Expired, name: str) -> tuple[Edit, ...]:
 
 
 def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
-    """N724 for a state that may complete and is then left by time or by a `when` only.
+    """N724 for a state that may complete and is then left by time only.
 
-    A line with an event or `when` takes the place of the way out on completion. A message, an event or an
-    `error` is plainly meant to be waited for, and so is a `when` with a time limit beside it; one of them
-    alone may be meant besides completion.
+    A line with an event or `when` takes the place of the way out on completion. A message, an event, an
+    `error` or a `when` is plainly meant to be waited for; time alone may be meant besides completion.
     """
-    ended = {node.parent for node in chart.nodes if node.type is NodeType.END}
+    completes = _completions(chart, _edges(chart))[0]
     for node in chart.nodes:
-        if node.type is not NodeType.BASIC and not (node.type is NodeType.OR and node.label in ended):
+        if node.type not in (NodeType.BASIC, NodeType.OR) or not completes[node.label]:
             continue
         ways = chart.outgoing(node.label)
         if node.origin.kind is OriginKind.STATECHART:
             continue  # there is no template whose way out was replaced
         if not ways or not all(_is_limit(item.expression) for item in ways):
             continue
-        if len({item.expression.when for item in ways}) > 1 and len({item.target for item in ways}) == 1:
-            continue  # a wait with a time limit is one, whether the activity ends or not
         name, line = cut(node.name), ways[0].span.text.partition(":")[0].strip()
         hint = "if completion is meant to lead there, too, write a line without event beside this one"
         if "\n" not in line and len(line) < 60:
@@ -159,9 +157,7 @@ def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
 
 
 def _is_limit(expression: TransitionExpression) -> bool:
-    if expression.events:
-        return all(isinstance(event, After) for event in expression.events)
-    return expression.when
+    return bool(expression.events) and all(isinstance(event, After) for event in expression.events)
 
 
 def _is_left(chart: Statechart, node: Node, left: set[str]) -> bool:
@@ -215,6 +211,15 @@ def _endless_waits(chart: Statechart, edges: dict[str, list[_Edge]]) -> Iterator
     The way to an END that nobody wrote a line for is not reported: endless processes are meant to be endless.
     What follows from a reported wait is not reported again.
     """
+    for transition, target in _completions(chart, edges)[1]:
+        yield _endless_wait(chart, transition, target)
+
+
+def _completions(
+    chart: Statechart, edges: dict[str, list[_Edge]]
+) -> tuple[dict[str, bool], list[tuple[Transition, Node]]]:
+    """Which states may complete; and the transitions, with their targets, that wait in vain for that."""
+    in_vain: list[tuple[Transition, Node]] = []
     completes: dict[str, bool] = {}
     for node in reversed(chart.nodes):
         if node.type is NodeType.AND:
@@ -239,12 +244,13 @@ def _endless_waits(chart: Statechart, edges: dict[str, list[_Edge]]) -> Iterator
                     if _needs_completion(transition.expression) and not completes[transition.source]:
                         if target.type is NodeType.END and transition.expression.span is None:
                             continue
-                        yield _endless_wait(chart, transition, target)
+                        in_vain.append((transition, target))
                     if target.label not in seen:
                         seen.add(target.label)
                         waiting.append(target.label)
                         ended = ended or target.type is NodeType.END
             completes[node.label] = ended
+    return completes, in_vain
 
 
 def _endless_wait(chart: Statechart, transition: Transition, target: Node) -> Diagnostic:
@@ -284,17 +290,17 @@ def _cycles(chart: Statechart, edges: dict[str, list[_Edge]], contradict: Contra
                 quick.setdefault(edge.source, []).append(edge)
         start, end = chart.start_of(node.label), chart.end_of(node.label)
         if start is not None and end is not None:
-            ways = _walks(quick, start.label, end.label, at_once, contradict)
+            ways = _walks(chart, quick, start.label, end.label, at_once, contradict)
             if ways:
                 at_once[node.label] = _all_of(ways[0], at_once) if len(ways) == 1 else ()
         for circle in _circles(quick):
-            if _is_bare(chart, circle) or not _comes_to_rest(_all_of(circle, at_once), contradict):
-                yield _restless(chart, circle)
+            if _is_bare(chart, circle) or not _comes_to_rest(chart, _all_of(circle, at_once), contradict):
+                yield _restless(chart, circle, at_once)
                 continue
-            others = (_walks(quick, edge.source, edge.source, at_once, contradict) for edge in circle)
+            others = (_walks(chart, quick, edge.source, edge.source, at_once, contradict) for edge in circle)
             other = next((walks[0] for walks in others if walks), None)
             if other is not None:
-                yield _restless(chart, other or circle)
+                yield _restless(chart, other or circle, at_once)
 
 
 AtOnce = dict[str, tuple[Transition, ...]]
@@ -368,7 +374,12 @@ _MOST_WALKS = 1000
 
 
 def _walks(
-    following: dict[str, list[_Edge]], start: str, end: str, at_once: AtOnce, contradict: Contradict
+    chart: Statechart,
+    following: dict[str, list[_Edge]],
+    start: str,
+    end: str,
+    at_once: AtOnce,
+    contradict: Contradict,
 ) -> list[list[_Edge]]:
     """Ways from one state to another (round, to itself) whose conditions may hold together: at most two.
 
@@ -391,7 +402,7 @@ def _walks(
         path = stack.pop()
         target = path[-1].target
         if target == end:
-            if not _comes_to_rest(_all_of(path, at_once), contradict):
+            if not _comes_to_rest(chart, _all_of(path, at_once), contradict):
                 found.append(path)
         elif target not in [edge.source for edge in path]:
             stack += [[*path, edge] for edge in reversed(following.get(target, []))]
@@ -409,10 +420,12 @@ def _all_of(walk_of: Sequence[_Edge], at_once: AtOnce) -> tuple[Transition, ...]
     return tuple(found)
 
 
-def _comes_to_rest(transitions: Sequence[Transition], contradict: Contradict) -> bool:
+def _comes_to_rest(chart: Statechart, transitions: Sequence[Transition], contradict: Contradict) -> bool:
     """Whether the conditions contradict each other, and none of the actions changes what they read."""
     changed: set[object] = set()
     read: set[object] = set()
+    holding: list[Value] = []
+    failing: list[Value] = []
     for transition in transitions:
         expression = transition.expression
         for action in expression.actions:
@@ -425,7 +438,10 @@ def _comes_to_rest(transitions: Sequence[Transition], contradict: Contradict) ->
                     changed.add((timer,))
                 case ReadMessages():
                     return False
-        for value in walk(expression.condition) if expression.condition is not None else ():
+        holding += [expression.condition] if expression.condition is not None else []
+        failing += _before_else(chart, transition)
+    for condition in (*holding, *failing):
+        for value in walk(condition):
             match value:
                 case Member(channel=channel):
                     read.add(channel)
@@ -433,7 +449,22 @@ def _comes_to_rest(transitions: Sequence[Transition], contradict: Contradict) ->
                     read.add(name)
                 case Expired(timer=timer):
                     read.add((timer,))
-    return not changed & read and contradict(transitions)
+    return not changed & read and contradict(holding, failing)
+
+
+def _before_else(chart: Statechart, transition: Transition) -> Iterator[Value]:
+    """What does not hold where an `else` is taken; a way to another choice may be shut further on."""
+    if not transition.expression.otherwise:
+        return
+    for other in chart.outgoing(transition.source):
+        expression = other.expression
+        if (
+            expression.condition is not None
+            and not expression.events
+            and not expression.when
+            and chart.node(other.target).type is not NodeType.CONDITION
+        ):
+            yield expression.condition
 
 
 def _is_bare(chart: Statechart, circle: Sequence[_Edge]) -> bool:
@@ -441,7 +472,7 @@ def _is_bare(chart: Statechart, circle: Sequence[_Edge]) -> bool:
     return all(chart.by_label[edge.source].type is NodeType.CONDITION for edge in circle)
 
 
-def _restless(chart: Statechart, circle: Sequence[_Edge]) -> Diagnostic:
+def _restless(chart: Statechart, circle: Sequence[_Edge], at_once: AtOnce) -> Diagnostic:
     nodes = [chart.by_label[edge.source] for edge in circle]
     last = circle[-1].transition
     related = tuple(Related(edge.transition.span, "by this") for edge in circle[:-1])
@@ -454,6 +485,9 @@ def _restless(chart: Statechart, circle: Sequence[_Edge]) -> Diagnostic:
             related,
             hint="let one of them lead to a state",
         )
+    round_trip = {edge.transition for edge in circle}
+    inside = [item for item in _all_of(circle, at_once) if item not in round_trip and item.expression.when]
+    related += tuple(Related(item.span, "this `when` does not wait for completion") for item in inside)
     names = " → ".join(f"`{cut(name)}`" for name in _names([*nodes, nodes[0]]))
     return Diagnostic(
         "W403",

@@ -287,10 +287,25 @@ class _Reader:
             )
         hint = _MEANT.get(token, _OPERATORS)
         fix = _WRITTEN.get(token)
+        if fix == "." and token != "->" and self._is_among_others(index):
+            hint, fix = _OPERATORS, None
         following = self.tokens[index + 1] if index + 1 < len(self.tokens) else None
         if token == "-" and following is not None and is_hyphen(previous, token, following):
             hint, fix = f"names are written with '_': {previous}_{following}", "_"
         return self._error("E101", f"{shown(token)} is not an operator of formulas", token, hint, fix=fix)
+
+    def _is_among_others(self, index: int) -> bool:
+        """Whether another operator than '.' stands in the same brackets: then this may stand for it, too."""
+        for step in (1, -1):
+            depth = 0
+            place = index + step
+            while 0 <= place < len(self.tokens) and depth >= 0:
+                token = self.tokens[place]
+                depth += step * ((token in ("(", "[")) - (token in (")", "]")))
+                if depth == 0 and token in ("|", "||"):
+                    return True
+                place += step
+        return False
 
     def _inside(self, opening: int) -> str:
         """What stands in the brackets that open at `opening`, if it is short."""

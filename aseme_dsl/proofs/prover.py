@@ -40,11 +40,15 @@ class Prover:
 
         return Snapshot(conditions, self.vocabulary, self._context)
 
-    def can_all_hold(self, conditions: Sequence[e.Value]) -> bool:
-        """Whether the conditions can hold in one snapshot. Raises Undecided, and ImportError without z3."""
+    def is_possible(self, holding: Sequence[e.Value], failing: Sequence[e.Value]) -> bool:
+        """Whether the first conditions can hold in one snapshot in which none of the second does.
+
+        Raises Undecided, and ImportError without z3.
+        """
         from aseme_dsl.proofs.snapshot import Claim
 
-        return self.snapshot(conditions).is_possible(Claim(tuple(conditions)))
+        claim = Claim(tuple(holding), tuple((condition,) for condition in failing))
+        return self.snapshot(claim.conditions).is_possible(claim)
 
 
 __all__ = ["Prover"]

@@ -100,6 +100,12 @@ def test_operators_of_other_languages() -> None:
     assert "s = A . B . C. (D | E) . [F] || G }" in mended(text)
 
 
+@pytest.mark.parametrize("formula", ["(A | B, C)", "(A, B | C)", "A | (B | C), D", "(A || B; C)"])
+def test_what_may_be_another_operator_is_left(formula: str) -> None:
+    text = f"system S\nsrm s {{ liveness {{ s = {formula} }} }}\n"
+    assert mended(text) == text
+
+
 def test_a_timer_that_another_is_meant_by() -> None:
     text = ROBOT.replace("/ n = 0", "/ start_timer(pause, 1s)")
     text = text.replace("ball]", "ball && expired( pasue )]").replace("leave ", "repeat", 1)

@@ -331,6 +331,7 @@ class TestFix:
         assert done.code == 1
         assert done.out.splitlines()[:2] == ["--- bad.aseme", "+++ bad.aseme"]
         assert "+    enter Walk  : [eyes.state.Seen.ball]" in done.out
+        assert "error[E" in done.err, "what is not mended is said"
         assert (folder / "bad.aseme").read_text() == BAD
         assert here("check", "--fix", "--diff", "good.aseme").out == ""
 

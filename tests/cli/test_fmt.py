@@ -109,7 +109,7 @@ def test_a_file_with_mistakes_stays_and_others_go_on(here: Here, files: Path) ->
     done = here("fmt", "bad.aseme", "ugly.aseme")
     assert done.code == 1
     assert "bad.aseme:1:12" in done.err
-    assert done.out == "ugly.aseme: laid out\n1 file laid out\n"
+    assert done.out == "ugly.aseme: laid out\n1 file laid out, 1 file left as it is\n"
     assert (files / "bad.aseme").read_text() == "system   A }\n"
     assert (files / "ugly.aseme").read_text() == NICE
     assert here("fmt", "--check", "bad.aseme").code == 1
@@ -206,3 +206,9 @@ def test_a_read_only_file(files: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     done = format_file(files / "ugly.aseme", write=True)
     assert [item.message for item in done.diagnostics] == [f"{files / 'ugly.aseme'} is read-only"]
     assert (files / "ugly.aseme").read_text() == UGLY
+
+
+def test_a_file_with_errors_is_not_called_fine(here: Here, files: Path) -> None:
+    (files / "broken.aseme").write_text("system S srm {")
+    done = here("fmt", "broken.aseme")
+    assert (done.code, done.out) == (1, "1 file left as it is\n")

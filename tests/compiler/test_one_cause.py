@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from aseme_dsl.build.fix import apply
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.source import Source
@@ -164,4 +165,54 @@ srm r {
 """
     text = text.replace("r = Look . Go", "r = See~ || go  go = Look . Go").replace("control r", "control go")
     assert codes(text) == []
-    assert codes(text.replace("enter Go : after(5s)", "")) == ["N724"]
+    assert codes(text.replace("enter Go : after(5s)", "")) == []
+    assert codes(text.replace("enter Go : when [t.state.M.a]", "")) == ["N724"]
+
+
+PLAYED = """system S
+topic t { state M }
+message M { bool a }
+aip share {
+  participant first { process = Look }
+  participant second { process = Wait . [Go] }
+  control second { enter Go : [t.state.M.a]  skip Go : else }
+}
+srm robot {
+  plays share.first
+  plays share.second
+  liveness { robot = (first | second)~ }
+  control robot { enter first : [t.state.M.a]  enter second : else }
+}
+team Robots { one, two : robot }
+property once: always one.Look or two.Look
+"""
+
+
+def test_uses_that_agree_are_not_renamed() -> None:
+    """Where nothing but its declaration has a name, the declaration is the slip."""
+    for declaration, slip in (
+        ("participant second", "participant scond"),
+        ("    robot = (first", "    roboot = (first"),
+        ("liveness { robot", "liveness { robt"),
+        ("srm robot", "srm robt"),
+        ("aip share", "aip shar"),
+        ("message M", "message MM"),
+    ):
+        text = PLAYED.replace(declaration, slip)
+        for _ in range(3):
+            edits = [edit for item in analyse(Source("one.aseme", text)).diagnostics for edit in item.changes]
+            assert all(slip.endswith(edit.span.text) for edit in edits), (slip, edits)
+            text = apply(text, edits)
+        assert text == PLAYED.replace(declaration, slip) or text == PLAYED
+
+
+def test_a_state_that_never_completes_is_not_asked_to_be_left_then() -> None:
+    text = """system S
+srm r {
+  liveness { r = (work . Rest)~  work = LOOP }
+  activities { A takes 1s  Rest takes 1s }
+  control r { enter Rest : after(5s) }
+}
+"""
+    assert codes(text.replace("LOOP", "A~")) == []
+    assert codes(text.replace("LOOP", "A . A")) == ["N724"]

@@ -86,6 +86,23 @@ class TestCycles:
         assert "W403" in role("(A . B)~", control)
         assert "W403" not in role("(A . B)~", control.replace("enter B : when [steps < 2]", ""))
 
+    def test_an_else_contradicts_what_it_is_the_else_of(self) -> None:
+        control = """
+          enter B : [vision.state.Ball.distance < 20]
+          enter A : else
+          leave A : when [LEFT]
+          leave A :
+        """
+        for left in ("vision.state.Ball.distance < 20", "vision.state.Ball.distance < 10"):
+            assert "W403" not in role("(A | B)~", control.replace("LEFT", left))
+        assert "W403" in role("(A | B)~", control.replace("LEFT", "vision.state.Ball.distance < 30"))
+
+    def test_the_when_inside_is_pointed_at(self) -> None:
+        control = "enter B : [f()]  enter A : else  leave A : when [steps < 2]"
+        text = ROLE.format(formula="(A | B)~", control=control) + 'function f() : bool = "m:f"'
+        [item] = [item for item in analysis(text).diagnostics if item.code == "W403"]
+        assert [place.span.text for place in item.related] == ["leave A : when [steps < 2]"]
+
 
 @pytest.mark.parametrize(
     "conditions",
