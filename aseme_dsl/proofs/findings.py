@@ -88,8 +88,11 @@ def findings(situation: Situation, prover: Prover) -> list[Finding]:
     """Everything that is worth saying about a choice. Raises ImportError without z3."""
     fork = situation.fork
     ways = {place: _ways(situation.chart, branch) for place, branch in enumerate(fork.branches)}
-    conditions = [*fork.before, *(item for own in ways.values() for way in own for item in way)]
-    conditions += [item for way in situation.closers or () for item in way]
+    items = [*fork.before, *(item for own in ways.values() for way in own for item in way)]
+    items += [item for way in situation.closers or () for item in way]
+    # Also of a branch into a choice that nothing leaves, which has no way.
+    items += [item for branch in fork.branches if (item := branch.expression.condition) is not None]
+    conditions = list({id(item): item for item in items}.values())
     if len(fork.branches) > _MOST_BRANCHES or _size(conditions) > _MOST_PARTS:
         return [Unsure(fork.branches)]
     question = _Question(situation, prover.snapshot(conditions), ways, set(), [])

@@ -132,3 +132,18 @@ def test_what_is_too_hard_is_said_once() -> None:
     assert codes(
         text.replace("liveness", "var more : int = 0  var most : int = 0  liveness"), notes=True
     ) == ["N711"]
+
+
+def test_a_way_into_a_choice_that_nothing_leaves() -> None:
+    text = """
+system Dead
+statechart player {
+  var i : int = 0
+  state 0 OR
+  state 0.1 START
+  state 0.2 CONDITION
+  0.1 -> 0.2 : [i > 1 && i < 0]
+}
+team Dead { one : player }
+"""
+    assert codes(text) == ["W601", "W412"]
