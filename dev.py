@@ -54,8 +54,8 @@ LONG = [
     ),
     ("a real match of ten minutes", ["benchmarks/real_match.py"], {}),
     ("random charts", ["-m", "pytest", "tests/oracle"], {"ORACLE_EXAMPLES": "5000"}),
-    ("seeded faults", ["-m", "pytest", "tests/faults/test_seeded.py"], {"FAULT_RUNS": "1000"}),
-    ("random swaps", ["-m", "pytest", "tests/faults/test_swap.py"], {"SWAP_EXAMPLES": "300"}),
+    ("seeded faults", ["-m", "pytest", "-n", "auto", "tests/faults/test_seeded.py"], {"FAULT_RUNS": "1000"}),
+    ("random swaps", ["-m", "pytest", "-n", "auto", "tests/faults/test_swap.py"], {"SWAP_EXAMPLES": "300"}),
 ]
 """What `long` runs: too heavy for every change, to be run before a release."""
 

@@ -1,29 +1,35 @@
 """Faults: what may go wrong between the agents of a simulated team, by a seed, so that it can be repeated.
 
-What each kind of message promises over a bad link, here as over a real one:
+The simulated links lose, double, delay and reorder what is sent and what acknowledges it; above them is the
+same bookkeeping as above real ones (`transport.stream`), with its promises:
 
-* signals and agent messages arrive once each and in order per sender; what is lost on the link is sent again,
-  so that it comes late;
-* of a state the newest arrives in the end; one that comes after a newer one is dropped;
-* data is a sample: what is lost is lost, and what comes late has its own time.
+* signals, states and agent messages arrive once each and in order per sender; what is lost is sent again, and
+  what comes after it waits for it;
+* data is a sample, sent once: what is lost is lost, what is doubled counts once, and what comes late has its
+  own time.
 
-An agent that crashes loses what it knew and what comes for it until it starts again; each such message is
-told in the trace, and so is each sample that is lost.
+What the letters say is not encoded, and agents do not learn that another one is gone. An agent that crashes
+loses what it knew and what comes for it until it starts again; each such message is told in the trace, and so
+is each sample that is lost.
 """
 
 from __future__ import annotations
 
 import random
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.clock import MILLISECOND
 from aseme_dsl.runtime.inputs import Identity
+from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing, Samples
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.driver import Driver
     from aseme_dsl.runtime.trace import Trace
+
+_BEAT = 20 * MILLISECOND
+"""How often acknowledgements are sent and what is overdue is looked for, as by the real transport."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,16 +52,40 @@ class Partition:
 
 @dataclass(frozen=True, slots=True)
 class Faults:
-    """What goes wrong. `loss` is the chance of each transmission to be lost; one takes up to `delay` ns, by
-    chance, which also puts messages out of order; a lost one is repeated after `repeat` ns.
+    """What goes wrong. `loss` and `doubling` are the chances of each transmission to be lost, and to be made
+    twice; one takes up to `delay` ns, by chance, which also puts them out of order.
     """
 
     seed: int = 1
     loss: float = 0.0
+    doubling: float = 0.0
     delay: int = 0
-    repeat: int = 50 * MILLISECOND
     crashes: tuple[Crash, ...] = ()
     partitions: tuple[Partition, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Letter:
+    what: str
+    identity: Identity
+    give: Callable[[], None]
+
+
+@dataclass(slots=True)
+class _Way:
+    """From one agent to another."""
+
+    sender: str
+    receiver: str
+    out: Outgoing[_Letter] = field(default_factory=Outgoing)
+    into: Incoming[_Letter] = field(default_factory=Incoming)
+    sample: int = 0
+    """The number of the last sample that was sent."""
+    samples: Samples = field(default_factory=Samples)
+    owes: bool = False
+    """Whether something has come since the last acknowledgement."""
+    beats: bool = False
+    """Whether a beat is to come."""
 
 
 class Links:
@@ -66,62 +96,103 @@ class Links:
         self._driver = driver
         self._trace = trace
         self._chance = random.Random(f"links/{faults.seed}")
-        self._last: dict[tuple[str, str], int] = {}
-        self._newest: dict[tuple[str, str, str], int] = {}
-        self._sent = 0
+        self._ways: dict[tuple[str, str], _Way] = {}
 
     def carry(
         self, sender: str, receiver: str, kind: str, what: str, identity: Identity, give: Callable[[], None]
     ) -> None:
         """Carry a message of a kind (signal, state, data, mail); `give` gives it to its receiver."""
-        now = self._driver.clock.now()
-        self._sent += 1
+        way = self._ways.get((sender, receiver))
+        if way is None:
+            way = self._ways[sender, receiver] = _Way(sender, receiver)
+        letter = _Letter(what, identity, give)
         if kind == "data":
-            self._sample(now, sender, receiver, what, identity, give)
+            self._send_sample(way, letter)
             return
-        moment = self._arrival(now, sender, receiver)
-        if kind == "state":
-            number, key = self._sent, (sender, receiver, what)
+        for lost in way.out.put(Letter(letter, 0, what if kind == "state" else None)):
+            if lost.replaces is None:
+                self._tell_lost(way, lost.item, f"{lost.item.what} from {sender} is lost: too many wait")
+        self._pump(way)
 
-            def newest() -> None:
-                if self._newest.get(key, 0) < number:
-                    self._newest[key] = number
-                    give()
+    def _tell_lost(self, way: _Way, letter: _Letter, text: str) -> None:
+        self._trace.fault(self._driver.clock.now(), way.receiver, text, input=list(letter.identity))
 
-            self._driver.at(moment, newest)
-            return
-        # What overtakes on the link waits for what it has overtaken.
-        moment = self._last[sender, receiver] = max(moment, self._last.get((sender, receiver), 0))
-        self._driver.at(moment, give)
+    # ---- samples -----------------------------------------------------------------------------
 
-    def _sample(
-        self, now: int, sender: str, receiver: str, what: str, identity: Identity, give: Callable[[], None]
-    ) -> None:
-        moment = now + self._takes()
-        if self._chance.random() < self.faults.loss or self._is_cut(now, sender, receiver) is not None:
-            text = f"a sample of {what} from {sender} is lost on the link"
-            self._trace.fault(now, receiver, text, input=list(identity))
-            return
-        self._driver.at(moment, give)
+    def _send_sample(self, way: _Way, letter: _Letter) -> None:
+        number = way.sample = way.sample + 1
 
-    def _arrival(self, now: int, sender: str, receiver: str) -> int:
-        """When a transmission has succeeded that is repeated until it does."""
-        moment = now
-        while True:
-            end = self._is_cut(moment, sender, receiver)
-            if end is not None:
-                moment = end
-            elif self._chance.random() < self.faults.loss:
-                moment += self.faults.repeat
-            else:
-                return moment + self._takes()
+        def arrive() -> None:
+            if way.samples.take(number) is not None:
+                letter.give()
 
-    def _takes(self) -> int:
-        return self._chance.randint(0, self.faults.delay) if self.faults.delay else 0
+        if not self._transmit(way.sender, way.receiver, arrive):
+            text = f"a sample of {letter.what} from {way.sender} is lost on the link"
+            self._tell_lost(way, letter, text)
 
-    def _is_cut(self, moment: int, one: str, other: str) -> int | None:
-        """The end of the partition that is between two agents at a moment, if one is."""
-        for cut in self.faults.partitions:
-            if cut.at <= moment < cut.at + cut.lasts and (one in cut.agents) != (other in cut.agents):
-                return cut.at + cut.lasts
-        return None
+    # ---- the stream --------------------------------------------------------------------------
+
+    def _pump(self, way: _Way) -> None:
+        """Send what may be sent."""
+        for place, letter in way.out.ready(self._driver.clock.now()):
+            self._send(way, place, letter)
+        self._go_on(way)
+
+    def _send(self, way: _Way, place: int, letter: Letter[_Letter]) -> None:
+        self._transmit(way.sender, way.receiver, lambda: self._arrive(way, place, letter.item))
+
+    def _arrive(self, way: _Way, place: int, letter: _Letter) -> None:
+        """A letter has come to its receiver."""
+        had_gap = way.into.has_gap
+        for item in way.into.take(place, letter) or ():
+            item.give()
+        way.owes = True
+        if way.into.has_gap and not had_gap:
+            self._acknowledge(way)
+        self._go_on(way)
+
+    def _acknowledge(self, way: _Way) -> None:
+        way.owes = False
+        upto, missing = way.into.upto, way.into.missing()
+
+        def arrive() -> None:
+            for place, letter in way.out.acknowledge(upto, missing, self._driver.clock.now()):
+                self._send(way, place, letter)
+            self._pump(way)
+
+        self._transmit(way.receiver, way.sender, arrive)
+
+    def _go_on(self, way: _Way) -> None:
+        """Look after the stream again, as long as there is something on its way."""
+        if not way.beats and (way.owes or way.out.flying):
+            way.beats = True
+            self._driver.at(self._driver.clock.now() + _BEAT, lambda: self._beat(way))
+
+    def _beat(self, way: _Way) -> None:
+        way.beats = False
+        if way.owes:
+            self._acknowledge(way)
+        for place, letter in way.out.overdue(self._driver.clock.now()):
+            self._send(way, place, letter)
+        self._pump(way)
+
+    # ---- the link ----------------------------------------------------------------------------
+
+    def _transmit(self, sender: str, receiver: str, arrive: Callable[[], None]) -> bool:
+        """Try to bring something over; whether it will arrive, once or twice."""
+        now, faults, chance = self._driver.clock.now(), self.faults, self._chance
+        if self._is_cut(now, sender, receiver):
+            return False
+        came = False
+        for _ in range(2 if chance.random() < faults.doubling else 1):
+            if chance.random() >= faults.loss:
+                came = True
+                self._driver.at(now + (chance.randint(0, faults.delay) if faults.delay else 0), arrive)
+        return came
+
+    def _is_cut(self, moment: int, one: str, other: str) -> bool:
+        """Whether a partition is between two agents at a moment."""
+        return any(
+            cut.at <= moment < cut.at + cut.lasts and (one in cut.agents) != (other in cut.agents)
+            for cut in self.faults.partitions
+        )

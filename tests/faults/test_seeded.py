@@ -1,4 +1,4 @@
-"""Runs with seeded faults: loss, delay, reordering, partitions, crashes; and swaps in their midst.
+"""Runs with seeded faults: loss, doubling, delay, reordering, partitions, crashes; and swaps in their midst.
 
 `FAULT_RUNS=1000 pytest tests/faults/test_seeded.py` plays a thousand of them; `python3 dev.py long` does.
 """
@@ -32,7 +32,7 @@ srm speaker {
 }
 srm hearer {
   liveness { hearer = Hear~ }
-  activities { Hear every 5ms reads line.signal.Note, line.state.Note, line.data.Note for 100ms }
+  activities { Hear every 20ms reads line.signal.Note, line.state.Note, line.data.Note for 400ms }
 }
 team Talk { one : speaker  two : speaker  ear : hearer }
 """
@@ -54,15 +54,15 @@ def faults(chance: random.Random, names: list[str], crashes: bool = True) -> Fau
     return Faults(
         chance.randint(1, 10**6),
         chance.random() * 0.4,
+        chance.choice((0.0, 0.1, 0.3)),
         chance.choice((0, 5, 30, 80)) * MS,
-        chance.choice((10, 50)) * MS,
         tuple(fallen),
         tuple(cuts),
     )
 
 
 def run(made: Generated, what: Faults, activities: Any = None, changes: Any = None) -> list[Record]:
-    team, records = make(made, activities, until=4 * SECOND, faults=what)
+    team, records = make(made, activities, until=6 * SECOND, faults=what)
     if changes is not None:
         changes(team)
     assert team.run().reason == "time"  # no hang, and nobody stops
@@ -77,6 +77,7 @@ def test_signals_are_neither_lost_nor_doubled_nor_overtaken(group: int) -> None:
         heard: dict[str, list[int]] = {"one": [], "two": []}
         said = {"one": 0, "two": 0}
         states: list[int] = []
+        sampled: dict[str, set[int]] = {"one": set(), "two": set()}
 
         class Speak:
             def execute(self, context: Context, said: dict[str, int] = said) -> None:
@@ -92,6 +93,7 @@ def test_signals_are_neither_lost_nor_doubled_nor_overtaken(group: int) -> None:
                 context: Context,
                 heard: dict[str, list[int]] = heard,
                 states: list[int] = states,
+                sampled: dict[str, set[int]] = sampled,
             ) -> None:
                 for sender, numbers in heard.items():
                     while (note := context.read("line.signal.Note", host=sender)) is not None:
@@ -99,6 +101,10 @@ def test_signals_are_neither_lost_nor_doubled_nor_overtaken(group: int) -> None:
                 newest = context.state("line.state.Note", host="one")
                 if newest is not None:
                     states.append(newest.n)
+                for sender, found in sampled.items():
+                    samples = [item.message.n for item in context.history("line.data.Note", host=sender)]
+                    assert len(samples) == len(set(samples))
+                    found.update(samples)
 
         what = faults(chance, ["one", "two", "ear"], crashes=seed % 2 == 0)
         records = run(made, what, {"Speak": Speak, "Hear": Hear})
@@ -112,6 +118,10 @@ def test_signals_are_neither_lost_nor_doubled_nor_overtaken(group: int) -> None:
             assert states[-1] == said["one"], (seed, what)
         told = [r for r in records if r["kind"] == "fault"]
         assert all("is lost" in r["reason"] for r in told), seed
+        if not what.crashes:  # a sample comes, or it is told that it was lost
+            for sender, found in sampled.items():
+                lost = [r for r in told if r["reason"].endswith(f"from {sender} is lost on the link")]
+                assert len(found) + len(lost) == said[sender], (seed, what)
 
 
 @pytest.mark.parametrize("group", range(GROUPS))

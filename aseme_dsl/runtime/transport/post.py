@@ -34,7 +34,7 @@ from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
 from aseme_dsl.runtime.transport.link import Link
 from aseme_dsl.runtime.transport.port import Answer, Peer, TransportError
-from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing
+from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing, Samples
 from aseme_dsl.runtime.wire import Schema, WireError
 
 if TYPE_CHECKING:
@@ -86,9 +86,8 @@ class _Way:
     """How many letters have come since the last acknowledgement."""
     sample: int = 0
     """The number of the last sample that was sent."""
-    newest: int = 0
-    """The highest number of a sample that came."""
-    recent: set[int] = field(default_factory=set)
+    samples: Samples = field(default_factory=Samples)
+    """Those that came."""
 
 
 @dataclass(slots=True)
@@ -581,22 +580,18 @@ class Post:
         if envelope.kind != envelopes.MESSAGE or not number or ".data." not in envelope.channel:
             self._count(other, "unreadable", "it has no place in the stream", about=envelope.channel)
             return []
-        if number in way.recent or number <= way.newest - 1024:
+        missed = way.samples.take(number)
+        if missed is None:
             self._count(other, "doubled", "one came twice; the second was dropped")
             return []
-        if number < way.newest:
+        if missed < 0:
             self._count(other, "disordered", "one came before its predecessor")
-            other.counts["dropped"] = other.counts.get("dropped", 0) - 1
-        elif number > way.newest + 1:
-            missed = number - way.newest - 1
-            other.counts["dropped"] = other.counts.get("dropped", 0) + missed
+        elif missed:
             self._tell_once(
                 other, "dropped", "data did not come: too much was sent at once, or the link broke"
             )
-        way.newest = max(way.newest, number)
-        way.recent.add(number)
-        if len(way.recent) > 2048:
-            way.recent = {n for n in way.recent if n > way.newest - 1024}
+        if missed:
+            other.counts["dropped"] = other.counts.get("dropped", 0) + missed
         return [got]
 
     def _hand_on(self, to: str, other: _Other, envelope: Envelope, message: Any) -> None:
@@ -701,8 +696,7 @@ class Post:
                 continue
             flying, waiting = way.out.restart()
             self._lose(name, flying, "it ended while this was on its way")
-            way.into, way.owed, way.sample, way.newest = Incoming(), 0, 0, 0
-            way.recent.clear()
+            way.into, way.samples, way.owed, way.sample = Incoming(), Samples(), 0, 0
             for kept in self._news_for(mine, name):
                 way.out.put(Letter(kept.sent, len(kept.sent.payload), kept.replaces))
             for letter in waiting:

@@ -32,6 +32,8 @@ LONGEST = 500_000_000
 """At most so many ns lie between two attempts."""
 EARLY = 4 * WINDOW
 """How far ahead of what is due a letter may be."""
+RECENT = 1024
+"""So many samples back it is remembered which have come."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,3 +169,24 @@ class Incoming(Generic[T]):
         last = max(self._early)
         gaps = (place for place in range(self._upto + 1, last) if place not in self._early)
         return tuple(place for place, _ in zip(gaps, range(WINDOW // 4), strict=False))
+
+
+class Samples:
+    """What has come of that which is sent once, or not at all, with numbers from 1."""
+
+    __slots__ = ("_newest", "_recent")
+
+    def __init__(self) -> None:
+        self._newest = 0
+        self._recent: set[int] = set()
+
+    def take(self, number: int) -> int | None:
+        """How many before it have not come (-1: it is one of those itself); None: it has come before."""
+        newest, recent = self._newest, self._recent
+        if number in recent or number <= newest - RECENT:
+            return None
+        self._newest = max(newest, number)
+        recent.add(number)
+        if len(recent) > 2 * RECENT:
+            self._recent = {item for item in recent if item > self._newest - RECENT}
+        return -1 if number < newest else number - newest - 1
