@@ -154,6 +154,7 @@ class _Run:
 
     def run(self) -> Supervised:
         """Start everybody, and watch them to the end."""
+        over = False
         with _signals(lambda: self._news.put(("", "stop", "interrupted"))):
             try:
                 if self._made_by is not None:
@@ -162,13 +163,22 @@ class _Run:
                     self._start(child)
                 self._await_all()
                 self._watch()
+                over = self._time_is_over()
             finally:
                 self._end_all()
         ends = tuple(
             RobotEnd(child.name, child.code or 0, child.starts, tuple(child.traces))
             for child in self._robots.values()
         )
-        return Supervised(self._reason or "finished", ends)
+        return Supervised(self._reason or ("time" if over else "finished"), ends)
+
+    def _time_is_over(self) -> bool:
+        """Whether the robots have played for as long as they were to."""
+        project = self._configuration.run
+        limit = self._request.duration
+        if limit is None and self._world is not None and project is not None:
+            limit = project.duration
+        return limit is not None and self._origin is not None and time.monotonic_ns() >= self._origin + limit
 
     @property
     def _made_by(self) -> str | None:

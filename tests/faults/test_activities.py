@@ -28,6 +28,15 @@ class Boss:
         await context.sleep(0.1)
         context.raise_event("stop")
 """
+BEGUN = """
+from pathlib import Path
+class Boss:
+    async def execute(self, context):
+        while not Path(__file__).with_name("begun").exists():
+            await context.sleep(0.01)
+        context.raise_event("stop")
+"""
+"""One that waits for what has begun in another process, which takes a busy machine long."""
 BOSS2 = """
 class Boss2:
     async def execute(self, context):
@@ -71,9 +80,11 @@ DEAF = {
         """,
     "process": """
         import time
+        from pathlib import Path
         class Work:
             kind = "process"
             def execute(self, context):
+                Path(__file__).with_name("begun").touch()
                 while True:
                     time.sleep(1000)
         """,
@@ -84,7 +95,7 @@ DEAF = {
 def test_an_activity_that_ignores_its_cancellation_is_reported_and_a_process_killed(
     kind: str, tmp_path: Path
 ) -> None:
-    played = run(LEFT, tmp_path, work=DEAF[kind], boss=BOSS, boss2=BOSS2)
+    played = run(LEFT, tmp_path, work=DEAF[kind], boss=BEGUN if kind == "process" else BOSS, boss2=BOSS2)
     assert played.result.reason == "finished"
     assert played.order("start", "end")[-1] == "end Boss2"  # the rest goes on
     (fault, *_) = played.of("fault", activity="Work")
