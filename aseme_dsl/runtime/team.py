@@ -626,7 +626,8 @@ def _interruptible(stop: Callable[[str], None]) -> Iterator[None]:
     before: dict[int, Any] = {}
 
     def handle(number: int, frame: FrameType | None) -> None:
-        signal.signal(number, before[number])
+        for each, handler in before.items():
+            signal.signal(each, handler)
         stop("interrupted")
 
     for number in (int(signal.SIGINT), int(signal.SIGTERM)):

@@ -104,6 +104,64 @@ def test_a_signal_ends_a_run_whose_activities_never_would(number: int, tmp_path:
     assert gone and not alive
 
 
+def _play_alone(folder: Path, activity: str) -> subprocess.Popen[str]:
+    """A run of one activity, `Alone`, up to the moment at which that says `ready`."""
+    (folder / "activities").mkdir()
+    (folder / "alone.aseme").write_text("system Lonely\nsrm robot { liveness { robot = Alone } }\n")
+    (folder / "activities" / "alone.py").write_text(textwrap.dedent(activity))
+    started = subprocess.Popen(
+        command("run", "alone.aseme", "--real", "--activities", "activities"),
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert started.stdout is not None
+    for line in started.stdout:
+        if line.endswith("ready\n"):
+            break
+    return started
+
+
+def test_a_second_signal_ends_the_process_at_once(tmp_path: Path) -> None:
+    started = _play_alone(
+        tmp_path, ACTIVITIES["ready"].replace("Ready", "Alone").replace("wait(1)", "log('')")
+    )
+    try:
+        started.send_signal(signal.SIGSTOP)  # so that both come before it can be over
+        started.send_signal(signal.SIGINT)
+        started.send_signal(signal.SIGTERM)
+        started.send_signal(signal.SIGCONT)
+        out, err = started.communicate(timeout=30)
+    finally:
+        started.kill()
+    assert started.returncode == 143, out + err  # whichever of the two comes second
+    assert "played" not in out
+
+
+def test_a_thread_that_ends_the_process_ends_all_and_leaves_the_trace(tmp_path: Path) -> None:
+    started = _play_alone(
+        tmp_path,
+        """
+        import os
+        class Alone:
+            def execute(self, context):
+                context.log("ready")
+                context.wait(1)
+                os._exit(7)
+        """,
+    )
+    try:
+        started.communicate(timeout=30)
+    finally:
+        started.kill()
+    assert started.returncode == 7
+    trace = tmp_path / "out/trace.jsonl.part"
+    lines = [json.loads(line) for line in trace.read_text().splitlines()]
+    assert lines[0]["kind"] == "header" and lines[-1]["kind"] != "finish"
+    assert "ready" in [line.get("text") for line in lines]
+
+
 def test_workers_end_when_their_robot_is_killed(tmp_path: Path) -> None:
     """kill -9: nobody tells the workers, they notice."""
     folder = tmp_path / "activities"
