@@ -44,19 +44,32 @@ class Node:
         return tuple(str(agent["name"]) for agent in self.status.get("agents", ()))
 
 
-def nodes(output: Path) -> tuple[Node, ...]:
-    """The processes that run from an output folder.
+def look(output: Path) -> tuple[tuple[Node, ...], tuple[str, ...]]:
+    """The processes that run from an output folder and answer, and why others do not.
 
     Raises:
-        OperateError: there is none, or one does not answer.
+        OperateError: there is none.
     """
     from aseme_dsl.runtime.control_socket import endpoints
 
     found = endpoints(output)
     if not found:
         raise OperateError(f"nothing runs from {output}: `asemec run … --real` does")
-    replies = _ask_all({path: {"request": "status"} for path in found}, _ANSWER)
-    return tuple(Node(path, reply) for path, reply in replies.items())
+    replies = _try_all({path: {"request": "status"} for path in found})
+    there = tuple(Node(path, reply) for path, reply in replies.items() if reply["ok"])
+    return there, tuple(text for reply in replies.values() if not reply["ok"] for text in reply["reasons"])
+
+
+def nodes(output: Path) -> tuple[Node, ...]:
+    """The processes that run from an output folder.
+
+    Raises:
+        OperateError: there is none, or one does not answer.
+    """
+    there, silent = look(output)
+    if silent:
+        raise OperateError(*silent)
+    return there
 
 
 def select(output: Path, agent: str, plan: str) -> Reply:

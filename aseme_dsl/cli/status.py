@@ -18,16 +18,17 @@ from aseme_dsl.cli.shared import json_option, print_json, running_option
 @running_option
 @json_option
 def command(output: Path, as_json: bool) -> int:
-    """Print what the processes say; 1 if there is none."""
-    from aseme_dsl.build.operate import OperateError, nodes
+    """Print what the processes say; 1 if there is none, or one does not answer."""
+    from aseme_dsl.build.operate import OperateError, look
 
     try:
-        found = nodes(output)
+        found, silent = look(output)
     except OperateError as problem:
         raise click.ClickException("\n".join(problem.args)) from problem
     if as_json:
-        print_json({"processes": [{"socket": str(node.socket), **node.status} for node in found]})
-        return 0
+        processes = [{"socket": str(node.socket), **node.status} for node in found]
+        print_json({"processes": processes, "silent": list(silent)})
+        return 1 if silent else 0
     for node in found:
         status = node.status
         click.echo(f"{status['system']}  model {status['model']}  {status['time'] / 1e9:.1f} s")
@@ -36,4 +37,6 @@ def command(output: Path, as_json: bool) -> int:
             if agent["over"]:
                 doing = f"failed: {agent['failure']}" if agent["failure"] else "has ended"
             click.echo(f"  {agent['name']:<12} {agent['role']:<12} model {agent['model']}  {doing}")
-    return 0
+    for reason in silent:
+        click.echo(f"Error: {reason}", err=True)
+    return 1 if silent else 0

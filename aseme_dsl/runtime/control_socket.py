@@ -92,8 +92,10 @@ def endpoints(output: Path) -> list[Path]:
                 with contextlib.suppress(OSError):
                     path.unlink()
                 continue
-            except OSError:
+            except FileNotFoundError:
                 continue
+            except OSError:
+                pass  # somebody is there who takes no more connections
         found.append(path)
     return found
 
@@ -112,16 +114,22 @@ def ask(path: Path, request: dict[str, Any], timeout: float = 5.0) -> dict[str, 
             with connection.makefile("rb") as lines:
                 line = lines.readline(LARGEST)
     except TimeoutError as problem:
-        raise ControlError(f"{path.stem} does not answer within {timeout:g} s") from problem
+        raise ControlError(f"{_who(path)} does not answer within {timeout:g} s") from problem
     except OSError as problem:
-        raise ControlError(f"{path.stem} cannot be reached: {problem.strerror or problem}") from problem
+        raise ControlError(f"{_who(path)} cannot be reached: {problem.strerror or problem}") from problem
     try:
         reply = json.loads(line)
     except ValueError as problem:
-        raise ControlError(f"{path.stem} has ended before it answered") from problem
+        raise ControlError(f"{_who(path)} has ended before it answered") from problem
     if not isinstance(reply, dict):
-        raise ControlError(f"{path.stem} answers with {reply!r}")
+        raise ControlError(f"{_who(path)} answers with {reply!r}")
     return reply
+
+
+def _who(path: Path) -> str:
+    """Whose socket it is, for people: `process 4711 (robot2)`."""
+    name, _, number = path.stem.rpartition("-")
+    return f"process {number} ({name})"
 
 
 def _make_private(folder: Path) -> None:
