@@ -19,6 +19,8 @@ from aseme_dsl.runtime.as_json import from_json, to_json
 
 PAUSE = 0.05
 """How long, in seconds, at least passes between two writings: a disk stands only so many."""
+AGAIN = 0.25
+"""After how many seconds what could not be written is tried again."""
 
 
 class Kept:
@@ -39,7 +41,7 @@ class Kept:
 
         def work() -> None:
             while not self._over.is_set():
-                self._news.wait()
+                self._news.wait(AGAIN if self._changed else None)
                 self._news.clear()
                 for agent, reason in self.save():
                     failed(agent, reason)
@@ -69,7 +71,7 @@ class Kept:
     def save(self) -> list[tuple[str, str]]:
         """Write what has changed; for each agent where that failed, why.
 
-        What could not be written is tried again the next time; the same reason is given once.
+        What could not be written is tried again; the same reason is given once.
         """
         with self._saving:
             return self._save()

@@ -177,3 +177,22 @@ def test_a_full_disk_is_told_once_and_what_was_kept_stays(
     monkeypatch.setattr("os.fsync", sync)
     assert states.save() == []
     assert kept(tmp_path / "one.json") == 2
+
+
+def test_what_could_not_be_written_is_tried_again_without_anything_new(tmp_path: Path) -> None:
+    from aseme_dsl.runtime.persist import Kept
+    from tests.support.generated import generate
+
+    folder = tmp_path / "kept"
+    told: list[str] = []
+    folder.write_text("a file is no folder", "utf-8")
+    states = Kept(folder)
+    states.begin(lambda agent, reason: told.append(reason))
+    try:
+        states.put("one", "count.state.Count", None, generate(COUNTING).message("Count", n=7))
+        until(lambda: told)
+        folder.unlink()
+        until(lambda: kept(folder / "one.json") == 7)
+    finally:
+        states.end(5.0)
+    assert len(told) == 1
