@@ -25,7 +25,7 @@ _WIDEST = 100
 
 
 def _codes(context: click.Context, parameter: click.Parameter, written: tuple[str, ...]) -> tuple[str, ...]:
-    """The codes as people copy them: `E200`, `e200` or `error[E200]`.
+    """The codes as people copy them: `E200`, `e200` or `error[E200]`; `W4` or `W41` are all that begin so.
 
     Raises:
         click.UsageError: There is no such code.
@@ -34,6 +34,10 @@ def _codes(context: click.Context, parameter: click.Parameter, written: tuple[st
     for text in written:
         copied = re.fullmatch(r"(?:\w*\[)?(\w+)\]?", text)
         code = copied[1].upper() if copied else text
+        group = [item for item in CODES if re.fullmatch(r"[EWN]\d{1,2}", code) and item.startswith(code)]
+        if group:
+            codes += group
+            continue
         if code not in CODES:
             near = closest(code, CODES)
             hint = f"Did you mean {near!r}?" if near else "`asemec explain` lists all."
@@ -53,7 +57,7 @@ def _completions(context: click.Context, parameter: click.Parameter, incomplete:
     short_help="Say what a code of a message means.",
     help="Explain codes of messages: what each means, why it matters and what to do, with an example that has"
     " the problem and one that has not. Without CODE: all codes.",
-    epilog="Example: asemec explain E200",
+    epilog="Example: asemec explain E200   ·   asemec explain W4",
 )
 @click.argument("codes", nargs=-1, metavar="[CODE]...", callback=_codes, shell_complete=_completions)
 @json_option

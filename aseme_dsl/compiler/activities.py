@@ -60,7 +60,7 @@ def _read(checker: Checker, written: tree.ActivityRead) -> Subscription | None:
         if symbols.topic(topic.text) is None:
             if not symbols.is_excused(topic.text):
                 pool = [item.name for item in symbols.topics]
-                hint = providers(topic.text)
+                hint = providers(topic.text, "topic")
                 if symbols.message(topic.text) is not None:
                     channels = symbols.channels_of(topic.text)
                     hint = f"it is a message: `{channels[0]}`" if channels else "it is a message"

@@ -176,12 +176,14 @@ def _no_participants(written: tree.Aip) -> Missing:
 
 
 def _no_process(written: tree.Aip, participant: tree.Participant) -> Diagnostic:
-    return Diagnostic(
-        "E305",
-        f"`{participant.name}` of {written.name} has no process",
-        participant.name.span,
-        hint="say what it does: `process = WalkTowardsBall . [PassBall]`",
-    )
+    message = f"`{participant.name}` of {written.name} has no process"
+    near = closest(PROCESS, [item.name.text for item in participant.formulas])
+    if near is not None:
+        slip = next(item.name.span for item in participant.formulas if item.name.text == near)
+        related = (Related(participant.name.span, "the participant"),)
+        return Diagnostic("E305", message, slip, related, hint=f"did you mean `{PROCESS}`?", fix=PROCESS)
+    hint = "say what it does: `process = WalkTowardsBall . [PassBall]`"
+    return Diagnostic("E305", message, participant.name.span, hint=hint)
 
 
 def _controls(

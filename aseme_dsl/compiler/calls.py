@@ -31,7 +31,9 @@ def function_name(checker: Checker, written: tree.Call) -> str | None:
     if not symbols.is_excused(name.text):
         pool = (*symbols.function_names, *FORMS)
         hint = "declare it, or import the file that does"
-        found = unknown("E502", "there is no function", name, pool, hint, certain=providers(name.text))
+        found = unknown(
+            "E502", "there is no function", name, pool, hint, certain=providers(name.text, "function")
+        )
         checker.diagnostics.append(found)
     return None
 

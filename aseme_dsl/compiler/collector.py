@@ -69,6 +69,8 @@ def type_named(
         return None
     pool = (*BUILT_IN, *enums, *messages)
     hint = "declare it or import it"
-    found = unknown("E200", "there is no type", name, pool, hint, certain=providers(name.text))
+    found = unknown(
+        "E200", "there is no type", name, pool, hint, certain=providers(name.text, "enum", "message")
+    )
     collector.diagnostics.append(found)
     return None

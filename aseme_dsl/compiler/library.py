@@ -7,27 +7,38 @@ from functools import cache
 
 from aseme_dsl.standard_library import standard_library
 
-_DECLARED = re.compile(r"^(?:enum|message|topic|function|let|aip)\s+(\w+)", re.MULTILINE)
+_DECLARED = re.compile(r"^(enum|message|topic|function|let|aip)\s+(\w+)(\s*\{[^}]*|[^\n]*)", re.MULTILINE)
 
 
-def providers(name: str) -> str | None:
-    """``"`import soccer` declares it"``, or None."""
-    found = _declared().get(name)
+def providers(name: str, *kinds: str, carrying: str | None = None) -> str | None:
+    """``"`import soccer` declares it"``, or None.
+
+    Only what is declared as one of `kinds`, if any are given, counts; of topics, with `carrying` only those
+    that carry that message.
+    """
+    found: list[str] = []
+    for kind, library, rest in _declared().get(name, ()):
+        fits = not kinds or kind in kinds
+        carries = carrying is None or kind != "topic" or re.search(rf"\b{re.escape(carrying)}\b", rest)
+        if fits and carries and library not in found:
+            found.append(library)
     if not found:
         return None
     return " or ".join(f"`import {item}`" for item in found) + " declares it"
 
 
 @cache
-def _declared() -> dict[str, tuple[str, ...]]:
-    found: dict[str, tuple[str, ...]] = {}
+def _declared() -> dict[str, tuple[tuple[str, str, str], ...]]:
+    """Of each name: what it is declared as, in which file, and the rest of the line."""
+    found: dict[str, tuple[tuple[str, str, str], ...]] = {}
     for path in sorted(standard_library().glob("*.aseme")):
-        for name in _DECLARED.findall(path.read_text("utf-8")):
-            if path.stem not in found.get(name, ()):
-                found[name] = (*found.get(name, ()), path.stem)
+        for kind, name, rest in _DECLARED.findall(path.read_text("utf-8")):
+            found[name] = (*found.get(name, ()), (kind, path.stem, rest))
     return found
 
 
 def declared_by(library: str) -> frozenset[str]:
     """The names that a file of the standard library declares; none if there is no such file."""
-    return frozenset(name for name, files in _declared().items() if library in files)
+    return frozenset(
+        name for name, files in _declared().items() if any(library == item for _, item, _ in files)
+    )

@@ -128,7 +128,14 @@ def _unknown_word(checker: Checker, name: tree.Name) -> None:
         return
     pool = (*scope.variables, *scope.lets, *(enum.name for enum in symbols.enums))
     checker.diagnostics.append(
-        unknown("E200", "there is no variable or let", name, pool, "declare it", certain=providers(name.text))
+        unknown(
+            "E200",
+            "there is no variable or let",
+            name,
+            pool,
+            "declare it",
+            certain=providers(name.text, "let", "enum"),
+        )
     )
 
 
@@ -163,7 +170,7 @@ def channel_of(checker: Checker, path: tree.Path) -> tuple[str | None, Channel, 
     else:
         _no_class(checker, path)
         return None
-    topic = _topic(checker, segments[used])
+    topic = _topic(checker, segments[used], segments[used + 2] if len(segments) > used + 2 else None)
     if topic is None:
         return None
     comm = segments[used + 1]
@@ -191,13 +198,14 @@ def _is_host(checker: Checker, host: tree.Name) -> bool:
     return False
 
 
-def _topic(checker: Checker, name: tree.Name) -> Topic | None:
+def _topic(checker: Checker, name: tree.Name, message: tree.Name | None = None) -> Topic | None:
     symbols = checker.scope.symbols
     topic = symbols.topic(name.text)
     if topic is None and not symbols.is_excused(name.text):
         pool = [item.name for item in symbols.topics]
+        certain = providers(name.text, "topic", carrying=message.text if message is not None else None)
         checker.diagnostics.append(
-            unknown("E502", "there is no topic", name, pool, "declare it", certain=providers(name.text))
+            unknown("E502", "there is no topic", name, pool, "declare it", certain=certain)
         )
     return topic
 
@@ -257,7 +265,7 @@ def _no_class(checker: Checker, path: tree.Path) -> None:
             first,
             pool,
             "a message is read as `topic.state.Message.member`",
-            certain=providers(first.text),
+            certain=providers(first.text, "topic", "let", "enum"),
         )
     )
 
@@ -325,7 +333,7 @@ def _no_channel(checker: Checker, topic: Topic, comm: tree.Name, message: tree.N
             f"the topic `{topic.name}` carries no message",
             message,
             pool,
-            certain=providers(message.text),
+            certain=providers(message.text, "message"),
         )
     )
 

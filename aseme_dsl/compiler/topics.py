@@ -126,7 +126,7 @@ def _channels(
             if symbols.message(name.text) is None:
                 if not symbols.is_excused(name.text):
                     pool = [item.name for item in symbols.messages]
-                    certain = "it is an enum" if symbols.enum(name.text) else providers(name.text)
+                    certain = "it is an enum" if symbols.enum(name.text) else providers(name.text, "message")
                     found_none = unknown("E502", "there is no message", name, pool, certain=certain)
                     collector.diagnostics.append(found_none)
                     collector.wrong.add(name.text)

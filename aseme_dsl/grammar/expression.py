@@ -179,7 +179,11 @@ class _Reader:
             condition = self.expression()
             self.need("]", opener)
         elif when:
-            raise self.unexpected("'[' and a condition")
+            raise (
+                self._bare_condition(self.index)
+                if _is_name(self.next)
+                else self.unexpected("'[' and a condition")
+            )
         if self.next == "/":
             self.take()
             while True:
@@ -214,6 +218,10 @@ class _Reader:
             duration = self.expression()
             self.need(")", opener)
             return tree.After(duration, self.since(first.start))
+        if first == "if" and following == "[":
+            between = Edit(Span(self.source, first.start, following.start), "")
+            found = self.error("E102", "a condition stands in '[' and ']', without 'if'", first)
+            raise Malformed(replace(found.diagnostic, edits=(between,)))
         if (
             following
             and _is_name(following)
@@ -221,6 +229,8 @@ class _Reader:
             and "." not in first
             and "." not in following
         ):
+            if first == "if" and self.tokens[self.index : self.index + 2][1:] != ["from"]:
+                raise self._if(first)
             self.index -= 1
             performative = self.need_name("a performative")
             message = self.need_name("a message")
@@ -511,6 +521,15 @@ class _Reader:
                 "E102", f"expected 'from', found {shown(found)}", found, "did you mean 'from'?", "from"
             )
         return self.unexpected("'from' and a participant")
+
+    def _if(self, word: Token) -> Malformed:
+        """`if low` of other languages."""
+        found = self._bare_condition(self.index).diagnostic
+        if found.fix is None or found.span is None:
+            return self.error("E102", "a condition stands in '[' and ']', without 'if'", word)
+        span = Span(self.source, word.start, found.span.end)
+        message = "a condition stands in '[' and ']', without 'if'"
+        return Malformed(replace(found, message=message, span=span))
 
     def _bare_condition(self, start: int) -> Malformed:
         first = self.tokens[start]

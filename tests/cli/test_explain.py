@@ -79,3 +79,9 @@ def test_colour_is_only_added(here: Here) -> None:
     done = here("explain", "E200", "--color", "always")
     assert "\x1b[31m\x1b[1merror[E200]" in done.out
     assert "\x1b" not in here("explain", "E200", "--color", "auto").out
+
+
+def test_a_group_of_codes(here: Here) -> None:
+    done = here("explain", "W41", "--json")
+    assert [item["code"] for item in done.json["codes"]] == ["W410", "W411", "W412"]
+    assert here("explain", "W9").code == 2

@@ -216,3 +216,50 @@ srm r {
 """
     assert codes(text.replace("LOOP", "A~")) == []
     assert codes(text.replace("LOOP", "A . A")) == ["N724"]
+
+
+TIDY = """system S
+message M { bool a }
+topic flour { state M }
+let low = flour.state.M.a
+aip share { participant first { process = Look } }
+srm r {
+  plays share.first
+  liveness { r = (first . Go)~ }
+  activities { Look takes 1s  Go takes 1s }
+  modules { See every 1s writes flour.state.M }
+  control r { enter Go : [low] }
+}
+team T { one : r }
+"""
+
+
+def only(text: str) -> Diagnostic:
+    [item] = [item for item in found(text) if item.code[0] == "E"]
+    return item
+
+
+def test_conditions_as_other_languages_write_them() -> None:
+    for written in ("if low", "when low", "if [low]", "if low / read_messages"):
+        item = only(TIDY.replace("[low]", written))
+        assert (item.code, "[low]" in (item.fix or item.hint or "") or "without" in item.message) == (
+            "E102",
+            True,
+        )
+    assert only(TIDY.replace("[low]", "if low")).fix == "[low]"
+    assert only(TIDY.replace("[low]", "when low")).fix == "[low]"
+
+
+def test_a_process_by_almost_its_name() -> None:
+    item = only(TIDY.replace("process =", "proces ="))
+    assert (item.code, item.fix) == ("E305", "process")
+    assert item.span is not None and item.span.text == "proces"
+
+
+def test_the_library_is_offered_for_what_it_declares_as_that() -> None:
+    item = only(TIDY.replace("low = flour", "low = floor"))
+    assert (item.code, item.fix) == ("E502", "flour"), "`floor` of the library is a function"
+    item = only(TIDY.replace("low = flour.state.M.a", "low = game.state.M.a"))
+    assert "import" not in (item.hint or ""), "the library's topic does not carry it"
+    item = only(TIDY.replace("low = flour.state.M.a", "low = vision.state.Ball.visible"))
+    assert item.hint == "`import soccer` declares it"
