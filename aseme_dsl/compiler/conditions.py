@@ -114,7 +114,10 @@ def _never(finding: Never) -> Diagnostic:
     message = "this condition can never hold"
     if related:
         message += " together with the one on the way here" if len(related) == 1 else " after what leads here"
-    return Diagnostic("W412", message, _condition(finding.transition), related)
+    hint = "what one part of it wants, another excludes: look for `&&` where `||` is meant, or a wrong limit"
+    if related:
+        hint = "what it wants, the other excludes: ask for one of them in another place, or leave this out"
+    return Diagnostic("W412", message, _condition(finding.transition), related, hint)
 
 
 def _covered(chart: Statechart, finding: Covered) -> Diagnostic:

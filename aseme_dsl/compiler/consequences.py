@@ -141,6 +141,8 @@ def _without_what_was_not_read(found: list[Diagnostic], broken: dict[_Line, int]
         item.code == "E101" or (item.code == "E100" and item.message.startswith("expected a formula"))
         for item in found
     )
+    misread = {line[0] for line in broken}
+    nothing = [item.span for item in found if item.message.startswith("there is no message") and item.span]
     said: set[str] = set()
     kept = []
     for item in found:
@@ -155,11 +157,35 @@ def _without_what_was_not_read(found: list[Diagnostic], broken: dict[_Line, int]
                 or (item.code == "E204" and not formulas_read)
                 or any(kind in item.message for word in nameless for kind in _WHAT[word])
                 or (words <= said and item.code in _OF_A_PROCESS)
+                or (item.message.startswith(_NO_PUBLISHER) and _stands_elsewhere(item, misread))
+                or (" does not carry " in item.message and _in_a_topic(nothing, item))
             ):
                 continue
             said |= words
         kept.append(item)
     return kept
+
+
+_NO_PUBLISHER = "there is no role, agent or activity"
+
+
+def _stands_elsewhere(item: Diagnostic, misread: set[Source]) -> bool:
+    """Whether a name that nothing declares stands in a file of which not all was understood."""
+    assert item.span is not None
+    places = Counter(place.source for place in _places(item) if place.text == item.span.text)
+    name = item.span.text
+    return any(_words(source.text).get(name, (0, 0))[0] > places[source] for source in misread)
+
+
+def _in_a_topic(nothing: list[Span], item: Diagnostic) -> bool:
+    """Whether the topic that `item` is about names a message that there is not."""
+    topic = item.related[0].span if item.related else None
+    return topic is not None and any(
+        topic.source is span.source
+        and topic.end <= span.start
+        and "}" not in span.source.text[topic.end : span.start]
+        for span in nothing
+    )
 
 
 def _goes_on(item: Diagnostic) -> bool:

@@ -22,6 +22,21 @@ _CHOICES = {
 }
 """The words that a terminal accepts, by the name of its rule."""
 
+_OTHER_WORDS = {
+    "protocol": "aip",
+    "interaction": "aip",
+    "role": "srm",
+    "agent": "srm",
+    "type": "message",
+    "struct": "message",
+    "channel": "topic",
+    "include": "import",
+    "fun": "function",
+    "def": "function",
+    "const": "let",
+}
+"""What declarations begin with elsewhere, and here."""
+
 _PHRASES = {
     "Name": "a name",
     "EntryName": "a name",
@@ -95,6 +110,7 @@ class _Explanation:
         if swallowed is not None:
             return swallowed
         typical = self._misspelt() or self._no_colon() or self._hyphen() or self._late_language()
+        typical = typical or self._other_word() or self._agents_by_number()
         if typical is not None:
             return typical
         if found.isdigit() and tokens.word(self.index + 1) in UNITS and self._expects("Duration"):
@@ -238,6 +254,26 @@ class _Explanation:
         span = Span(self.lexed.source, tokens.starts[here - 1], tokens.ends[here + 1])
         name = f"{before}_{after}"
         return Diagnostic("E100", f"{shown(span.text)} is not a name", span, hint=f"write {name}", fix=name)
+
+    def _other_word(self) -> Diagnostic | None:
+        """What a declaration begins with in other languages, or in the speech of its users."""
+        word = self.tokens.word(self.index)
+        meant = _OTHER_WORDS.get(word)
+        if self.mistake.kind != "JunkDeclaration" or self.index != self.first or meant is None:
+            return None
+        message = f"{shown(word)} is no word of the language here"
+        return Diagnostic("E100", message, self._span(self.index), hint=f"write {shown(meant)}", fix=meant)
+
+    def _agents_by_number(self) -> Diagnostic | None:
+        """`robot[2]` for two agents."""
+        tokens = self.tokens
+        number = tokens.word(self.index - 1)
+        if self.mistake.kind != "JunkAgents" or tokens.word(self.index) != "]" or not number.isdigit():
+            return None
+        message = f"agents are counted from one number to another, as [1..{number}]"
+        span, several = self._span(self.index - 1), int(number) > 1
+        fix = f"1..{number}" if several else None
+        return Diagnostic("E100", message, span, hint=f"write [{fix}]" if fix else None, fix=fix)
 
     def _late_language(self) -> Diagnostic | None:
         if self.index != self.first or self.tokens.word(self.index) != "language":

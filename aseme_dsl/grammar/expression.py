@@ -219,7 +219,7 @@ class _Reader:
             self.need(")", opener)
             return tree.After(duration, self.since(first.start))
         if first == "if" and following == "[":
-            between = Edit(Span(self.source, first.start, following.start), "")
+            between = Edit(Span(self.source, first.start, self.tokens[self.index].start), "")
             found = self.error("E102", "a condition stands in '[' and ']', without 'if'", first)
             raise Malformed(replace(found.diagnostic, edits=(between,)))
         if (

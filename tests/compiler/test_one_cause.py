@@ -263,3 +263,23 @@ def test_the_library_is_offered_for_what_it_declares_as_that() -> None:
     assert "import" not in (item.hint or ""), "the library's topic does not carry it"
     item = only(TIDY.replace("low = flour.state.M.a", "low = vision.state.Ball.visible"))
     assert item.hint == "`import soccer` declares it"
+
+
+def test_what_a_publisher_is_declared_in_was_not_read() -> None:
+    text = TIDY.replace("{ state M }", "{ state M from See }")
+    assert found(text) == []
+    [item] = found(text.replace("srm r {", "srm r {{"))
+    assert item.code == "E100"
+
+
+def test_a_topic_with_a_message_that_is_none() -> None:
+    [item] = [item for item in found(TIDY.replace("{ state M }", "{ state X }")) if item.code[0] == "E"]
+    assert (item.code, item.message) == ("E502", "there is no message `X`")
+
+
+def test_words_of_other_languages() -> None:
+    assert only(TIDY.replace("aip share", "protocol share")).fix == "aip"
+    item = only(TIDY.replace("one : r", "one[3] : r"))
+    assert (item.code, item.fix) == ("E100", "1..3")
+    [item] = [item for item in found(TIDY.replace("[low]", "[low && !low]")) if item.code == "W412"]
+    assert item.hint is not None
