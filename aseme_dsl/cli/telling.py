@@ -124,8 +124,12 @@ class Telling:
     def _started(self, record: Mapping[str, Any]) -> None:
         region = self._region(record["agent"], record["label"])
         activity = record["activity"]
-        if self._transitions or self._doing.get((record["agent"], region)) != activity:
-            self._doing[record["agent"], region] = activity
+        agent = record["agent"]
+        for other in [other for name, other in self._doing if name == agent]:
+            if _is_inside(region, other) or _is_inside(other, region):
+                del self._doing[agent, other]  # it was left for this one
+        if self._transitions or self._doing.get((agent, region)) != activity:
+            self._doing[agent, region] = activity
             self._say(record, activity)
 
     def _changed(self, record: Mapping[str, Any]) -> None:
@@ -195,6 +199,11 @@ class Telling:
         if self._status:
             self._status = False
             self._stream.write("\r\x1b[K")
+
+
+def _is_inside(inner: str, outer: str) -> bool:
+    """Whether a region is in a state of another one, so that they are never active side by side."""
+    return inner != outer and (not outer or inner.startswith(outer + "."))
 
 
 def _state(plan: Plan, label: str) -> str:

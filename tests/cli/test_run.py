@@ -152,6 +152,19 @@ def test_quiet_and_verbose(here: Here, script: Path) -> None:
     assert verbose.count("one  Stand") > 1
 
 
+def test_what_comes_again_after_something_else_is_told_again(here: Here, folder: Path) -> None:
+    text = """system Again
+srm robot {
+  liveness { robot = ((A || B) . C)~ }
+  activities { A takes 1s  B takes 1s  C takes 1s }
+}
+"""
+    (folder / "again.aseme").write_text(text)
+    done = here("run", "again.aseme", "--for", "6s")
+    told = [line.split()[-1] for line in done.out.splitlines() if line.split()[-1:] in (["A"], ["B"], ["C"])]
+    assert "".join(told).startswith("ABCABC")
+
+
 def test_json(here: Here, script: Path) -> None:
     done = here("run", "good.aseme", "--input", "script.jsonl", "--json")
     result = done.json["result"]
