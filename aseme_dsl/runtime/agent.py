@@ -327,6 +327,8 @@ class Agent:
 
         `changed` says whether the plan differs: then something may be enabled that was not.
         """
+        # What has just become due is not due later once more: it is looked at now.
+        is_due = self._due is not None and self._due.moment <= self.driver.clock.now()
         self._adopt(carried.chart)
         self.messages = messages
         labels = carried.labels
@@ -343,7 +345,7 @@ class Agent:
             self.intake.put_back([item for item in renewed if item is not None])
         for effect in carried.effects:
             self._carried_out[type(effect)](effect)
-        if changed:
+        if changed or is_due:
             self.errand(self._want)
         self.modules.renew(find)
         if carried.chart.started:

@@ -266,8 +266,26 @@ class TestMessages:
         assert (last.x, last.far) == (2.5, 0)
 
 
+LEAVING = """\
+system Leaving
+srm player {
+  liveness { player = (Wait . Rest)~ }
+  activities { Wait takes 1s  Rest takes 1s }
+  control player { enter Rest : after(50ms) }
+}
+team Leaving { one : player }
+"""
+
+
 class TestNothingElseChanges:
     """A swap to the same model, at any moment, is a line in the trace and nothing else."""
+
+    def test_at_the_moment_at_which_a_state_is_left(self) -> None:
+        made = generate(LEAVING)
+        base = played(made, lambda team: None, until=100 * MS)
+        changed = played(made, lambda team: team.swap(version(made), at=50 * MS), until=100 * MS)
+        assert _same_end(base, changed)
+        assert starts(changed, 50 * MS, "one")[0] == "50 Rest"
 
     @pytest.mark.parametrize("group", range(4))
     def test_random_charts(self, group: int) -> None:
