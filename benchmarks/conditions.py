@@ -71,7 +71,7 @@ def measured(systems: Sequence[System]) -> list[tuple[float, int]]:
     """
     prover = prover_of(systems[0].enums, systems[0].messages)
     assert prover.is_there, "install z3: pip install 'aseme-dsl[check]'"
-    prover.can_all_hold([])
+    prover.is_possible([], [])
     found = []
     for system in systems:
         seen: Seen = set()
