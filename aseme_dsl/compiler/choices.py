@@ -158,6 +158,37 @@ def check_choice(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
         )
     limits = [line for item in alternatives for line in item.lines if _waits(line.written)]
     yield from _else_beside(alternatives, limits, "the time limit beside it is never waited for")
+    if not undecided:
+        yield from _behind_an_open_one(alternatives)
+
+
+def _behind_an_open_one(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
+    """W412: a branch with a condition behind one with `[true]`.
+
+    Before `else` alone, `[true]` is what the scaffold writes for a condition that is still to be said.
+    """
+    open_ones = [
+        (line.position, item)
+        for item in alternatives
+        for line in item.lines
+        if isinstance(line.written.condition, tree.Truth)
+        and line.written.condition.value
+        and not line.written.events
+    ]
+    if not open_ones:
+        return
+    first, taken = min(open_ones, key=lambda found: found[0])
+    for item in alternatives:
+        later = [line for line in item.lines if line.position > first]
+        if item is taken or len(later) < len(item.lines) or not later or later[0].written.condition is None:
+            continue
+        yield Diagnostic(
+            "W412",
+            f"`{item.name}` is never taken: `{taken.name}` comes first and is always open",
+            later[0].span,
+            (Related(taken.place, f"`{taken.name}`"),),
+            hint="say when each is meant, or write `else` for the last branch",
+        )
 
 
 def _places(alternatives: Sequence[Alternative]) -> tuple[Related, ...]:

@@ -23,7 +23,7 @@ from aseme_dsl.compiler.names import unknown, unknown_performative
 from aseme_dsl.compiler.operators import COMPARISONS, arithmetic, compare, is_condition, negate
 from aseme_dsl.compiler.paths import channel_of, member_of, through_optional, value_of_path
 from aseme_dsl.compiler.scope import Scope
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
 
@@ -267,6 +267,10 @@ def _event(checker: Checker, written: tree.Event) -> amola.Event | None:
                 hint = f"write `[{name}]`; a name without brackets is an event that an activity raises"
                 checker.report("E517", f"`{name}` is a value, not an event", span, hint, fix=f"[{name}]")
                 return None
+            near = surely(name.text, (*checker.scope.lets, *checker.scope.variables))
+            if near is not None:
+                hint = f"if the value `{near}` is meant, write `[{near}]`"
+                checker.report("W424", f"`{name}` is an event that an activity has to raise", span, hint)
             return amola.Raised(name.text, span)
 
 

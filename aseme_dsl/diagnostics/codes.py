@@ -116,6 +116,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W421": ("warning", "a message that is filled and never published"),
     "W422": ("warning", "a message that is published and never read"),
     "W423": ("warning", "a timer that nothing asks for"),
+    "W424": ("warning", "an event that is named almost like a value"),
     # Types (E5xx)
     "E500": ("error", "types that do not fit"),
     "E501": ("error", "an unknown member"),
