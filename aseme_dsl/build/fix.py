@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from aseme_dsl.build.difference import unified
 from aseme_dsl.build.inputs import STANDARD_INPUT, Inputs
 from aseme_dsl.build.project import Checked, check
 from aseme_dsl.build.write import DISK, Disk, Written, write_over
@@ -80,12 +80,7 @@ def write_fixed(fixed: Fixed, disk: Disk = DISK) -> Written:
 
 def difference(fixed: Fixed) -> str:
     """The change of all files as a unified diff."""
-    parts = []
-    for path, text in sorted(fixed.after.items()):
-        old, new = (item.splitlines(keepends=True) for item in (fixed.before[path], text))
-        for line in difflib.unified_diff(old, new, path, path):
-            parts.append(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n")
-    return "".join(parts)
+    return "".join(unified(path, fixed.before[path], text) for path, text in sorted(fixed.after.items()))
 
 
 def choose(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
