@@ -91,7 +91,7 @@ def compile_root(
     """
     folder = Path(root.path).parent if isinstance(root, Source) else root.parent
     configuration, problems = find_configuration(folder)
-    if configuration.files and os.path.realpath(_path(root)) not in map(
+    if configuration.files and os.path.realpath(path_of(root)) not in map(
         os.path.realpath, configuration.files
     ):
         # The project plays its own files; this one is a neighbour.
@@ -143,7 +143,7 @@ def check(inputs: Inputs, sources: Mapping[str, str] | None = None) -> Checked:
     for item in compiled:
         found += [one for one in item.diagnostics if not (item.is_library and one.code == "E008")]
     seen = {os.path.realpath(path) for item in compiled for path in item.files}
-    files = {_path(root) for root in inputs.roots}
+    files = {path_of(root) for root in inputs.roots}
     files |= {item.span.source.path for item in found if item.span is not None}
     for path in inputs.others:
         files.add(str(path))
@@ -151,12 +151,12 @@ def check(inputs: Inputs, sources: Mapping[str, str] | None = None) -> Checked:
             alone = compile_root(path, sources=sources)
             compiled.append(alone)
             found += [item for item in alone.diagnostics if item.code != "E008"]
-    suppressed = _once(item for other in compiled for item in other.suppressed)
+    suppressed = once(item for other in compiled for item in other.suppressed)
     unchecked = sum(item.unchecked for item in compiled)
     return Checked(in_order(_without_used(found, suppressed)), tuple(sorted(files)), suppressed, unchecked)
 
 
-def _once(suppressed: Iterable[Suppressed]) -> tuple[Suppressed, ...]:
+def once(suppressed: Iterable[Suppressed]) -> tuple[Suppressed, ...]:
     """By place, each once: several systems may have read one file."""
     found: dict[tuple[str, int, str, str], Suppressed] = {}
     for item in suppressed:
@@ -177,5 +177,6 @@ def _without_used(found: Sequence[Diagnostic], suppressed: Iterable[Suppressed])
             yield item
 
 
-def _path(root: Path | Source) -> str:
+def path_of(root: Path | Source) -> str:
+    """The path by which people know a root."""
     return root.path if isinstance(root, Source) else str(root)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from aseme_dsl.cli.report import Report, form_of, print_report, report_options
 from aseme_dsl.cli.shared import (
     FILES_HELP,
     FilePath,
@@ -15,17 +16,15 @@ from aseme_dsl.cli.shared import (
     count_lines,
     diagnostics_json,
     folder_option,
-    json_option,
     print_diagnostics,
-    print_json,
     standard_input,
     written_json,
     written_summary,
 )
-from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.diagnostics import has_errors, in_order
 
 if TYPE_CHECKING:
-    from aseme_dsl.build.build import Report
+    from aseme_dsl.build.build import Report as Built
 
 
 @click.command(
@@ -61,7 +60,7 @@ if TYPE_CHECKING:
     help="original: name states as the original tools do, to compare.  [default: the project's, else plain]",
 )
 @click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
-@json_option
+@report_options("--report")
 @colour_option
 def command(
     files: tuple[str, ...],
@@ -72,20 +71,23 @@ def command(
     templates: Path | None,
     labels: str | None,
     force: bool,
+    form: str | None,
     as_json: bool,
+    report: Path | None,
     colour: str,
 ) -> int:
     """Build each system; 1 if there is an error in a file, or something cannot be written."""
     from aseme_dsl.build.build import PARTS, build, choose
     from aseme_dsl.build.configuration import OUTPUT
-    from aseme_dsl.build.project import compile_root, inputs_of
+    from aseme_dsl.build.project import compile_root, inputs_of, once, path_of
 
+    form = form_of(form, as_json, report)
     check_backends((item for item in only if item not in PARTS), PARTS)
     check_backends(backends)
     inputs = inputs_of(files, standard_input)
     compiled = [compile_root(root, activities=activities) for root in inputs.roots]
     found = [*inputs.diagnostics, *(problem for item in compiled for problem in item.diagnostics)]
-    reports: list[Report] = []
+    built: list[Built] = []
     if not has_errors(found):
         for item in compiled:
             assert item.system is not None
@@ -101,33 +103,43 @@ def command(
             check_backends(choice.backends)
             folder = output or item.configuration.output or Path(OUTPUT)
             folder = folder / item.system.name if len(compiled) > 1 else folder
-            reports.append(build(item.system, folder, choice))
-            found += reports[-1].diagnostics
-    if as_json:
-        print_json({"systems": [_json(report) for report in reports], **diagnostics_json(found)})
-    else:
-        print_diagnostics(found, colour)
-        for report in reports:
-            _print(report)
-    return int(has_errors(found))
-
-
-def _print(report: Report) -> None:
-    for note in report.notes:
+            built.append(build(item.system, folder, choice))
+            found += built[-1].diagnostics
+    told = Report(
+        "build",
+        in_order(found),
+        once(problem for item in compiled for problem in item.suppressed),
+        [path_of(root) for root in inputs.roots],
+        lambda: {"systems": [_json(item) for item in built], **diagnostics_json(found)},
+        "".join(f"{line}\n" for item in built for line in _lines(item)),
+    )
+    for note in (note for item in built for note in item.notes):
         click.echo(f"note: {note}", err=True)
-    if not has_errors(report.diagnostics):
-        click.echo(f"{report.system} -> {report.folder}: {written_summary(report.written)}")
-        for line in count_lines(report.count):
-            click.echo(f"  {line}")
+    failed = False
+    if form == "text" and report is None:
+        print_diagnostics(told.diagnostics, colour)
+    else:
+        failed = print_report(told, form, report, colour)
+    if form == "text" or report is not None:
+        click.echo(told.closing, nl=False)
+    return int(failed or has_errors(found))
 
 
-def _json(report: Report) -> dict[str, Any]:
+def _lines(built: Built) -> list[str]:
+    """What became of a system, for people; nothing where it could not be built."""
+    if has_errors(built.diagnostics):
+        return []
+    said = f"{built.system} -> {built.folder}: {written_summary(built.written)}"
+    return [said, *(f"  {line}" for line in count_lines(built.count))]
+
+
+def _json(built: Built) -> dict[str, Any]:
     from dataclasses import asdict
 
     return {
-        "system": report.system,
-        "folder": str(report.folder),
-        **written_json(report.written),
-        "count": asdict(report.count) if report.count is not None else None,
-        "remarks": list(report.notes),
+        "system": built.system,
+        "folder": str(built.folder),
+        **written_json(built.written),
+        "count": asdict(built.count) if built.count is not None else None,
+        "remarks": list(built.notes),
     }

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import json
 import sys
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from aseme_dsl import __version__
+from aseme_dsl.cli.report import Report, form_of, print_report, report_options
 from aseme_dsl.cli.shared import (
     FILES_HELP,
-    FORMAT,
     FilePath,
     colour_option,
     diagnostics_json,
@@ -29,8 +28,6 @@ if TYPE_CHECKING:
 
 _INSTALL_Z3 = 'pip install "aseme-dsl[check]"'
 
-FORMATS = ("text", "json", "sarif", "github", "junit")
-
 
 @click.command(
     short_help="Say what is wrong with files.",
@@ -42,21 +39,7 @@ FORMATS = ("text", "json", "sarif", "github", "junit")
 @click.option("--strict", is_flag=True, help="Let warnings count as errors for the exit code.")
 @click.option("--fix", "mend", is_flag=True, help="Mend what has one right answer, in the files.")
 @click.option("--diff", is_flag=True, help="With --fix: change nothing, show what would change.")
-@click.option(
-    "--format",
-    "form",
-    type=click.Choice(FORMATS),
-    help="How to say it: for people, for programs, for code scanning, as GitHub workflow commands, as a test"
-    " report.  [default: text]",
-)
-@click.option("--json", "as_json", is_flag=True, help="The same as --format json.")
-@click.option(
-    "-o",
-    "--output",
-    type=FilePath(path_type=Path),
-    metavar="REPORT",
-    help="Write the report into this file.  [default: standard output]",
-)
+@report_options("-o", "--output")
 @colour_option
 def command(
     files: tuple[str, ...],
@@ -65,23 +48,23 @@ def command(
     diff: bool,
     form: str | None,
     as_json: bool,
-    output: Path | None,
+    report: Path | None,
     colour: str,
 ) -> int:
     """Print the diagnostics and a summary; 1 if there is an error."""
     from aseme_dsl.build.project import check, inputs_of
 
-    form = _form(form, as_json, output)
+    form = form_of(form, as_json, report)
     if diff and not mend:
         raise click.UsageError("--diff shows what --fix would change: give both.")
-    if diff and (form != "text" or output is not None):
+    if diff and (form != "text" or report is not None):
         raise click.UsageError("--diff prints a difference, which is no report: leave --format and -o away.")
     if mend and "-" in files:
         raise click.UsageError("--fix changes files, and standard input is none.")
     inputs = inputs_of(files, standard_input)
     if not mend:
         checked = check(inputs)
-        failed = _report(checked, None, form, output, colour, strict)
+        failed = _report(checked, None, form, report, colour, strict)
         return int(failed or _is_bad(checked, strict))
     from aseme_dsl.build.fix import difference, fix, write_fixed
 
@@ -94,16 +77,8 @@ def command(
     if has_errors(written.diagnostics):
         print_diagnostics(written.diagnostics, colour)
         return 1
-    failed = _report(fixed.checked, fixed, form, output, colour, strict)
+    failed = _report(fixed.checked, fixed, form, report, colour, strict)
     return int(failed or _is_bad(fixed.checked, strict))
-
-
-def _form(form: str | None, as_json: bool, output: Path | None) -> str:
-    if as_json and form not in (None, "json"):
-        raise click.UsageError(f"--json is --format json, and not --format {form}.")
-    if output is not None and output.suffix == ".aseme":
-        raise click.UsageError(f"{output} is the name of a source: give the report another one.")
-    return "json" if as_json else form or "text"
 
 
 def _is_bad(checked: Checked, strict: bool) -> bool:
@@ -112,10 +87,10 @@ def _is_bad(checked: Checked, strict: bool) -> bool:
 
 
 def _report(
-    checked: Checked, fixed: Fixed | None, form: str, output: Path | None, colour: str, strict: bool
+    checked: Checked, fixed: Fixed | None, form: str, file: Path | None, colour: str, strict: bool
 ) -> bool:
     """Print or write the report; whether it could not be written."""
-    if form == "text" and output is None:
+    if form == "text" and file is None:
         if fixed is not None:
             _print_mended(fixed)
         print_diagnostics(checked.diagnostics, colour, error=False)
@@ -123,18 +98,21 @@ def _report(
         if checked.diagnostics and sys.stdout.isatty():
             click.echo(_tip(checked))
         return False
-    text = _text(checked, fixed, form, strict)
-    if output is None:
-        click.echo(text, nl=False)
-        return False
-    from aseme_dsl.build.write import write_file
-
-    written = write_file(output, text.encode("utf-8", "backslashreplace"))
-    print_diagnostics(written.diagnostics, colour)
-    if fixed is not None:
-        _print_mended(fixed)
-    click.echo(_summary(checked))
-    return has_errors(written.diagnostics)
+    report = Report(
+        "check",
+        checked.diagnostics,
+        checked.suppressed,
+        checked.files,
+        partial(_json, checked, fixed),
+        f"{_summary(checked)}\n",
+        strict,
+    )
+    failed = print_report(report, form, file, colour)
+    if file is not None:
+        if fixed is not None:
+            _print_mended(fixed)
+        click.echo(_summary(checked))
+    return failed
 
 
 def _summary(checked: Checked) -> str:
@@ -156,34 +134,11 @@ def _tip(checked: Checked) -> str:
     return tip if not number else f"{tip}; asemec check --fix mends {plural(number, 'problem')}"
 
 
-def _text(checked: Checked, fixed: Fixed | None, form: str, strict: bool) -> str:
-    """The report, as it goes into a file."""
-    if form == "sarif":
-        from aseme_dsl.diagnostics.sarif import sarif
-
-        log = sarif(checked.diagnostics, checked.suppressed, version=__version__)
-        return json.dumps(log, indent=2, ensure_ascii=False) + "\n"
-    if form == "github":
-        from aseme_dsl.diagnostics.github import github
-
-        return github(checked.diagnostics)
-    if form == "junit":
-        from aseme_dsl.diagnostics.junit import junit
-
-        return junit(checked.diagnostics, checked.files, strict=strict)
-    if form == "json":
-        return json.dumps(_json(checked, fixed), indent=2, ensure_ascii=False) + "\n"
-    from aseme_dsl.diagnostics import render_text
-
-    text = render_text(checked.diagnostics)
-    return text + ("\n" if text else "") + _summary(checked) + "\n"
-
-
 def _json(checked: Checked, fixed: Fixed | None) -> dict[str, Any]:
     from aseme_dsl.diagnostics import render_json
     from aseme_dsl.diagnostics.render import suppressed_json
 
-    result = {"format": FORMAT, "files": len(checked.files), **diagnostics_json(checked.diagnostics)}
+    result = {"files": len(checked.files), **diagnostics_json(checked.diagnostics)}
     result["unchecked_choices"] = checked.unchecked
     result["suppressed"] = suppressed_json(checked.suppressed)
     if fixed is not None:

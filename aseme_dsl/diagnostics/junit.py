@@ -12,8 +12,14 @@ _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """What XML 1.0 cannot hold, not even escaped."""
 
 
-def junit(diagnostics: Iterable[Diagnostic], files: Iterable[str], *, strict: bool = False) -> str:
-    """One test suite a file; a case each problem, and one for a file without any.
+def junit(
+    diagnostics: Iterable[Diagnostic],
+    files: Iterable[str],
+    *,
+    name: str = "asemec check",
+    strict: bool = False,
+) -> str:
+    """One test suite a file; a case each problem, and one for a file without any. `name` is that of them all.
 
     An error is a failure, with `strict` a warning, too. What is no failure is a case that passes, with what
     there is to say as its output.
@@ -25,7 +31,7 @@ def junit(diagnostics: Iterable[Diagnostic], files: Iterable[str], *, strict: bo
         path = item.span.source.path if item.span is not None else item.path or "asemec"
         suites.setdefault(path, []).append(item)
     bad = {Severity.ERROR, Severity.WARNING} if strict else {Severity.ERROR}
-    root = Element("testsuites", {"name": "asemec check", **_counts(suites, bad)})
+    root = Element("testsuites", {"name": name, **_counts(suites, bad)})
     for path, found in suites.items():
         suite = SubElement(root, "testsuite", {"name": _text(path), **_counts({path: found}, bad)})
         if not found:

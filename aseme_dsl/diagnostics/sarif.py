@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import hashlib
-from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass, field
-from pathlib import Path, PurePath
 from typing import Any
-from urllib.parse import quote
 
+from aseme_dsl.diagnostics.identity import fingerprints, uri
 from aseme_dsl.diagnostics.model import Diagnostic, Suppressed
 from aseme_dsl.diagnostics.pages import markdown, page
 from aseme_dsl.source import Source, Span
@@ -29,13 +25,15 @@ def sarif(
     """One run of asemec `version` as a SARIF log. Columns are counted in code points."""
     found = tuple(diagnostics)
     allowed = tuple(suppressed)
-    run = _Run(sorted({item.code for item in (*found, *(other.diagnostic for other in allowed))}))
-    results = [run.result(item) for item in found]
-    for item in allowed:
+    everything = [*found, *(item.diagnostic for item in allowed)]
+    codes = sorted({item.code for item in everything})
+    results = [
+        _result(item, codes, own) for item, own in zip(everything, fingerprints(everything), strict=True)
+    ]
+    for item, result in zip(allowed, results[len(found) :], strict=True):
         reason = {"justification": item.reason} if item.reason else {}
-        suppression = {"kind": "inSource", "location": _location(item.allow), **reason}
-        results.append({**run.result(item.diagnostic), "suppressions": [suppression]})
-    driver = {"name": "asemec", "version": version, "rules": [_rule(code) for code in run.codes]}
+        result["suppressions"] = [{"kind": "inSource", "location": _location(item.allow), **reason}]
+    driver = {"name": "asemec", "version": version, "rules": [_rule(code) for code in codes]}
     return {
         "$schema": SCHEMA,
         "version": "2.1.0",
@@ -50,49 +48,27 @@ def sarif(
     }
 
 
-@dataclass(slots=True)
-class _Run:
-    """The rules of one log, and how often each fingerprint was given."""
-
-    codes: list[str]
-    seen: Counter[str] = field(default_factory=Counter)
-
-    def result(self, item: Diagnostic) -> dict[str, Any]:
-        text = item.message if item.hint is None else f"{item.message}\n{item.hint}"
-        result: dict[str, Any] = {
-            "ruleId": item.code,
-            "ruleIndex": self.codes.index(item.code),
-            "level": str(item.severity),
-            "message": {"text": text},
-            "partialFingerprints": {FINGERPRINT: self.fingerprint(item)},
-        }
-        if item.span is not None:
-            result["locations"] = [_location(item.span)]
-        elif item.path is not None:
-            result["locations"] = [{"physicalLocation": {"artifactLocation": _artifact(item.path)}}]
-        if item.related:
-            result["relatedLocations"] = [
-                {"id": number, **_location(other.span), "message": {"text": other.message}}
-                for number, other in enumerate(item.related, 1)
-            ]
-        if item.changes:
-            result["fixes"] = [_fix(item)]
-        return result
-
-    def fingerprint(self, item: Diagnostic) -> str:
-        """What stays the same when lines are added elsewhere: the code, the file and the text of the place.
-
-        The same problem on several lines that read the same is told apart by its number.
-        """
-        parts = [item.code]
-        if item.span is not None:
-            line = item.span.source.line(item.span.line)
-            parts += [_uri(item.span.source.path), " ".join(line.split()), " ".join(item.span.text.split())]
-        else:
-            parts.append(_uri(item.path or ""))
-        base = "\0".join(parts)
-        self.seen[base] += 1
-        return hashlib.sha256(f"{base}\0{self.seen[base]}".encode("utf-8", "replace")).hexdigest()[:32]
+def _result(item: Diagnostic, codes: list[str], fingerprint: str) -> dict[str, Any]:
+    text = item.message if item.hint is None else f"{item.message}\n{item.hint}"
+    result: dict[str, Any] = {
+        "ruleId": item.code,
+        "ruleIndex": codes.index(item.code),
+        "level": str(item.severity),
+        "message": {"text": text},
+        "partialFingerprints": {FINGERPRINT: fingerprint},
+    }
+    if item.span is not None:
+        result["locations"] = [_location(item.span)]
+    elif item.path is not None:
+        result["locations"] = [{"physicalLocation": {"artifactLocation": _artifact(item.path)}}]
+    if item.related:
+        result["relatedLocations"] = [
+            {"id": number, **_location(other.span), "message": {"text": other.message}}
+            for number, other in enumerate(item.related, 1)
+        ]
+    if item.changes:
+        result["fixes"] = [_fix(item)]
+    return result
 
 
 def _rule(code: str) -> dict[str, Any]:
@@ -131,27 +107,8 @@ def _fix(item: Diagnostic) -> dict[str, Any]:
 
 
 def _artifact(path: str) -> dict[str, str]:
-    uri = _uri(path)
-    return {"uri": uri} if uri.startswith("file:") else {"uri": uri, "uriBaseId": ROOT}
-
-
-def _uri(path: str) -> str:
-    """Relative to the working directory where it is below that, else absolute."""
-    pure = PurePath(path)
-    if pure.is_absolute() or ".." in pure.parts:
-        absolute = Path(path).absolute()
-        inside = _below(absolute)
-        if inside is None:
-            return absolute.as_uri()
-        pure = inside
-    return quote(pure.as_posix(), errors="replace")
-
-
-def _below(path: Path) -> PurePath | None:
-    try:
-        return path.resolve().relative_to(Path.cwd().resolve())
-    except (ValueError, OSError):
-        return None
+    own = uri(path)
+    return {"uri": own} if own.startswith("file:") else {"uri": own, "uriBaseId": ROOT}
 
 
 __all__ = ["sarif"]

@@ -470,3 +470,54 @@ def test_the_manifest_is_documented_and_stable(here: Here, folder: Path) -> None
     assert (document["system"], document["source"]) == ("Walker", "good.aseme")
     assert list(document["files"]) == ["proto/Walker.proto"]
     assert set(document["files"]["proto/Walker.proto"]) == {"part", "hash"}
+
+
+class TestReports:
+    """What `asemec check` has in its formats, of a build."""
+
+    @pytest.mark.parametrize("form", ["sarif", "github", "junit", "codequality"])
+    def test_it_says_what_check_says(self, here: Here, folder: Path, form: str) -> None:
+        built = here("build", "bad.aseme", "--format", form)
+        checked = here("check", "bad.aseme", "--format", form)
+        assert (built.code, built.err) == (1, "")
+        assert built.out == checked.out.replace("asemec check", "asemec build")
+        assert not (folder / "out").exists()
+
+    def test_a_file_gets_the_report_and_the_terminal_what_was_written(self, here: Here, folder: Path) -> None:
+        done = here("build", "good.aseme", "--format", "sarif", "--report", "report.sarif")
+        assert (done.code, done.err) == (0, "")
+        assert done.out.startswith("Walker -> out: files: ")
+        assert json.loads((folder / "report.sarif").read_text())["runs"][0]["results"] == []
+
+    def test_text_into_a_file(self, here: Here, folder: Path) -> None:
+        done = here("build", "bad.aseme", "--report", "report.txt")
+        assert (done.code, done.out, done.err) == (1, "", "")
+        assert (folder / "report.txt").read_text() == here("build", "bad.aseme").err
+        done = here("build", "good.aseme", "--report", "report.txt")
+        assert (done.code, done.err) == (0, "")
+        assert (folder / "report.txt").read_text() == done.out
+
+    def test_what_the_build_itself_finds_is_in_it(self, here: Here, folder: Path) -> None:
+        here("build", "good.aseme")
+        (folder / "out" / "models" / "suc.json").write_text("edited")
+        done = here("build", "good.aseme", "--format", "codequality")
+        (issue,) = json.loads(done.out)
+        assert done.code == 1
+        assert (issue["check_name"], issue["location"]["path"]) == ("E009", "out/models/suc.json")
+
+    def test_several_systems_that_share_a_file_say_it_once(self, here: Here, folder: Path) -> None:
+        (folder / "bad.aseme").unlink()
+        (folder / "good.aseme").unlink()
+        own = [line for line in GOOD.splitlines(keepends=True) if not line.startswith("message Seen")]
+        for name in ("One", "Two"):
+            text = 'import "shared.aseme"\n' + "".join(own).replace("Walker", name)
+            (folder / f"{name}.aseme").write_text(text)
+        (folder / "shared.aseme").write_text("message Seen { bol ball  bool home }\n")
+        assert len(json.loads(here("build", ".", "--format", "codequality").out)) == 1
+
+    @pytest.mark.parametrize(
+        "arguments", [("--json", "--format", "sarif"), ("--format", "xml"), ("--report", "good.aseme")]
+    )
+    def test_wrong_use(self, here: Here, folder: Path, arguments: tuple[str, ...]) -> None:
+        assert here("build", "good.aseme", *arguments).code == 2
+        assert (folder / "good.aseme").read_text() == GOOD

@@ -159,7 +159,7 @@ CHOICE = GOOD.replace("else\n    leave", "[eyes.state.Seen.home && eyes.state.Se
 
 
 class TestReports:
-    @pytest.mark.parametrize("form", ["text", "json", "sarif", "github", "junit"])
+    @pytest.mark.parametrize("form", ["text", "json", "sarif", "github", "junit", "codequality"])
     def test_what_it_says(self, here: Here, folder: Path, snapshot: Snapshot, form: str) -> None:
         (folder / "allowed.aseme").write_text(
             WARNED.replace("  liveness", "  // asemec: allow(W300) as in the paper\n  liveness")
@@ -175,7 +175,7 @@ class TestReports:
             report = json.dumps(log, indent=2, ensure_ascii=False) + "\n"
         snapshot(report, f"check.{form}")
 
-    @pytest.mark.parametrize("form", ["text", "json", "sarif", "github", "junit"])
+    @pytest.mark.parametrize("form", ["text", "json", "sarif", "github", "junit", "codequality"])
     def test_a_file_gets_what_would_be_printed(self, here: Here, folder: Path, form: str) -> None:
         (folder / "report").write_text("the last one\n" * 1000)
         printed = here("check", "--format", form, "bad.aseme")

@@ -1,4 +1,4 @@
-"""How problems look in the formats of other tools: SARIF, GitHub's workflow commands and JUnit."""
+"""How problems look in the formats of other tools: SARIF, JUnit, and what GitHub and GitLab read."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import json
 import re
 from dataclasses import replace
 from importlib import resources
+from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
@@ -13,6 +14,7 @@ import jsonschema
 import pytest
 
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.codequality import codequality
 from aseme_dsl.diagnostics.github import github
 from aseme_dsl.diagnostics.junit import junit
 from aseme_dsl.diagnostics.pages import markdown, page
@@ -131,3 +133,30 @@ class TestJUnit:
     def test_any_text_is_xml(self, text: str) -> None:
         document = junit([replace(HARSH, message=text, path=text)], [])
         assert ElementTree.fromstring(document.encode()).tag == "testsuites"
+
+
+class TestCodeQuality:
+    def test_what_it_says(self, snapshot: Snapshot) -> None:
+        found = codequality(ALL)
+        for issue in found:  # only the working directory knows where `..` is
+            assert re.fullmatch("[0-9a-f]{32}", issue.pop("fingerprint"))
+        snapshot(json.dumps(found, indent=2, ensure_ascii=False) + "\n", "report.codequality.json")
+
+    def test_each_problem_has_a_fingerprint_of_its_own(self) -> None:
+        found = [item["fingerprint"] for item in codequality([*ALL, *ALL])]
+        assert len(set(found)) == 2 * len(ALL)
+
+    def test_it_is_the_one_that_sarif_has(self) -> None:
+        log = sarif(ALL, version="0")["runs"][0]["results"]
+        assert [item["fingerprint"] for item in codequality(ALL)] == [
+            item["partialFingerprints"]["asemec/v1"] for item in log
+        ]
+
+    def test_paths_are_seen_from_the_working_directory(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.chdir(tmp_path)
+        for path in ("a.aseme", "./a.aseme", "x/../a.aseme", str(tmp_path / "a.aseme")):
+            source = Source(path, "system A\n")
+            (issue,) = codequality([replace(MISSPELT, span=Span(source, 0, 6), related=())])
+            assert issue["location"] == {"path": "a.aseme", "lines": {"begin": 1, "end": 1}}
