@@ -1,0 +1,44 @@
+"""What was written in part 1 of the language compiles to the same bytes as before part 2 was there."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.amola.as_json import json_text, models_json
+from aseme_dsl.compiler import analyse
+
+ROOT = Path(__file__).parents[3]
+HERE = Path(__file__).parent / "part_1"
+WRITTEN = [
+    *sorted((ROOT / "tests" / "acceptance").glob("*.aseme")),
+    ROOT / "examples" / "robocup" / "kouretes.aseme",
+    *sorted(HERE.glob("*.aseme")),
+]
+"""The acceptance files, an example, and random programs that use all of part 1."""
+
+FINGERPRINTS: dict[str, dict[str, str]] = json.loads((HERE / "fingerprints.json").read_text("utf-8"))
+"""The SHA-256 of each model, as it was when the language had only its part 1. Never made anew."""
+
+
+def key(path: Path) -> str:
+    return f"{path.parent.name}/{path.name}"
+
+
+def fingerprints(path: Path) -> dict[str, str]:
+    system = analyse(path).system
+    assert system is not None
+    models = models_json(system)
+    return {name: hashlib.sha256(json_text(model).encode()).hexdigest() for name, model in models.items()}
+
+
+@pytest.mark.parametrize("path", WRITTEN, ids=key)
+def test_its_models_are_the_same_to_the_byte(path: Path) -> None:
+    assert fingerprints(path) == FINGERPRINTS[key(path)]
+
+
+def test_a_fingerprint_for_each() -> None:
+    assert len({key(path) for path in WRITTEN}) == len(FINGERPRINTS) == len(WRITTEN)
