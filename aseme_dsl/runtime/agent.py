@@ -445,6 +445,10 @@ class Agent:
         except LookupError:
             return content
 
+    def in_threads(self) -> int:
+        """How many of its activities and modules can run in threads at once."""
+        return self.executions.in_threads() + self.modules.in_threads()
+
     def cycle(self) -> str:
         """The transitions taken last, for messages about what does not end."""
         transitions = self.plan.transitions

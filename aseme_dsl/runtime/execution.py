@@ -361,6 +361,20 @@ class Executions:
         nodes = (*self._nodes.values(), *self._former)
         return [node.current for node in nodes if node.current is not None]
 
+    def in_threads(self) -> int:
+        """How many of the plan's activities can run in threads at once."""
+        threads: dict[str, bool] = {}
+        labels: list[str] = []
+        for state in self.agent.plan.states:
+            name = state.activity
+            if name is not None:
+                if name not in threads:
+                    node = self._node(Start(state.label, name, 0))
+                    threads[name] = node.code is not None and node.kind == "thread"
+                if threads[name]:
+                    labels.append(state.label)
+        return self.agent.plan.at_once(frozenset(labels))
+
     @property
     def find(self) -> ActivityFinder:
         """Where the code of activities is found."""

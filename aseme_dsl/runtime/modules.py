@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Generator
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -140,6 +141,15 @@ class Modules:
                 if not execution.has_returned:
                     self.agent.driver.cancel(execution)
             self._trace(module, "end", beats=module.beats)
+
+    def in_threads(self) -> int:
+        """How many of the plan's modules run in threads."""
+        count = 0
+        for info in self.agent.plan.modules:
+            with suppress(ActivityError):  # told when it begins
+                code = code_of(info, self._find)
+                count += code is not None and kind_of(code, info.kind) == "thread"
+        return count
 
     def renew(self, find: ActivityFinder) -> None:
         """Go on under the agent's new plan, with new objects."""

@@ -153,6 +153,17 @@ class Plan:
         """The states directly inside `label`, in document order."""
         return tuple(state for state in self.states if state.parent == label)
 
+    def at_once(self, counted: frozenset[str]) -> int:
+        """How many of these states, given by their labels, can be active at once."""
+        widths: dict[str, int] = {}
+        for state in reversed(self.states):  # what is inside a state comes after it
+            width = widths.get(state.label, 0) + (state.label in counted)
+            if state.parent is not None:
+                beside = widths.get(state.parent, 0)
+                together = self.by_label[state.parent].type == "AND"
+                widths[state.parent] = beside + width if together else max(beside, width)
+        return widths.get(self.states[0].label, 0)
+
     def outgoing(self, label: str) -> tuple[tuple[int, Transition], ...]:
         """The transitions of a source with their numbers, in the order in which they are tried."""
         found = [(n, t) for n, t in enumerate(self.transitions) if t.source == label]

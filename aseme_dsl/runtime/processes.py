@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.execution import Execution
 
 
+_Job = tuple["Execution", Snapshot]
+
+
 class ReportedError(Exception):
     """What an activity has raised in another process: its text is the whole reason."""
 
@@ -57,8 +60,10 @@ class _Process:
     def __init__(self, pool: Processes) -> None:
         self.pool = pool
         self.execution: Execution | None = None
-        self.jobs: SimpleQueue[tuple[Execution, Snapshot] | None] = SimpleQueue()
+        self.jobs: SimpleQueue[_Job | None] = SimpleQueue()
         self.child: subprocess.Popen[bytes] | None = None
+        self.is_free = True
+        """Whether it has nothing to run, though its thread may still be telling what became of the last."""
         self.listens = False
         """Whether the worker has begun, which takes a new one a while."""
         self.killed = ""
@@ -66,6 +71,12 @@ class _Process:
         self._sending = threading.Lock()
         self.thread = threading.Thread(target=self._work, name="aseme process", daemon=True)
         self.thread.start()
+
+    def give(self, job: _Job) -> None:
+        """Have it run something; it is free."""
+        self.is_free = False
+        job[0].handle = self
+        self.jobs.put(job)
 
     def cancel(self, execution: Execution) -> None:
         """Tell an activity, if it is the one that runs, that it is cancelled.
@@ -95,6 +106,7 @@ class _Process:
                 self.execution = None
             if self.child is not None and (self.child.poll() is not None or _is_spent(error)):
                 self._end()
+            self.is_free = True
             execution.returned(error)
             self.pool.ended(execution)
             job = self.pool.next_for(self)
@@ -216,8 +228,9 @@ class Processes:
         self._all: list[_Process] = []
         self._idle: list[_Process] = []
         self._kept: dict[str, _Process] = {}
-        self._waiting: deque[tuple[Execution, Snapshot]] = deque()
+        self._waiting: deque[_Job] = deque()
         self._was_full = False
+        self._looked: _Job | None = None
         self._closed = False
         self._retired: list[_Process] = []
 
@@ -230,6 +243,9 @@ class Processes:
             process = self._kept.get(owner)
             if process is None:
                 process = self._idle.pop() if self._idle and not owner else None
+                if process is None and not owner and self._soon():
+                    self._waiting.append(job)
+                    return
                 if process is None and (owner or len(self._all) < self._maximum):
                     process = _Process(self)
                     if owner:
@@ -240,8 +256,7 @@ class Processes:
                 self._waiting.append(job)
                 tell, self._was_full = not self._was_full, True
             else:
-                execution.handle = process
-                process.jobs.put(job)
+                process.give(job)
         if tell:
             self._complain(
                 f"all {len(self._all)} processes for activities are busy: {execution.activity} and others "
@@ -250,16 +265,32 @@ class Processes:
                 execution.activity,
             )
 
-    def next_for(self, process: _Process) -> tuple[Execution, Snapshot] | None:
+    def _soon(self) -> bool:
+        """Whether a worker is about to be free that nothing waits for yet."""
+        return sum(process.is_free for process in self._all) > len(self._waiting)
+
+    def look(self) -> None:
+        """Called now and then: what has waited since the last time, in vain, gets a worker of its own."""
+        with self._lock:
+            first = self._waiting[0] if self._waiting else None
+            late = first is not None and first is self._looked
+            self._looked = first
+            if late and len(self._all) < self._maximum and not self._closed:
+                process = _Process(self)
+                self._all.append(process)
+                process.give(self._waiting.popleft())
+
+    def next_for(self, process: _Process) -> _Job | None:
         """What a worker whose activity has returned runs next."""
         with self._lock:
             if self._closed or process in self._retired:
                 return None
             if process in self._all:
                 if self._waiting:
-                    execution, snapshot = self._waiting.popleft()
-                    execution.handle = process
-                    return execution, snapshot
+                    job = self._waiting.popleft()
+                    process.is_free = False
+                    job[0].handle = process
+                    return job
                 self._idle.append(process)
         return process.jobs.get()
 

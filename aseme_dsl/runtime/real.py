@@ -171,6 +171,10 @@ class RealDriver:
             if self._processes is not None:
                 self._processes.renew(self._path)
 
+    def have_threads(self) -> None:
+        """Have the threads that the agents' plans can need: none is made in the midst of the run."""
+        self._threads.have(2 * sum(agent.in_threads() for agent in self.agents))
+
     def launch(self, execution: Execution) -> None:
         """Run the code of an activity where its kind belongs."""
         with self._making:
@@ -328,6 +332,9 @@ class RealDriver:
         patience = max(2, round(self.options.cancel_within / SECOND / LOOK))
         if self._loop is not None:
             self._loop.look(patience)
+        self._threads.look()
+        if self._processes is not None:
+            self._processes.look()
         found: dict[str, tuple[int, int, int]] = {}
         for agent in self.agents if self._owners else ():
             thread = self._owners.get(agent.name)

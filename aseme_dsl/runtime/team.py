@@ -405,6 +405,8 @@ class Team:
         plans = {agent.name: agent.plan}
         self.bus.renew(plans)
         self.conversations.renew(plans)
+        if isinstance(self.driver, RealDriver):
+            self.driver.have_threads()
         radio = self._radios.get(agent.name)
         has_radio = any(info.radio is not None for info in agent.plan.channels)
         if version.schema is None or not has_radio or agent.body is None:
@@ -503,6 +505,8 @@ class Team:
         driver.settled = self._settled
         driver.advance = self._advance
         driver.complain = self._complain
+        if isinstance(driver, RealDriver):
+            driver.have_threads()
         with driver.holding():  # what is there from the beginning is part of the first step
             self.bus.restore(self._messages)
             for item in self._script:

@@ -1,10 +1,16 @@
-"""Threads: the resident threads in which activities of kind `thread` run."""
+"""Threads: the resident threads in which activities of kind `thread` run.
+
+An activity may begin while the thread of the one before it is still on its way out, and takes another one.
+How often that coincides is chance, so the threads that may be needed are made beforehand; and when all are
+taken, one that is about to be free is preferred to a new one. So their number does not grow in a long run.
+"""
 
 from __future__ import annotations
 
 import threading
 from collections import deque
 from collections.abc import Callable
+from contextlib import suppress
 from queue import SimpleQueue
 from typing import TYPE_CHECKING
 
@@ -16,6 +22,10 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.execution import Execution
 
 
+BEFOREHAND = 256
+"""So many threads are made beforehand at the most; a crowd of small agents does not need them all at once."""
+
+
 class _Worker:
     """A resident thread that runs activities, one after the other."""
 
@@ -23,21 +33,26 @@ class _Worker:
         self.pool = pool
         self.queue: SimpleQueue[Execution | None] = SimpleQueue()
         self.execution: Execution | None = None
+        """What it runs, from when it is given to it."""
         self.thread = threading.Thread(target=self._work, name=f"aseme activity {number}", daemon=True)
         self.thread.start()
 
     def _work(self) -> None:
         execution = self.queue.get()
         while execution is not None:
-            self.execution = execution
             execution.run()
-            self.execution = None
             self.pool.ended(execution)
             execution = self.pool.next_for(self)
 
+    @property
+    def is_leaving(self) -> bool:
+        """Whether its activity has returned."""
+        return self.execution is None or self.execution.has_returned
+
 
 class Threads:
-    """As many threads as activities have run in them at once, up to a maximum. For use from any thread."""
+    """As many threads as are wanted beforehand, or as activities have run in them at once if that is more, up
+    to a maximum. For use from any thread."""
 
     def __init__(
         self, maximum: int, ended: Callable[[Execution], None], complain: Callable[..., None]
@@ -52,6 +67,20 @@ class Threads:
         self._waiting: deque[Execution] = deque()
         self._made = 0
         self._was_full = False
+        self._looked: Execution | None = None
+
+    def have(self, count: int) -> None:
+        """Have so many threads, if there are fewer, or as many as the system and the maximum permit."""
+        with self._lock, suppress(RuntimeError):  # told when one is missing
+            while len(self._workers) < min(count, BEFOREHAND, self._maximum):
+                self._idle.insert(0, self._another())
+
+    def _another(self) -> _Worker:
+        """One thread more. Raises RuntimeError if the system gives none."""
+        worker = _Worker(self, self._made + 1)
+        self._made += 1
+        self._workers.add(worker)
+        return worker
 
     def launch(self, execution: Execution) -> None:
         """Run the code of an activity in a thread that is free, or in a new one."""
@@ -62,15 +91,16 @@ class Threads:
         problem = ""
         with self._lock:
             worker = self._idle.pop() if self._idle else None
+            if worker is None and self._soon():
+                self._waiting.append(execution)
+                return
             if worker is None and len(self._workers) < self._maximum:
                 try:
-                    worker = _Worker(self, self._made + 1)
+                    worker = self._another()
                 except RuntimeError as error:  # the system gives no more
                     problem = f" ({error})"
-                else:
-                    self._made += 1
-                    self._workers.add(worker)
             if worker is not None:
+                worker.execution = execution
                 worker.queue.put(execution)
                 return
             self._waiting.append(execution)
@@ -83,14 +113,35 @@ class Threads:
                 execution.activity,
             )
 
+    def _soon(self) -> bool:
+        """Whether a thread is about to be free that nothing waits for yet."""
+        leaving = sum(worker.is_leaving for worker in self._workers)
+        return leaving > len(self._waiting)
+
+    def look(self) -> None:
+        """Called now and then: what has waited since the last time, in vain, gets a thread of its own."""
+        with self._lock:
+            first = self._waiting[0] if self._waiting else None
+            late = first is not None and first is self._looked
+            self._looked = first
+            if not late or len(self._workers) >= self._maximum:
+                return
+            with suppress(RuntimeError):
+                worker = self._another()
+                worker.execution = self._waiting.popleft()
+                worker.queue.put(worker.execution)
+
     def next_for(self, worker: _Worker) -> Execution | None:
         """What a worker whose activity has returned runs next; None if it is not wanted any more."""
         with self._lock:
             if worker in self._given_up:
                 self._given_up.discard(worker)
+                worker.execution = None
                 return None
             if self._waiting:
-                return self._waiting.popleft()
+                worker.execution = self._waiting.popleft()
+                return worker.execution
+            worker.execution = None
             self._idle.append(worker)
         return worker.queue.get()
 
