@@ -135,6 +135,15 @@ class Statechart:
         return {label: tuple(nodes) for label, nodes in found.items()}
 
     @cached_property
+    def _called(self) -> dict[str, tuple[Node, ...]]:
+        found: dict[str, list[Node]] = {}
+        for node in self.nodes:
+            for name in dict.fromkeys((node.name, node.activity)):
+                if name is not None:
+                    found.setdefault(name, []).append(node)
+        return {name: tuple(nodes) for name, nodes in found.items()}
+
+    @cached_property
     def _outgoing(self) -> dict[str, tuple[Transition, ...]]:
         found: dict[str, list[Transition]] = {}
         for transition in self.transitions:
@@ -154,6 +163,10 @@ class Statechart:
     def children(self, label: str) -> tuple[Node, ...]:
         """The states directly inside `label`, in document order."""
         return self._children.get(label, ())
+
+    def called(self, name: str) -> tuple[Node, ...]:
+        """The states that are called `name`, or whose activity is, in document order."""
+        return self._called.get(name, ())
 
     def outgoing(self, label: str) -> tuple[Transition, ...]:
         """The transitions of a source in the order in which they are tried."""

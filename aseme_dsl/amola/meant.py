@@ -1,0 +1,28 @@
+"""Meant: which states a condition means by a name, as in `outcome(Grasp)`: those of the innermost holder."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from aseme_dsl.amola.statechart import Node, Statechart
+
+
+def states_meant(
+    chart: Statechart, source: str, name: str, fits: Callable[[Node], bool] | None = None
+) -> tuple[Node, ...]:
+    """The states that an expression of a transition out of `source` means by `name`, in document order.
+
+    They are those of that name in the innermost state around `source` (`source` included) that holds any;
+    none where the whole chart has none. A state goes by its name and by that of its activity. With `fits`,
+    only such states count.
+    """
+    named = [node for node in chart.called(name) if fits is None or fits(node)]
+    around = [source, *(node.label for node in chart.ancestors(source))] if named else []
+    for holder in around:
+        held = tuple(node for node in named if node.label == holder or node.label.startswith(f"{holder}."))
+        if held:
+            return held
+    return ()
+
+
+__all__ = ["states_meant"]
