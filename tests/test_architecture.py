@@ -14,6 +14,7 @@ PACKAGE = Path(__file__).resolve().parent.parent / "aseme_dsl"
 FLOORS = {
     "cli": 5,
     "build": 4,
+    "editor": 4,
     "compiler": 3,
     "backends": 3,
     "grammar": 2,

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, has_errors, surely
 from aseme_dsl.grammar import tree
+from aseme_dsl.grammar.parts import NO_PARTS, Layout
 from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
 
@@ -47,6 +48,10 @@ class Loaded:
     """Names that a file with syntax errors declares where it could not be read."""
     complete: bool = True
     """Whether every file that is imported could be read."""
+    paths: Mapping[str, str] = field(default_factory=dict)
+    """Where each file that was looked for really is, by the path that its places show."""
+    layout: Layout = NO_PARTS
+    """Where the parts of files begin in them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +83,7 @@ class _Loader:
     protos: list[ProtoImport] = field(default_factory=list)
     diagnostics: list[Diagnostic] = field(default_factory=list)
     lost: set[str] = field(default_factory=set)
+    paths: dict[str, str] = field(default_factory=dict)
 
 
 def load(
@@ -90,6 +96,7 @@ def load(
     sources = sources or {}
     loader = _Loader(sources, {_key(path): text for path, text in sources.items()}, largest)
     place = _Place(_key(str(root.path)), root.path) if isinstance(root, Source) else _place(str(root))
+    loader.paths[place.shown] = place.key
     parsed = _parsed(loader, root if isinstance(root, Source) else place, None)
     if parsed is not None:
         _follow(loader, _Reading(place, parsed, _imports(parsed), None))
@@ -100,6 +107,7 @@ def load(
         tuple(loader.diagnostics),
         frozenset(loader.lost),
         complete,
+        loader.paths,
     )
 
 
@@ -140,6 +148,7 @@ def _follow(loader: _Loader, root: _Reading) -> None:
                 loader.diagnostics.append(_circle(stack, place, item))
             continue
         started.add(place.key)
+        loader.paths[place.shown] = place.key
         if place.key.endswith(".proto"):
             _load_proto(loader, place, item)
             continue

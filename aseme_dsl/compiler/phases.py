@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
 from aseme_dsl.amola.liveness import names
-from aseme_dsl.amola.srm import Plays
+from aseme_dsl.amola.srm import Activity, Plays
 from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import Analysis, Options
 from aseme_dsl.compiler.activities import merge_activities, type_activity
@@ -20,7 +22,7 @@ from aseme_dsl.compiler.activity_use import (
     unplayed,
     used_activities,
 )
-from aseme_dsl.compiler.aip_to_eac import aip_to_eac, read_protocol
+from aseme_dsl.compiler.aip_to_eac import Protocol, aip_to_eac, read_protocol
 from aseme_dsl.compiler.allow import allow
 from aseme_dsl.compiler.blocks import Blocks, blocks_of
 from aseme_dsl.compiler.chart import World
@@ -33,11 +35,19 @@ from aseme_dsl.compiler.load import Loaded, load
 from aseme_dsl.compiler.modules import also_activities, read_modules
 from aseme_dsl.compiler.resolve import resolve
 from aseme_dsl.compiler.sag_to_suc import read_sag, sag_to_suc
-from aseme_dsl.compiler.scopes import global_scope, protocol_scopes, role_scope
+from aseme_dsl.compiler.scope import Scope
+from aseme_dsl.compiler.scopes import (
+    TypedParticipant,
+    TypedRole,
+    global_scope,
+    protocol_scopes,
+    role_scope,
+)
 from aseme_dsl.compiler.srm_to_iac import Role, read_role, srm_to_iac
 from aseme_dsl.compiler.statecharts import build_statechart, read_statechart
 from aseme_dsl.compiler.suc_to_aip import read_aip, suc_to_aip
 from aseme_dsl.compiler.suc_to_srm import read_srm, suc_to_srm
+from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.compiler.unused import check_agents, check_exchange, check_unused
 from aseme_dsl.compiler.use import check_use
 from aseme_dsl.compiler.usecases import use_cases
@@ -48,18 +58,48 @@ from aseme_dsl.source import Source, Span
 _T = TypeVar("_T")
 
 
+@dataclass(frozen=True, slots=True)
+class Inspection:
+    """What every phase has found, wherever there are errors, too: what an editor asks for.
+
+    `scopes` are those of roles and statecharts, `participants` those of each protocol's participants, both by
+    name as `protocols`, `roles`, `eacs` and `iacs` are. A chart that could not be built is None.
+    """
+
+    analysis: Analysis
+    loaded: Loaded
+    symbols: Symbols
+    blocks: Blocks
+    top: Scope
+    suc: Suc
+    participants: Mapping[str, Mapping[str, TypedParticipant]]
+    protocols: Mapping[str, Protocol]
+    scopes: Mapping[str, TypedRole]
+    roles: Mapping[str, Role]
+    activities: Mapping[str, Activity]
+    eacs: Mapping[str, Statechart | None]
+    iacs: Mapping[str, Statechart | None]
+
+
 def analyse_files(root: Source | Path | str, sources: Mapping[str, str] | None, options: Options) -> Analysis:
     """The system of a file, and every diagnostic of it and of what it imports."""
+    return inspect_files(root, sources, options).analysis
+
+
+def inspect_files(
+    root: Source | Path | str, sources: Mapping[str, str] | None, options: Options
+) -> Inspection:
+    """The same with what each phase has found on the way."""
     # Models are many small objects without cycles: looking for cycles all the time costs a third of the time.
     threshold = gc.get_threshold()
     gc.set_threshold(100_000, 50, 100)
     try:
-        return _analyse(root, sources, options)
+        return _inspect(root, sources, options)
     finally:
         gc.set_threshold(*threshold)
 
 
-def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, options: Options) -> Analysis:
+def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, options: Options) -> Inspection:
     found: list[Diagnostic] = []
 
     def keep(result: tuple[_T, tuple[Diagnostic, ...]]) -> _T:
@@ -158,8 +198,26 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     diagnostics = options.policy.apply(diagnostics)
     accepted = {id(item.diagnostic) for item in suppressed}
     missing = [item for item in missing if id(item.note) not in accepted]
+
+    def inspected(analysis: Analysis) -> Inspection:
+        return Inspection(
+            analysis,
+            loaded,
+            symbols,
+            blocks,
+            top,
+            suc,
+            participants,
+            protocols,
+            scopes,
+            roles,
+            described,
+            eacs,
+            iacs,
+        )
+
     if has_errors(diagnostics) or symbols.system is None:
-        return Analysis(None, diagnostics, tuple(missing), _is_library(loaded), suppressed)
+        return inspected(Analysis(None, diagnostics, tuple(missing), _is_library(loaded), suppressed))
     system = System(
         name=name,
         enums=symbols.enums,
@@ -178,7 +236,8 @@ def _analyse(root: Source | Path | str, sources: Mapping[str, str] | None, optio
         sources=tuple(file.source for file in loaded.files),
         span=symbols.system.name.span,
     )
-    return Analysis(system, diagnostics, tuple(missing), suppressed=suppressed, unchecked=unchecked)
+    analysis = Analysis(system, diagnostics, tuple(missing), suppressed=suppressed, unchecked=unchecked)
+    return inspected(analysis)
 
 
 def _places_of_roles(blocks: Blocks) -> dict[str, Span]:

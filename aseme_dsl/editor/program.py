@@ -1,0 +1,57 @@
+"""Program: everything that is known of one system and of all files in it, at one moment."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from aseme_dsl.compiler.phases import Inspection
+from aseme_dsl.diagnostics import Diagnostic, Suppressed
+from aseme_dsl.editor.index import Index, occurrences, world_of
+from aseme_dsl.grammar import tree
+from aseme_dsl.grammar.parts import Layout
+from aseme_dsl.source import Source, Span
+
+
+@dataclass(frozen=True)
+class Program:
+    """The files that a root brings together, and what every phase of the compiler has found in them.
+
+    Trees and models keep the spans of the *parts* of files in which they were read (see `grammar.parts`);
+    `whole` gives the place in the file. Diagnostics have whole places already.
+    """
+
+    root: str
+    inspection: Inspection
+    diagnostics: tuple[Diagnostic, ...]
+    suppressed: tuple[Suppressed, ...] = ()
+
+    @property
+    def layout(self) -> Layout:
+        return self.inspection.loaded.layout
+
+    @property
+    def files(self) -> Mapping[str, tree.File]:
+        """The files by where they really are, imports first."""
+        loaded = self.inspection.loaded
+        return {loaded.paths.get(file.source.path, file.source.path): file for file in loaded.files}
+
+    def path_of(self, source: Source) -> str:
+        """Where the file of a text (or of a part of one) really is."""
+        return self.inspection.loaded.paths.get(source.path, source.path)
+
+    def whole(self, span: Span) -> Span:
+        """The place in its file."""
+        return self.layout.whole(span)
+
+    @cached_property
+    def index(self) -> Index:
+        """What every name in the files means."""
+        known = self.inspection
+        world = world_of(known.symbols, known.blocks.aips, known.blocks.roles)
+        parts: dict[Source, list[tree.Declaration]] = {}
+        for file in known.loaded.files:
+            for item in file.declarations:
+                parts.setdefault(item.span.source, []).append(item)
+        return Index(world, parts, occurrences)

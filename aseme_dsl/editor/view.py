@@ -1,0 +1,80 @@
+"""View: one file as it is open in an editor at one moment, with all that is known of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.editor.index import Occurrence
+from aseme_dsl.editor.positions import Lines
+from aseme_dsl.editor.program import Program
+from aseme_dsl.grammar import tree
+from aseme_dsl.source import Source, Span
+
+
+@dataclass(frozen=True)
+class View:
+    """A file and the program that it is looked at in.
+
+    Offsets and whole spans are those of `source`, the text of the moment. Spans of trees and models belong to
+    parts of files: `whole` turns them into places, `at` says in which part an offset is.
+    """
+
+    path: str
+    """Where the file really is."""
+    source: Source
+    version: int | None
+    program: Program
+    diagnostics: tuple[Diagnostic, ...]
+    """What there is to say of this file, in all programs that it is in."""
+    earlier: View | None = None
+    """The last view in which the file had no mistake of syntax, if it has one now."""
+
+    @cached_property
+    def lines(self) -> Lines:
+        return Lines(self.source.text)
+
+    @cached_property
+    def file(self) -> tree.File | None:
+        """The tree of what could be read; None where the file could not be read at all."""
+        return self.program.files.get(self.path)
+
+    @cached_property
+    def parts(self) -> tuple[tuple[int, Source], ...]:
+        """The parts of the file with the offsets at which they begin, in the order of the text."""
+        return self.program.layout.parts_of(self.file.source) if self.file is not None else ()
+
+    def at(self, offset: int) -> tuple[Source, int]:
+        """The part that `offset` is in, and the offset in the part."""
+        found, base = self.file.source if self.file is not None else self.source, 0
+        for start, part in self.parts:
+            if start > offset:
+                break
+            found, base = part, start
+        return found, offset - base
+
+    def whole(self, span: Span) -> Span:
+        """The place in its file of a span of a tree or model."""
+        return self.program.whole(span)
+
+    def declaration_at(self, offset: int) -> tree.Declaration | None:
+        """The declaration around an offset."""
+        part, inside = self.at(offset)
+        for item in self.file.declarations if self.file is not None else ():
+            if item.span.source is part and item.span.start <= inside <= item.span.end:
+                return item
+        return None
+
+    def occurrence_at(self, offset: int) -> Occurrence | None:
+        """The name at an offset, or just before it."""
+        part, inside = self.at(offset)
+        return self.program.index.at(part, inside)
+
+    @cached_property
+    def occurrences(self) -> tuple[Occurrence, ...]:
+        """All names of the file, in the order of the text."""
+        if self.file is None:
+            return ()
+        parts = [part for _, part in self.parts] or [self.file.source]
+        return tuple(item for part in parts for item in self.program.index.part(part))

@@ -1,0 +1,261 @@
+"""Workspace: the files that are open in an editor, over those on disk, and which programs they belong to."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from aseme_dsl.amola.system import System
+from aseme_dsl.compiler import Options
+from aseme_dsl.compiler.phases import inspect_files
+from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
+from aseme_dsl.editor.program import Program
+from aseme_dsl.editor.view import View
+from aseme_dsl.source import Source
+from aseme_dsl.standard_library import standard_library
+
+MOST_FILES = 2000
+"""How many files of a folder are looked at for what imports what."""
+
+
+@dataclass(frozen=True, slots=True)
+class Project:
+    """What a project on disk says, as an editor needs it; the command line knows where to find it.
+
+    `options` gives the options for a root and what is wrong with the configuration; `code` what the Python of
+    the activities gets wrong, and what comments there allow.
+    """
+
+    options: Callable[[Path], tuple[Options, tuple[Diagnostic, ...]]] = lambda root: (Options(), ())
+    code: Callable[[Path, System], tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]] = (
+        lambda root, system: ((), ())
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Buffer:
+    """The text of an open file."""
+
+    text: str
+    version: int | None
+
+
+_IMPORT = re.compile(
+    r'//[^\n]*|/\*[\s\S]*?\*/|\bimport\s+(?:"([^"\n]*)"|([A-Za-z_]\w*))|\b(system)\s+\w|"[^"\n]*"'
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Header:
+    """What a text says of other files: the paths that it imports (as written), and whether it is a system."""
+
+    imports: tuple[str, ...]
+    libraries: tuple[str, ...]
+    is_system: bool
+
+
+def header_of(text: str) -> Header:
+    """What a text imports, and whether it declares a system."""
+    found = list(_IMPORT.finditer(text))
+    return Header(
+        tuple(item[1] for item in found if item[1]),
+        tuple(item[2] for item in found if item[2]),
+        any(item[3] for item in found),
+    )
+
+
+@dataclass
+class Workspace:
+    """The state of an editor's session: what is open, and what was found out last. For one thread."""
+
+    project: Project = field(default_factory=Project)
+    folders: list[str] = field(default_factory=list)
+    buffers: dict[str, Buffer] = field(default_factory=dict)
+    _programs: dict[str, Program] = field(default_factory=dict)
+    _views: dict[str, View] = field(default_factory=dict)
+    _good: dict[str, View] = field(default_factory=dict)
+    _headers: dict[str, tuple[object, Header]] = field(default_factory=dict)
+
+    # ---- what the editor says ------------------------------------------------------------------
+
+    def open(self, path: str, text: str, version: int | None = None) -> None:
+        """A file is open with this text now, or has changed to it."""
+        self.buffers[os.path.realpath(path)] = Buffer(text, version)
+        self.forget()
+
+    def close(self, path: str) -> None:
+        """The file counts as it is on disk again."""
+        path = os.path.realpath(path)
+        self.buffers.pop(path, None)
+        self._good.pop(path, None)
+        self.forget()
+
+    def forget(self) -> None:
+        """Something has changed, here or on disk."""
+        self._programs.clear()
+        self._views.clear()
+
+    # ---- what it gets to know ------------------------------------------------------------------
+
+    def view(self, path: str) -> View | None:
+        """The file as it is now; None if it is not open and cannot be read."""
+        path = os.path.realpath(path)
+        if path not in self._views:
+            text = self.text(path)
+            if text is None:
+                return None
+            self._views[path] = self._viewed(path, text)
+        return self._views[path]
+
+    def text(self, path: str) -> str | None:
+        """The text of a file: as it is open, else as it is on disk."""
+        path = os.path.realpath(path)
+        if path in self.buffers:
+            return self.buffers[path].text
+        try:
+            return Path(path).read_bytes().decode("utf-8-sig")
+        except (OSError, UnicodeDecodeError, ValueError):
+            return None
+
+    def diagnostics(self, path: str) -> tuple[Diagnostic, ...]:
+        """What there is to say of one file, in all programs that it is in."""
+        view = self.view(path)
+        return view.diagnostics if view is not None else ()
+
+    def affected(self, path: str) -> tuple[str, ...]:
+        """The open files of which there may be something else to say since `path` has changed."""
+        path = os.path.realpath(path)
+        roots = set(self.roots(path))
+        return tuple(item for item in self.buffers if item == path or roots & set(self.roots(item)))
+
+    def program(self, root: str) -> Program:
+        """All that is known of a root."""
+        if root not in self._programs:
+            self._programs[root] = self._compiled(root)
+        return self._programs[root]
+
+    def _compiled(self, root: str) -> Program:
+        options, problems = self.project.options(Path(root))
+        texts = {path: buffer.text for path, buffer in self.buffers.items()}
+        inspection = inspect_files(root, texts, options)
+        analysis = inspection.analysis
+        diagnostics = in_order((*problems, *analysis.diagnostics))
+        suppressed = analysis.suppressed
+        if analysis.system is not None and not has_errors(diagnostics):
+            found, allowed = self.project.code(Path(root), analysis.system)
+            diagnostics = in_order((*diagnostics, *options.policy.apply(found)))
+            suppressed += allowed
+        is_root = self._header(root).is_system and not analysis.is_library
+        if not is_root:
+            diagnostics = tuple(item for item in diagnostics if item.code != "E008")
+        return Program(root, inspection, diagnostics, suppressed)
+
+    def _viewed(self, path: str, text: str) -> View:
+        programs = [self.program(root) for root in self.roots(path)]
+        found = in_order(
+            item for program in programs for item in program.diagnostics if _is_about(program, item, path)
+        )
+        buffer = self.buffers.get(path)
+        program = programs[0]
+        file = program.files.get(path)
+        source = file.source if file is not None else Source(path, text)
+        version = buffer.version if buffer is not None else None
+        view = View(path, source, version, program, found)
+        if any(item.code.startswith("E1") for item in found):
+            return replace(view, earlier=self._good.get(path))
+        self._good[path] = view
+        return view
+
+    # ---- which files belong together -----------------------------------------------------------
+
+    def roots(self, path: str) -> tuple[str, ...]:
+        """The files through which `path` is looked at: systems that import it, or it alone."""
+        path = os.path.realpath(path)
+        header = self._header(path)
+        if header.is_system:
+            return (path,)
+        importers = self._importers()
+        found: dict[str, None] = {}
+        seen = {path}
+        waiting = [path]
+        while waiting:
+            for other in importers.get(waiting.pop(), ()):
+                if other not in seen:
+                    seen.add(other)
+                    waiting.append(other)
+                    if self._header(other).is_system:
+                        found[other] = None
+        return tuple(sorted(found)) or (path,)
+
+    def _importers(self) -> Mapping[str, set[str]]:
+        """Which of the files that are known import each file."""
+        found: dict[str, set[str]] = {}
+        for path in self.files():
+            for target in imported(path, self._header(path)):
+                found.setdefault(target, set()).add(path)
+        return found
+
+    def files(self) -> tuple[str, ...]:
+        """Every file of the folders that are open, and of those in which open files are."""
+        folders = dict.fromkeys(os.path.realpath(folder) for folder in self.folders)
+        for path in self.buffers:
+            if not any(Path(path).is_relative_to(folder) for folder in folders):
+                folders[str(Path(path).parent)] = None
+        found = dict.fromkeys(self.buffers)
+        for folder in folders:
+            for path in files_below(folder):
+                if len(found) >= MOST_FILES:
+                    return tuple(found)
+                found[path] = None
+        return tuple(found)
+
+    def _header(self, path: str) -> Header:
+        buffer = self.buffers.get(path)
+        key: object = buffer.text if buffer is not None else _stamp(path)
+        known = self._headers.get(path)
+        if known is None or known[0] != key:
+            known = self._headers[path] = (key, header_of(self.text(path) or ""))
+        return known[1]
+
+
+def imported(path: str, header: Header) -> Iterator[str]:
+    """Where the files are that a file imports."""
+    for target in header.imports:
+        yield os.path.realpath(Path(path).parent / target)
+    for name in header.libraries:
+        yield os.path.realpath(standard_library() / f"{name}.aseme")
+
+
+def files_below(folder: str) -> Iterator[str]:
+    """Every `*.aseme` file at any depth, but for hidden folders and virtual environments."""
+    for root, folders, names in os.walk(folder):
+        folders[:] = sorted(
+            name
+            for name in folders
+            if not name.startswith(".")
+            and name != "node_modules"
+            and not Path(root, name, "pyvenv.cfg").exists()
+        )
+        yield from (os.path.realpath(Path(root, name)) for name in sorted(names) if name.endswith(".aseme"))
+
+
+def _stamp(path: str) -> object:
+    """What changes when a file on disk does."""
+    try:
+        found = Path(path).stat()
+    except (OSError, ValueError):
+        return None
+    return found.st_mtime_ns, found.st_size
+
+
+def _is_about(program: Program, item: Diagnostic, path: str) -> bool:
+    if item.span is None:
+        shown = item.path or program.root
+        return program.inspection.loaded.paths.get(shown, os.path.realpath(shown)) == path
+    return program.path_of(item.span.source) == path
+
+
+__all__ = ["Buffer", "Header", "Project", "Workspace", "files_below", "header_of", "imported"]
