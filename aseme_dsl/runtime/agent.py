@@ -262,7 +262,8 @@ class Agent:
 
     def _ahead(self, seen: list[Arrived]) -> Iterable[Arrived]:
         found = self._pending()
-        seen.extend(item for item in found if item not in seen)
+        known = {item.identity for item in seen}
+        seen.extend(item for item in found if item.identity not in known)
         return found
 
     def _sleep(self, now: int) -> None:

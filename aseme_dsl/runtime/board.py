@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any, ClassVar
 
 from aseme_dsl.runtime import history
+from aseme_dsl.runtime.history import History
 from aseme_dsl.runtime.inputs import Arrived, Identity
 
 NEVER = sys.maxsize
@@ -32,7 +33,7 @@ class Board:
 
     def __init__(self) -> None:
         self._states: dict[str, dict[str, Arrived]] = {}
-        self._data: dict[str, tuple[Arrived, ...]] = {}
+        self._data: dict[str, History] = {}
         self._signals: dict[str, list[Arrived]] = {}
         self._seen: dict[tuple[str, str | None], Arrived] = {}
         self.ahead: set[Identity] = set()
@@ -52,7 +53,7 @@ class Board:
             if channel in outer._states:
                 self._states[channel] = dict(outer._states[channel])
             elif channel in outer._data:
-                self._data[channel] = outer._data[channel]
+                self._data[channel] = outer._data[channel].copy()
             else:
                 continue
             self._refresh(channel)
@@ -79,26 +80,10 @@ class Board:
             else:
                 waiting.append(item)
         else:
-            self._data[channel] = self._kept(channel, item, now)
+            if channel not in self._data:
+                self._data[channel] = History()
+            self._data[channel].add(item, now - self.RETENTION.get(channel, 0))
         self._refresh(channel)
-
-    def _kept(self, channel: str, item: Arrived, now: int) -> tuple[Arrived, ...]:
-        """The history with `item` in its place in time: the window, and of each sender one before it."""
-        history = self._data.get(channel, ())
-        place = len(history)
-        while place and history[place - 1].time > item.time:
-            place -= 1
-        history = (*history[:place], item, *history[place:])
-        oldest = now - self.RETENTION.get(channel, 0)
-        kept: list[Arrived] = []
-        before: set[str] = set()
-        for entry in reversed(history):
-            if entry.time >= oldest:
-                kept.append(entry)
-            elif entry.sender not in before:
-                before.add(entry.sender)
-                kept.append(entry)
-        return tuple(reversed(kept))
 
     def _refresh(self, channel: str) -> None:
         for slot, host in self.SLOTS.get(channel, ()):
@@ -118,17 +103,18 @@ class Board:
             if host is not None:
                 return senders.get(host)
             return next(reversed(senders.values()), None)
-        history = self._data.get(channel, ())
-        return next((item for item in reversed(history) if host in (None, item.sender)), None)
+        data = self._data.get(channel)
+        return None if data is None else data.newest(host)
 
     def history(self, channel: str, host: str | None = None) -> tuple[Arrived, ...]:
         """The data messages that are kept, oldest first."""
-        items = self._data.get(channel, ())
-        return items if host is None else tuple(item for item in items if item.sender == host)
+        data = self._data.get(channel)
+        return () if data is None else data.of(host)
 
     def at(self, channel: str, host: str | None, moment: int) -> Any:
         """The message as it was at `moment`: the newest measured by then, or None."""
-        found = history.at(self.history(channel, host), moment)
+        items = self._data.get(channel, ()) if host is None else self.history(channel, host)
+        found = history.at(items, moment)
         return None if found is None else found.message
 
     def mean(self, channel: str, host: str | None, since: int, member: str) -> float | None:

@@ -21,6 +21,7 @@ from typing import Any
 from aseme_dsl.runtime.board import Board
 from aseme_dsl.runtime.chart import INACTIVE, Chart
 from aseme_dsl.runtime.convert import Messages, arrived, converted, like, mailed, same_shape
+from aseme_dsl.runtime.history import History
 from aseme_dsl.runtime.inputs import Arrived, Cancel, Effect
 from aseme_dsl.runtime.plan import ActivityInfo, Plan, State
 
@@ -319,9 +320,9 @@ class _Carrying:
                 if states:
                     board._states[channel] = states
             elif comm == "data":
-                data = self._items(source._data.get(channel, ()))
+                data = self._items(source.history(channel))
                 if data:
-                    board._data[channel] = tuple(data)
+                    board._data[channel] = History(data)
             elif primary and source is boards[0] and channel in source._signals:
                 board._signals[channel] = self._items(source._signals[channel])
             board._refresh(channel)
@@ -461,7 +462,7 @@ def knowledge_of(old: Chart, new: Chart, messages: Messages) -> None:
                     sender: arrived(item, messages) for sender, item in theirs._states[channel].items()
                 }
             if channel in theirs._data:
-                mine._data[channel] = tuple(arrived(item, messages) for item in theirs._data[channel])
+                mine._data[channel] = History(arrived(item, messages) for item in theirs._data[channel])
         except LookupError:
             continue
         mine._refresh(channel)

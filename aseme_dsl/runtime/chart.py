@@ -358,7 +358,10 @@ class Chart:
 
     def read_messages(self, region: int, board: Board) -> None:
         """Let the region see what has arrived since the step began."""
-        for item in self.pending():
+        pending = tuple(self.pending())
+        # What came in this step is out of it already; what waits no more was left out for a newer one.
+        board.ahead.intersection_update([item.identity for item in pending])
+        for item in pending:
             if (
                 item.channel in board.CHANNELS
                 and item.written_by != self.REGIONS[region]

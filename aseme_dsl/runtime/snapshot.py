@@ -27,7 +27,7 @@ class BoardCopy(Board):
             if channel in board._states:
                 self._states[channel] = dict(board._states[channel])
             if channel in board._data:
-                self._data[channel] = board._data[channel]
+                self._data[channel] = board._data[channel].copy()
             if channel in board._signals:
                 self._signals[channel] = list(board._signals[channel])
 
