@@ -175,6 +175,7 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
     for item in chart.transitions:
         expression = item.expression
         condition = expression.condition
+        marks = {"first": True} if item.first else {}
         transitions.append(
             {
                 "name": item.name,
@@ -184,6 +185,7 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
                 "condition": value_text(condition, expand=True) if condition is not None else None,
                 "actions": [action_text(action, expand=True) for action in expression.actions],
                 "priority": item.priority,
+                **marks,
                 "origin": str(item.origin),
                 "span": _span(item.span, folder),
             }

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 
 from aseme_dsl.amola.messages import BOOL, DURATION, Channel, Function, Kind, Type
-from aseme_dsl.source import Span
+from aseme_dsl.source import Source, Span
 
 # ---- values ------------------------------------------------------------------------------------
 
@@ -297,8 +297,15 @@ class TransitionExpression:
         """Neither event nor condition nor `else`: taken on completion."""
         return not self.events and self.condition is None and not self.otherwise
 
+    @property
+    def is_for_errors(self) -> bool:
+        """Whether it waits for nothing but the failure of an activity."""
+        return not self.when and bool(self.events) and all(isinstance(e, Failed) for e in self.events)
+
 
 EMPTY = TransitionExpression()
+NEVER = TransitionExpression(when=True, condition=Literal(False, BOOL, Span(Source("", ""), 0, 0)))
+"""What stands on the way into `B` of `A [> B` until somebody says when B cuts A short."""
 
 
 def operands(value: Value) -> tuple[Value, ...]:

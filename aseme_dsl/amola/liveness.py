@@ -26,9 +26,10 @@ class Operator(StrEnum):
     ONE_OR_MORE = "+"
     FOREVER = "~"
     INSTANCES = "[n]"
+    DISABLING = "[>"
 
 
-INFIX = (Operator.SEQUENCE, Operator.CHOICE, Operator.PARALLEL)
+INFIX = (Operator.SEQUENCE, Operator.CHOICE, Operator.PARALLEL, Operator.DISABLING)
 LOOPS = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER)
 
 
@@ -36,7 +37,8 @@ LOOPS = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER)
 class Formula:
     """An operator over operands; a NAME has `name`, INSTANCES has `count`.
 
-    Infix operators have two or more operands, all others but NAME have exactly one. GROUP keeps the
+    Infix operators have two or more operands, all others but NAME have exactly one. DISABLING has two, and
+    `A [> B [> C` is `(A [> B) [> C` without its parentheses. GROUP keeps the
     parentheses that somebody wrote (several around one thing count as one), because terms and states are
     named as they are written.
     """

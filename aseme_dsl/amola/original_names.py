@@ -11,6 +11,7 @@ from dataclasses import replace
 from aseme_dsl.amola.statechart import NodeType, Statechart
 
 _SPELLINGS = (
+    ("[>", "_disabledby_"),
     ("||", "_parallel_"),
     ("~", "_forever_"),
     (".", "_sequence_"),

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
-from aseme_dsl.amola.expression import EMPTY, Literal, TransitionExpression
+from aseme_dsl.amola.expression import EMPTY, Literal, TransitionExpression, expression_text
 from aseme_dsl.amola.messages import Channel, Type
 from aseme_dsl.amola.srm import Module
 from aseme_dsl.source import Span
@@ -61,7 +61,8 @@ class Node:
 class Transition:
     """A transition between two labels. `priority` is its place among those of its source, 0 is tried first.
 
-    Those with neither event nor condition come after the others, and `else` last of all.
+    Those with neither event nor condition come after the others, and `else` last of all. One that is `first`
+    cuts its source short (`A [> B`): it is tried before anything inside the source, the outermost first.
     """
 
     name: str
@@ -71,6 +72,12 @@ class Transition:
     priority: int
     origin: Origin
     span: Span
+    first: bool = False
+
+
+def transition_text(transition: Transition) -> str:
+    """What people read on a transition: its expression, after `[>` where it cuts its source short."""
+    return " ".join(filter(None, ("[>" if transition.first else "", expression_text(transition.expression))))
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,4 +231,5 @@ __all__ = [
     "Transition",
     "Variable",
     "label_key",
+    "transition_text",
 ]

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from aseme_dsl.amola.expression import (
+    NEVER,
     After,
     Age,
     Arithmetic,
@@ -158,8 +159,16 @@ class FlatChart:
         return self.chart.transitions[number]
 
     def ways(self, label: str) -> tuple[Way, ...]:
-        """The ways out of a source in the order in which they are tried."""
-        return tuple(self._way(transition) for transition in self.chart.outgoing(label))
+        """The ways out of a source in the order in which they are tried, without those that are `first`."""
+        return tuple(self._way(item) for item in self.chart.outgoing(label) if not item.first)
+
+    def first_ways(self, label: str) -> tuple[Way, ...]:
+        """The ways that are tried before anything inside the source."""
+        return tuple(
+            self._way(item)
+            for item in self.chart.outgoing(label)
+            if item.first and item.expression is not NEVER
+        )
 
     def _way(self, transition: Transition) -> Way:
         target = self.chart.node(transition.target)
@@ -173,7 +182,7 @@ class FlatChart:
 
     def segments(self, label: str) -> Iterator[Transition]:
         """The transitions out of a source and out of the CONDITIONs they lead to."""
-        stack = list(reversed(self.ways(label)))
+        stack = list(reversed((*self.first_ways(label), *self.ways(label))))
         while stack:
             way = stack.pop()
             yield self.transition(way.number)

@@ -11,7 +11,7 @@ from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Topic
 from aseme_dsl.amola.srm import Activity, Module
-from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable
+from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable, transition_text
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.expressions import function_key
 from aseme_dsl.codegen.flat import FlatChart
@@ -136,7 +136,8 @@ def _transition(transition: Transition, placed: bool = True) -> str:
             ("otherwise", expression.otherwise, False),
             ("condition", condition, None),
             ("actions", tuple(action_term(action) for action in expression.actions), ()),
-            ("text", e.expression_text(expression), ""),
+            ("first", transition.first, False),
+            ("text", transition_text(transition), ""),
             ("at", place(transition.span) if placed else "", ""),
         ],
     )

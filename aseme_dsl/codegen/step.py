@@ -5,6 +5,7 @@ what a careful person writes by hand. Methods of the class, for region 3:
 
     _region_3   one round of the region: by its active leaf, the transitions that can be taken from there
     _around_…   the transitions of a composite that may be taken while it is not complete
+    _first_…    the transitions of a composite that are tried before anything inside it
     _enter_3    the region's AND is entered;  _leave_3: it is left
     _holds_12   the condition of transition 12, where evaluating it may raise
 """
@@ -32,12 +33,11 @@ from aseme_dsl.amola.expression import (
     TransitionExpression,
     Value,
     VariableValue,
-    expression_text,
     values_of,
     walk,
 )
 from aseme_dsl.amola.messages import Comm, Kind, Type
-from aseme_dsl.amola.statechart import Node, NodeType, Region, Statechart, Variable
+from aseme_dsl.amola.statechart import Node, NodeType, Region, Statechart, Variable, transition_text
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.expressions import Names, Piece, converted, enum_name, evaluate, holds
 from aseme_dsl.codegen.flat import FlatChart, Wait, Way, signals
@@ -169,7 +169,7 @@ class _Generator:
 
     def _place(self, number: int) -> str:
         transition = self.chart.transitions[number]
-        text = expression_text(transition.expression)
+        text = transition_text(transition)
         target = self.chart.node(transition.target)
         named = f" {target.name}" if target.name != target.label else ""
         ends = f"{transition.source} -> {transition.target}{named}"
@@ -420,8 +420,16 @@ class _Generator:
         return False
 
     def _from_leaf(self, method: _Method, region: int, leaf: Node, complete: str | bool) -> None:
-        """Everything that one round may do while `leaf` is active, innermost source first."""
+        """Everything that one round may do while `leaf` is active: what cuts short, the outermost first, then
+        innermost source first."""
         depth = 2
+        for around in reversed(self.flat.around(leaf.label)):
+            if self.flat.first_ways(around.label):
+                method.add(depth, f"if self._first_{self._key(around.label)}(now):", "    return True")
+                self._before(region, around)
+        for way in self.flat.first_ways(leaf.label):
+            if self._way(method, depth, region, leaf.label, leaf, complete, way, ()):
+                return
         if leaf.type is NodeType.AND:
             first, *others = self.flat.regions_of(leaf.label)
             method.add(depth, f"moved = self._region_{first.number}(now)")
@@ -452,6 +460,20 @@ class _Generator:
         self._ways(method, 2, region, source.label, None, False)
         method.add(2, "return False")
         self._method(name, f"What may leave {source.label} {source.name} before it is complete.", method)
+
+    def _before(self, region: int, source: Node) -> None:
+        """A method with the transitions that cut a composite short."""
+        name = f"_first_{self._key(source.label)}(self, now: int) -> bool"
+        if any(method[0] == f"    def {name}:" for method in self.methods):
+            return
+        method = _Method(self._names(region))
+        always = any(
+            self._way(method, 2, region, source.label, None, False, way, ())
+            for way in self.flat.first_ways(source.label)
+        )
+        if not always:
+            method.add(2, "return False")
+        self._method(name, f"What cuts {source.label} {source.name} short.", method)
 
     def _ways(
         self, method: _Method, depth: int, region: int, source: str, leaf: Node | None, complete: str | bool

@@ -13,7 +13,7 @@ from aseme_dsl.compiler.formula_to_statechart import Way
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.terms import Terms, listed, spelling, terms_of
-from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
 
@@ -53,6 +53,9 @@ def check_formulas(
             continue
         terms = terms_of(formulas, name, controls.get(name, name))
         choices, loops, others = _alternatives(terms, lines)
+        for interruption in _interruptions(terms, lines):
+            if interruption.way.lines or (name in lines.blocks and name not in lines.unsure):
+                found += check_interruption(interruption)
         if name in lines.blocks and name not in lines.unsure:
             for choice in choices:
                 found += check_choice(choice)
@@ -83,8 +86,9 @@ def undecided_formulas(
             continue
         terms = terms_of(formulas, name, controls.get(name, name))
         choices, loops, _ = _alternatives(terms, lines)
-        if any(not item.lines for group in (*choices, *loops) for item in group):
-            found.append(_nothing_said(terms, controls.get(name, name), choices, loops, inside))
+        silent = [item for item in _interruptions(terms, lines) if not item.way.lines]
+        if silent or any(not item.lines for group in (*choices, *loops) for item in group):
+            found.append(_nothing_said(terms, controls.get(name, name), choices, loops, silent, inside))
     return tuple(found)
 
 
@@ -129,6 +133,56 @@ def _alternatives(
         if len(own) > 1 and term in terms.parents and (verb, term) not in grouped
     ]
     return choices, loops, others
+
+
+@dataclass(frozen=True, slots=True)
+class Interruption:
+    """What cuts another short: the way into it, and the term that is cut."""
+
+    way: Alternative
+    term: str
+    cut: str
+
+
+def _interruptions(terms: Terms, lines: Lines) -> list[Interruption]:
+    """Every `A [> B` of a formula."""
+    found = []
+    for term in terms.parents:
+        if term.operator is Operator.DISABLING:
+            first, second = (ungrouped(operand) for operand in term.operands)
+            name = spelling(terms, second)
+            way = Alternative(f"enter {name}", lines.of(("enter", second)), term.operands[1].span)
+            found.append(Interruption(way, name, spelling(terms, first)))
+    return found
+
+
+def check_interruption(interruption: Interruption) -> Iterator[Diagnostic]:
+    """`A [> B` wants an event or `when` on every way into B (E420), and at least one (E421)."""
+    way = interruption.way
+    if not way.lines:
+        yield Diagnostic(
+            "E421",
+            f"nothing says when `{interruption.term}` cuts `{interruption.cut}` short",
+            way.span,
+            hint=f"write `{way.name} : when [ … ]`, or name an event",
+        )
+    for line in way.lines:
+        written = line.written
+        if written.events or written.when:
+            continue
+        edits: tuple[Edit, ...] = ()
+        if written.condition is not None and not written.otherwise:
+            start = written.span.start
+            edits = (Edit(Span(written.span.source, start, start), "when "),)
+        yield Diagnostic(
+            "E420",
+            f"`{way.name}` cuts `{interruption.cut}` short, but this waits until that is complete",
+            line.span,
+            (Related(way.span, f"`{interruption.term}` stands behind `[>`"),),
+            hint=f"write `{way.name} : when [ … ]`, or name an event; for what follows `{interruption.cut}` "
+            "when it is complete, write `.` in the formula",
+            edits=edits,
+        )
 
 
 def check_choice(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
@@ -350,14 +404,17 @@ def _nothing_said(
     control: str,
     choices: Sequence[Sequence[Alternative]],
     loops: Sequence[Sequence[Alternative]],
+    silent: Sequence[Interruption],
     inside: Span,
 ) -> Missing:
     parts = [_counted(len(choices), "choice"), _counted(len(loops), "loop")]
     what = " and ".join(part for part in parts if part)
-    skeleton = control_skeleton(control, [*choices, *loops])
+    said = [f"`{terms.title}` has {what} without a condition: what comes first is taken"] if what else []
+    said += [f"nothing says when `{item.term}` cuts `{item.cut}` short: it never does" for item in silent]
+    skeleton = control_skeleton(control, [*choices, *loops], [item.way for item in silent])
     note = Diagnostic(
         "N704",
-        f"`{terms.title}` has {what} without a condition: what comes first is taken",
+        "; ".join(said),
         terms.formulas.named[terms.formula].name.span,
         hint="start from\n" + skeleton,
     )
@@ -368,17 +425,28 @@ def _counted(number: int, what: str) -> str:
     return "" if number == 0 else f"a {what}" if number == 1 else f"{number} {what}s"
 
 
-def control_skeleton(control: str, groups: Iterable[Sequence[Alternative]]) -> str:
-    """A control block that decides every choice and loop, with conditions still to be written."""
-    lines = []
-    ways = [[item.name.partition(" ") for item in alternatives] for alternatives in groups]
-    longest = max(len(verb) for alternatives in ways for verb, _, _ in alternatives)
-    width = max(len(term) for alternatives in ways for _, _, term in alternatives)
-    for alternatives in ways:
-        *conditional, last = [f"{verb:{longest}} {term:{width}}" for verb, _, term in alternatives]
-        lines += [f"  {way} : [true]  // when?" for way in conditional]
-        lines.append(f"  {last} : else")
+def control_skeleton(
+    control: str, groups: Iterable[Sequence[Alternative]], silent: Sequence[Alternative] = ()
+) -> str:
+    """A control block that decides every choice and loop, with conditions still to be written.
+
+    `silent` are the ways by which one cuts another short.
+    """
+    rows: list[tuple[str, str, str]] = []  # verb, term, expression
+    for alternatives in groups:
+        *conditional, last = alternatives
+        rows += [_row(item, "[true]  // when?") for item in conditional]
+        rows.append(_row(last, "else"))
+    rows += [_row(item, "when [false]  // when?") for item in silent]
+    longest = max(len(verb) for verb, _, _ in rows)
+    width = max(len(term) for _, term, _ in rows)
+    lines = [f"  {verb:{longest}} {term:{width}} : {said}" for verb, term, said in rows]
     return "\n".join([f"control {control} {{", *lines, "}"])
+
+
+def _row(item: Alternative, said: str) -> tuple[str, str, str]:
+    verb, _, term = item.name.partition(" ")
+    return verb, term, said
 
 
 __all__ = [

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola import expression
-from aseme_dsl.amola.expression import EMPTY, TransitionExpression
+from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression
 from aseme_dsl.amola.statechart import Node, NodeType, Origin, Transition
 from aseme_dsl.compiler.formula_to_statechart import Arrow, Outline, Way
 from aseme_dsl.compiler.formulas import Formulas
@@ -139,11 +139,13 @@ def transitions(
     positions: list[int | None] = []
 
     def add(arrow: Arrow | Placed, name: str, line: Line | None, span: Span) -> None:
-        expression = EMPTY
+        cuts_short = isinstance(arrow, Arrow) and arrow.first
+        expression = NEVER if cuts_short else EMPTY
         if line is not None:
             names = renamed.get(arrow.branch, {}) if arrow.branch is not None else {}
             expression = rename(line.expression, names)
-        drafts.append(Transition(name, arrow.source, arrow.target, expression, 0, arrow.origin, span))
+        first = cuts_short and not expression.is_for_errors
+        drafts.append(Transition(name, arrow.source, arrow.target, expression, 0, arrow.origin, span, first))
         positions.append(line.position if line is not None else None)
 
     for arrow in outline.arrows:
@@ -165,8 +167,9 @@ def transitions(
 def prioritised(drafts: Sequence[Transition], positions: Sequence[int | None]) -> tuple[Transition, ...]:
     """The transitions with the places that they have among those of their sources.
 
-    `positions` are those of their control lines, None for a transition without one. Written lines come
-    first, in their order, then the template's; without a condition later, and `else` last.
+    `positions` are those of their control lines, None for a transition without one. What cuts the source
+    short comes first, then written lines, in their order, then the template's; without a condition later, and
+    `else` last.
     """
     by_source: dict[str, list[int]] = {}
     for index, draft in enumerate(drafts):
@@ -175,6 +178,7 @@ def prioritised(drafts: Sequence[Transition], positions: Sequence[int | None]) -
     def order(index: int) -> tuple[int, bool, int]:
         expression, position = drafts[index].expression, positions[index]
         rank = 2 if expression.otherwise else 1 if expression.is_unconditional else 0
+        rank = -1 if drafts[index].first else rank
         return rank, position is None, index if position is None else position
 
     found = list(drafts)

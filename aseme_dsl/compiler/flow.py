@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.expression import (
+    NEVER,
     After,
     Age,
     Assign,
@@ -242,6 +243,8 @@ def _completions(
                     target = chart.by_label[edge.target]
                     transition = edge.transition
                     if _needs_completion(transition.expression) and not completes[transition.source]:
+                        if transition.first:
+                            continue  # E420
                         if target.type is NodeType.END and transition.expression.span is None:
                             continue
                         in_vain.append((transition, target))
@@ -311,7 +314,7 @@ they do: none where there are several ways."""
 def _is_quick(chart: Statechart, edge: _Edge, at_once: AtOnce) -> bool:
     """Whether a transition may be taken again and again while nothing arrives and no time passes."""
     expression = edge.transition.expression
-    if expression.events or _rests(expression):
+    if expression.events or expression is NEVER or _rests(expression):
         return False
     source = chart.by_label[edge.transition.source]
     return expression.when or source.type in _POINTS or source.label in at_once

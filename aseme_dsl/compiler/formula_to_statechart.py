@@ -24,7 +24,10 @@ Way = tuple[str, Formula]
 
 @dataclass(frozen=True, slots=True)
 class Arrow:
-    """A transition without its expression. `branch` is the label of the protocol branch that it is in."""
+    """A transition without its expression. `branch` is the label of the protocol branch that it is in.
+
+    One that is `first` leads to what cuts its source short.
+    """
 
     source: str
     target: str
@@ -33,6 +36,7 @@ class Arrow:
     branch: str | None
     origin: Origin
     span: Span
+    first: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,9 +163,10 @@ class _Builder:
         branch: str | None,
         origin: Origin,
         span: Span,
+        first: bool = False,
     ) -> None:
         name = f"{source_name}TO{target_name}"
-        self.arrows.append(Arrow(source, target, name, way, branch, origin, span))
+        self.arrows.append(Arrow(source, target, name, way, branch, origin, span, first))
 
     def expand(self, items: list[Node | _Place]) -> None:
         """Add the nodes of `items` with everything in them, in document order."""
@@ -232,9 +237,11 @@ class _Builder:
             children.append(_Place(child, label, operand, context))
             return child, self.name_of(operand, context)
 
-        def arrow(source: tuple[str, str], target: tuple[str, str], verb: str, of: Formula) -> None:
+        def arrow(
+            source: tuple[str, str], target: tuple[str, str], verb: str, of: Formula, *, first: bool = False
+        ) -> None:
             way = (verb, ungrouped(of))
-            self.arrow(*source, *target, way, branch, origin, of.span)
+            self.arrow(*source, *target, way, branch, origin, of.span, first)
 
         start = point(1, NodeType.START)
         match operator:
@@ -254,6 +261,13 @@ class _Builder:
                     arrow(choice, target, "enter", operand)
                 for operand, source in zip(reversed(operands), reversed(terms), strict=True):
                     arrow(source, end, "leave", operand)
+            case Operator.DISABLING:
+                body, other = term(2, operands[0]), term(3, operands[1])
+                end = point(4, NodeType.END)
+                arrow(start, body, "enter", operands[0])
+                arrow(body, other, "enter", operands[1], first=True)
+                arrow(body, end, "leave", operands[0])
+                arrow(other, end, "leave", operands[1])
             case Operator.PARALLEL | Operator.INSTANCES:
                 parallel = f"{label}.2", self.name_of(formula, context)
                 end = f"{label}.3", f"{label}.3"
@@ -329,7 +343,7 @@ def sizes(formulas: Formulas, branch_sizes: Mapping[str, int]) -> dict[str, int]
             case Operator.NAME:
                 own = branch_sizes.get(node.name, 1)
                 return own, own + 2
-            case Operator.SEQUENCE | Operator.ONE_OR_MORE:
+            case Operator.SEQUENCE | Operator.ONE_OR_MORE | Operator.DISABLING:
                 within = total + 2
             case Operator.PARALLEL:
                 within = total + 3 * len(operands) + 3

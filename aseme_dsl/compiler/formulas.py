@@ -239,6 +239,8 @@ def _emptiness(
                 return True
             case Operator.CHOICE:
                 return any(operands)
+            case Operator.DISABLING:
+                return operands[0]
             case Operator.ZERO_OR_MORE | Operator.ONE_OR_MORE | Operator.FOREVER:
                 if operands[0]:
                     found.append(_empty_loop(formulas, node))
@@ -291,7 +293,9 @@ def _mixed_operators(formula: Formula) -> Iterator[Diagnostic]:
     while waiting:
         node, inside = waiting.pop()
         infix = node.operator in INFIX
-        mixed = infix and any(operand.operator in INFIX for operand in node.operands)
+        mixed = infix and any(
+            operand.operator in INFIX and operand.operator is not node.operator for operand in node.operands
+        )
         if mixed and not inside:
             yield Diagnostic(
                 "W300",

@@ -77,7 +77,7 @@ def ways(terms: Terms, term: Formula) -> dict[str, Way]:
                 found["enter"] = ("enter", term)
                 if ungrouped(parent.operands[-1]) is term:
                     found["leave"] = ("leave", term)
-            case Operator.CHOICE | Operator.PARALLEL | Operator.INSTANCES:
+            case Operator.CHOICE | Operator.PARALLEL | Operator.INSTANCES | Operator.DISABLING:
                 found = {"enter": ("enter", term), "leave": ("leave", term)}
             case Operator.OPTION:
                 found = {verb: (verb, term) for verb in ("enter", "skip", "leave")}
@@ -220,7 +220,7 @@ def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Ter
         inside = _named(ungrouped(term.operands[0]))
         does = {"skip": "goes past it", "repeat": "repeats it", "leave": "leaves it"}[verb.text]
         hint = f"its body is `{inside}`: `{verb} {inside}` {does}"
-    elif verb.text == "start" and term.operator is Operator.SEQUENCE:
+    elif verb.text == "start" and term.operator in (Operator.SEQUENCE, Operator.DISABLING):
         hint = f"its START leads to its first term: `enter {_named(ungrouped(term.operands[0]))}`"
     elif verb.text == "leave" and parent is not None and parent.operator is Operator.SEQUENCE:
         index = next(i for i, operand in enumerate(parent.operands) if ungrouped(operand) is term)

@@ -105,6 +105,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E410": ("error", "a label that the statechart does not have"),
     "E411": ("error", "two control blocks for one formula"),
     "E412": ("error", "a cycle of conditions without a state"),
+    "E420": ("error", "what is to cut short waits for completion"),
+    "E421": ("error", "nothing says when one cuts the other short"),
     "W400": ("warning", "a transition that the formula does not have"),
     "W401": ("warning", "an `else` beside a timer"),
     "W402": ("warning", "a wait for something that never completes"),

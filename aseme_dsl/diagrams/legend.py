@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from aseme_dsl.amola.expression import Named, expression_text, value_text, values_of
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.expression import Named, value_text, values_of
+from aseme_dsl.amola.statechart import Node, NodeType, transition_text
 from aseme_dsl.diagrams import style
 from aseme_dsl.diagrams.dot import Sheet
 from aseme_dsl.diagrams.drawing import Expressions
@@ -22,7 +22,7 @@ Rows = Sequence[Sequence[Cell]]
 def numbers(view: View) -> Mapping[int, int]:
     """A number for each drawn transition with an expression, by its place; in the order they are tried."""
     order = {node.label: index for index, node in enumerate(view.chart.nodes)}
-    ways = [way for way in view.ways if expression_text(way.transition.expression)]
+    ways = [way for way in view.ways if transition_text(way.transition)]
     ways.sort(key=lambda way: (order[way.transition.source], way.transition.priority, way.place))
     return {way.place: number for number, way in enumerate(ways, start=1)}
 
@@ -48,7 +48,7 @@ def rows(view: View, expressions: Expressions) -> Rows:
     if expressions is Expressions.NUMBERED:
         ways = {way.place: way for way in view.ways}
         for place, number in numbers(view).items():
-            text = expression_text(ways[place].transition.expression)
+            text = transition_text(ways[place].transition)
             found.append(_row(str(number), _ends(view, ways[place]), text))
     for name, text in meanings(view):
         found.append(_row("", f"let {name}", f"= {text}"))

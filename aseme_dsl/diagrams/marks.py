@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from aseme_dsl.amola.expression import expression_text
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import Node, NodeType, transition_text
 from aseme_dsl.diagrams import style
 from aseme_dsl.diagrams.dot import Attributes
 from aseme_dsl.diagrams.labels import Cell, Html, escaped, font, table, wrapped
@@ -84,12 +83,17 @@ def way_label(numbers: Mapping[int, int], way: Way, inline_width: int | None) ->
     if way.place in numbers:
         number = numbers[way.place]
         return {"label": number_label(number)}, (str(number),)
-    text = expression_text(way.transition.expression)
+    text = transition_text(way.transition)
     if inline_width is None or not text:
         return {}, ()
     lines = wrapped(text, inline_width)
     content = "".join(f'{escaped(line)}<BR ALIGN="LEFT"/>' for line in lines)
     return {"label": _padded(font(content, size=style.SMALL_SIZE))}, lines
+
+
+def way_look(way: Way) -> dict[str, str]:
+    """How the line of a transition looks: thick where it cuts its source short."""
+    return {"penwidth": "2.2"} if way.transition.first else {}
 
 
 def number_label(number: int) -> Html:

@@ -26,6 +26,7 @@ from aseme_dsl.diagrams.marks import (
     small,
     state_id,
     way_label,
+    way_look,
 )
 from aseme_dsl.diagrams.tips import state_tip, way_tip
 from aseme_dsl.diagrams.view import View, Way
@@ -174,7 +175,7 @@ def _lines(view: View, arrangement: Arrangement, way: Way, label: Label) -> list
 
     Graphviz breaks down over cycles between clusters, not over arrowheads at the other end.
     """
-    tip = {"tooltip": way_tip(view, way), "class": "transition"}
+    tip = {"tooltip": way_tip(view, way), "class": "transition"} | way_look(way)
     attributes, text = label
     own = tip | attributes
 

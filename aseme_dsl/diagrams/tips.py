@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola.expression import expression_text
-from aseme_dsl.amola.statechart import Node, NodeType
+from aseme_dsl.amola.statechart import Node, NodeType, transition_text
 from aseme_dsl.diagrams.labels import short
 from aseme_dsl.diagrams.view import View, Way
 
@@ -19,7 +18,7 @@ def state_tip(view: View, node: Node) -> str:
         lines.append(inside_text(view.closed[node.label]))
     for transition in view.chart.outgoing(node.label):
         target = view.chart.node(transition.target)
-        lines.append(f"to {_title(target)}: {expression_text(transition.expression) or 'when complete'}")
+        lines.append(f"to {_title(target)}: {transition_text(transition) or 'when complete'}")
     return "\n".join(lines)
 
 
@@ -27,7 +26,7 @@ def way_tip(view: View, way: Way) -> str:
     """Both ends, the whole expression, and when it is tried among those of its source."""
     transition = way.transition
     ends = " to ".join(_title(view.chart.node(label)) for label in (transition.source, transition.target))
-    lines = [ends, expression_text(transition.expression) or "when complete"]
+    lines = [ends, transition_text(transition) or "when complete"]
     rivals = view.chart.outgoing(transition.source)
     if len(rivals) > 1:
         lines.append(f"tried as number {rivals.index(transition) + 1} of {len(rivals)}")

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from aseme_dsl.amola.expression import expression_text
-from aseme_dsl.amola.statechart import Node
+from aseme_dsl.amola.statechart import Node, transition_text
 from aseme_dsl.diagrams import legend, style
 from aseme_dsl.diagrams.dot import Box, Line, Sheet
 from aseme_dsl.diagrams.drawing import Expressions
@@ -22,6 +21,7 @@ from aseme_dsl.diagrams.marks import (
     protocol_border,
     small,
     state_id,
+    way_look,
 )
 from aseme_dsl.diagrams.tips import state_tip, way_tip
 from aseme_dsl.diagrams.view import View, Way
@@ -82,7 +82,7 @@ def _expressions(view: View, node: Node) -> list[Cell]:
     """The expressions of a state's transitions: between the boxes there is no room for them."""
     cells = []
     for transition in view.chart.outgoing(node.label):
-        if text := expression_text(transition.expression):
+        if text := transition_text(transition):
             target = view.chart.node(transition.target)
             lines = wrapped(f"to {short(target.name, _NAME_WIDTH)}: {text}", _INLINE_WIDTH)
             cells.append(Cell(lines, size=style.SMALL_SIZE))
@@ -105,6 +105,7 @@ def _way_line(view: View, way: Way, number: int | None) -> Line:
         "tooltip": way_tip(view, way),
         "constraint": "false",  # the tree alone decides where the states stand
     }
+    look |= way_look(way)
     if way.is_back:
         look["dir"] = "back"
     if number is not None:

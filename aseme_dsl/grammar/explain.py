@@ -231,7 +231,7 @@ class _Explanation:
             if complete and begins_operand and not counts:
                 place = index
                 break
-            complete = word not in (".", "|", "||", "[", "(")
+            complete = word not in (".", "|", "||", "[>", "[", "(")
         before = tokens.word(place - 1)
         message = f"expected ':' after {shown(before)}, found {shown(tokens.word(place))}"
         if place == len(tokens):

@@ -21,7 +21,12 @@ _POSTFIX = {
     "ω": Operator.FOREVER,
     "^ω": Operator.FOREVER,
 }
-_INFIX = {".": Operator.SEQUENCE, "|": Operator.CHOICE, "||": Operator.PARALLEL}
+_INFIX = {
+    ".": Operator.SEQUENCE,
+    "|": Operator.CHOICE,
+    "||": Operator.PARALLEL,
+    "[>": Operator.DISABLING,
+}
 _CLOSES = {"(": ")", "[": "]", "|": "|"}
 
 RESERVED = ("else", "when", "and", "or", "not", "true", "false")
@@ -35,7 +40,7 @@ _MEANT = {
     ",": "write '.' for one after the other",
     ";": "write '.' for one after the other",
     "->": "write '.' for one after the other",
-    ">": "write '.' for one after the other",
+    ">": "write '[>' for one that cuts the other short, '.' for one after the other",
     "/": "write '|' for one of both",
     "?": "an option is written [A]",
     "=": "is a name missing before '='?",
@@ -59,6 +64,7 @@ class _Group:
     """What has been read in one pair of brackets: a list a level of infix operators, with heights."""
 
     opener: Token | None
+    disabling: list[tuple[Formula, int]] = field(default_factory=list)
     parallel: list[tuple[Formula, int]] = field(default_factory=list)
     choice: list[tuple[Formula, int]] = field(default_factory=list)
     sequence: list[tuple[Formula, int]] = field(default_factory=list)
@@ -163,9 +169,13 @@ class _Reader:
             return
         group.choice.append(self._joined(Operator.SEQUENCE, group.sequence))
         group.sequence = []
-        if operator is Operator.PARALLEL:
-            group.parallel.append(self._joined(Operator.CHOICE, group.choice))
-            group.choice = []
+        if operator is Operator.CHOICE:
+            return
+        group.parallel.append(self._joined(Operator.CHOICE, group.choice))
+        group.choice = []
+        if operator is Operator.DISABLING:
+            group.disabling.append(self._joined(Operator.PARALLEL, group.parallel))
+            group.parallel = []
 
     def _joined(self, operator: Operator, parts: list[tuple[Formula, int]]) -> tuple[Formula, int]:
         if len(parts) == 1:
@@ -175,8 +185,15 @@ class _Reader:
         return formula, max(height for _, height in parts)
 
     def _fold(self, group: _Group) -> tuple[Formula, int]:
-        self._infix(group, Operator.PARALLEL)
-        return self._joined(Operator.PARALLEL, group.parallel)
+        self._infix(group, Operator.DISABLING)
+        found, height = group.disabling[0]
+        for other, other_height in group.disabling[1:]:
+            span = found.span.to(other.span)
+            found = Formula(Operator.DISABLING, (found, other), span)
+            height = max(height + 1, other_height)
+        if height > self.deepest:
+            raise self._too_deep(self.tokens[0])
+        return found, height
 
     def _bracketed(self, opener: Token, inner: tuple[Formula, int], closing: Token) -> tuple[Formula, int]:
         formula, height = inner
@@ -268,6 +285,11 @@ class _Reader:
             return self._error(
                 "E101", f"{shown(token)} closes nothing: there is no '{opener}' before it", token
             )
+        if token == "[" and self.tokens[index + 1 : index + 2] == [">"]:
+            both = Span(self.source, token.start, self.tokens[index + 1].end)
+            message = f"an operator is missing between {shown(previous)} and '['"
+            hint = "one that cuts the other short is written with '[>', without a blank"
+            raise Malformed(Diagnostic("E101", message, both, (), hint, "[>"))
         if token == "[":
             before = str(previous) if _is_name(previous) else "A"
             return self._error(
@@ -302,7 +324,7 @@ class _Reader:
             while 0 <= place < len(self.tokens) and depth >= 0:
                 token = self.tokens[place]
                 depth += step * ((token in ("(", "[")) - (token in (")", "]")))
-                if depth == 0 and token in ("|", "||"):
+                if depth == 0 and token in ("|", "||", "[>"):
                     return True
                 place += step
         return False

@@ -87,7 +87,7 @@ class Tokens:
     """Where the tokens of a text are."""
 
     _TOKEN = re.compile(
-        r'"(?:[^"\\\n]|\\.)*"|[0-9]+(?:\.[0-9]+)*[A-Za-z_0-9]*|\w+|\|\||&&|[<>=!]=|->|\.\.|\S', re.ASCII
+        r'"(?:[^"\\\n]|\\.)*"|[0-9]+(?:\.[0-9]+)*[A-Za-z_0-9]*|\w+|\|\||&&|[<>=!]=|->|\[>|\.\.|\S', re.ASCII
     )
 
     def __init__(self, text: str) -> None:

@@ -90,6 +90,8 @@ def forks(chart: Statechart) -> Iterator[Fork]:
             at_once = node.type is NodeType.START or label != node.label
             groups: dict[frozenset[str], list[Transition]] = {}
             for transition in chart.outgoing(label):
+                if transition.expression is e.NEVER:
+                    continue
                 groups.setdefault(trigger_of(transition, at_once), []).append(transition)
                 if chart.node(transition.target).type is NodeType.CONDITION:
                     condition = transition.expression.condition

@@ -54,6 +54,8 @@ class Transition:
     otherwise: bool = False
     condition: Term | None = None
     actions: tuple[Term, ...] = ()
+    first: bool = False
+    """Whether it cuts its source short: it is tried before anything inside."""
     text: str = ""
     at: str = ""
 

@@ -46,7 +46,7 @@ class AsemeLexer(RegexLexer):
             (words(TYPES, prefix=r"\b", suffix=r"\b"), Keyword.Type),
             (r"[A-Za-z_][A-Za-z0-9_]*(?=\s*\()", Name.Function),
             (r"[A-Za-z_][A-Za-z0-9_]*", Name),
-            (r"->|[<>=!]=|&&|\|\||[-+*/%<>=!~|@?#ω]", Operator),
+            (r"->|\[>|[<>=!]=|&&|\|\||[-+*/%<>=!~|@?#ω]", Operator),
             (r"[][(){}.,:;]", Punctuation),
             (r'"[^"\n]*', String),  # not closed: the examples of mistakes have what the language has not
             (r".", Text),

@@ -34,6 +34,11 @@ from tests.grammar.reading import declared, formula, mistakes, nodes
         ("| |A|2 . B |3", "A[2] . B[3]"),
         ("A || |B|2", "A || B[2]"),
         ("A\n  .\n  B", "A . B"),
+        ("A[>B", "A [> B"),
+        ("A~[>[B]", "A~ [> [B]"),
+        ("A . B | C || D [> E", "A . B | C || D [> E"),
+        ("A [> B [> C", "A [> B [> C"),
+        ("A [> (B [> C)", "A [> (B [> C)"),
     ],
 )
 def test_spelling(text: str, spelled: str) -> None:

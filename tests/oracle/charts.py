@@ -62,10 +62,12 @@ RECEIVED = (("propose", "Note"), ("inform", "Note"), ("inform", "M"))
 
 # ---- formulas ----------------------------------------------------------------------------------
 
+INFIX = ("seq", "alt", "par", "dis")
+
 
 @dataclass(eq=False)
 class Formula:
-    """A formula: `operator` is name, seq, alt, par, inst, opt, star, plus or forever."""
+    """A formula: `operator` is name, seq, alt, par, dis, inst, opt, star, plus or forever."""
 
     operator: str
     operands: list[Formula] = field(default_factory=list)
@@ -76,7 +78,7 @@ class Formula:
     def text(self) -> str:
         inner = [operand.text() for operand in self.operands]
         grouped = [
-            f"({text})" if operand.operator in ("seq", "alt", "par") else text
+            f"({text})" if operand.operator in INFIX else text
             for text, operand in zip(inner, self.operands, strict=True)
         ]
         body = grouped[0] if grouped else ""
@@ -91,6 +93,8 @@ class Formula:
                 return " | ".join(grouped)
             case "par":
                 return " || ".join(grouped)
+            case "dis":
+                return " [> ".join(grouped)
             case "inst":
                 return f"{body}[{self.count}]"
             case "opt":
@@ -135,13 +139,15 @@ def formula(choices: Choices, names: Names, depth: int) -> Formula:
 def _formula(choices: Choices, names: Names, depth: int, free: list[str]) -> Formula:
     if depth == 0:
         return _name(choices, names, free)
-    operator = choices.weighted(name=2, seq=5, alt=3, par=4, plus=2, forever=4, opt=2, star=2, inst=1)
+    operator = choices.weighted(name=2, seq=5, alt=3, par=4, dis=4, plus=2, forever=4, opt=2, star=2, inst=1)
     if operator == "name":
         return _name(choices, names, free)
-    if operator in ("seq", "alt", "par"):
-        operands = [_formula(choices, names, depth - 1, free) for _ in range(choices.number(2, 3))]
+    if operator in INFIX:
+        count = 2 if operator == "dis" else choices.number(2, 3)
+        operands = [_formula(choices, names, depth - 1, free) for _ in range(count)]
         empty = [operand.nullable for operand in operands]
-        return Formula(operator, operands, nullable=any(empty) if operator == "alt" else all(empty))
+        nullable = empty[0] if operator == "dis" else any(empty) if operator == "alt" else all(empty)
+        return Formula(operator, operands, nullable=nullable)
     inner = _formula(choices, names, depth - 1, free)
     if operator in ("plus", "forever", "star") and inner.nullable:
         inner = Formula("seq", [inner, Formula("name", name=names.activity(choices))])
@@ -181,6 +187,8 @@ class Line:
     """`repeat` and `leave` of one loop have one number: one of them must have a condition."""
     source: int = 0
     """Lines with one number start at one state: at most one is `else`."""
+    cuts: bool = False
+    """Whether it cuts its source short: it must have an event or `when`."""
 
 
 def lines(of: Formula, name: str) -> Iterator[Line]:
@@ -193,7 +201,7 @@ def lines(of: Formula, name: str) -> Iterator[Line]:
     while stack:
         node = stack.pop()
         stack += reversed(node.operands)
-        texts = [f"({o.text()})" if o.operator in ("seq", "alt", "par") else o.text() for o in node.operands]
+        texts = [f"({o.text()})" if o.operator in INFIX else o.text() for o in node.operands]
         own = name if node is of else f"({node.text()})" if node.operator in ("alt", "par") else node.text()
         here = next(numbers)
         match node.operator:
@@ -207,6 +215,11 @@ def lines(of: Formula, name: str) -> Iterator[Line]:
                     yield Line(f"enter {text}", choice=here, source=here)
                 for text in texts:
                     yield Line(f"leave {text}", source=next(numbers))
+            case "dis":
+                yield Line(f"enter {texts[0]}", source=next(numbers))
+                yield Line(f"enter {texts[1]}", source=here, cuts=True)
+                yield Line(f"leave {texts[0]}", source=here)
+                yield Line(f"leave {texts[1]}", source=next(numbers))
             case "par" | "inst":
                 yield Line(f"start {own}", source=next(numbers))
                 yield Line(f"finish {own}", source=next(numbers))
@@ -409,15 +422,18 @@ class Words:
 
     # ---- transitions --------------------------------------------------------------------
 
-    def transition(self, *, decided: bool, otherwise: bool) -> tuple[str, bool]:
-        """An expression and whether it is `else`; `decided` ones have an event or a condition."""
+    def transition(self, *, decided: bool, otherwise: bool, cuts: bool = False) -> tuple[str, bool]:
+        """An expression and whether it is `else`; `decided` ones have an event or a condition.
+
+        One that `cuts` another short has an event or `when`.
+        """
         pick = self.choices
         kind = pick.weighted(
-            nothing=0 if decided else 4,
-            condition=5,
+            nothing=0 if decided or cuts else 4,
+            condition=0 if cuts else 5,
             event=4,
             when=4,
-            otherwise=4 if otherwise else 0,
+            otherwise=4 if otherwise and not cuts else 0,
         )
         text = ""
         match kind:
@@ -500,11 +516,13 @@ def control(words: Words, of: Formula, name: str, extra: Sequence[str] = ()) -> 
     otherwise: set[int] = set()
     written: list[str] = []
     for way in ways:
-        must = way.choice > 0 or (way.loop > 0 and way.written in deciding)
+        must = way.choice > 0 or way.cuts or (way.loop > 0 and way.written in deciding)
         if not must and not pick.one_in(3):
             continue
         for _ in range(2 if pick.one_in(5) else 1):
-            text, is_else = words.transition(decided=must, otherwise=way.source not in otherwise)
+            text, is_else = words.transition(
+                decided=must, otherwise=way.source not in otherwise, cuts=way.cuts
+            )
             if is_else:
                 otherwise.add(way.source)
             written.append(f"    {way.written} : {text}")

@@ -354,6 +354,14 @@ class Reference:
     def visit(self, region: str) -> bool:
         """ "visit(R): let L be R's active leaf." Whether R has moved."""
         leaf = self.leaf(region)
+        inside = self.around(leaf)
+        path = [leaf, *inside[: inside.index(region)]] if leaf != region else []
+        # "What cuts short is tried before anything inside what it cuts, the outermost first."
+        for source in reversed(path):
+            way = self.enabled_way(source, first=True)
+            if way is not None:
+                self.take(region, way)
+                return True
         # "If L is an AND: visit each of its regions in document order (all of them); if any moved, R has
         # moved."
         if self.type_of(leaf) == "AND":
@@ -361,8 +369,7 @@ class Reference:
             if any(moved):
                 return True
         # "Otherwise the sources L, then the OR states around it inside R, innermost first;"
-        around = self.around(leaf)
-        for source in [leaf, *around[: around.index(region)]]:
+        for source in path:
             # "of each the outgoing transitions by priority; the first that is enabled is taken, and R has
             # moved."
             way = self.enabled_way(source)
@@ -371,13 +378,18 @@ class Reference:
                 return True
         return False
 
-    def enabled_way(self, source: str) -> list[int] | None:
+    def enabled_way(self, source: str, first: bool = False) -> list[int] | None:
         """The first enabled transition of an active source; with its branches it may be a compound one."""
-        return self.first_open(source, source, self.is_complete(source))
+        return self.first_open(source, source, self.is_complete(source), first)
 
-    def first_open(self, node: str, source: str, complete: bool) -> list[int] | None:
-        """The first of the transitions of `node` that is enabled, while `source` waits."""
+    def first_open(self, node: str, source: str, complete: bool, first: bool = False) -> list[int] | None:
+        """The first of the transitions of `node` that is enabled, while `source` waits.
+
+        Those that cut their source short are only looked at, and alone, when `first` says so.
+        """
         for number, transition in self.plan.outgoing(node):
+            if transition.first is not first:
+                continue
             # "`else`: source complete and no other outgoing transition (or branch) of the same source
             # enabled". `else` is tried last, so that here no other one is.
             if not self.is_enabled(number, transition, source, complete):

@@ -10,7 +10,7 @@ LEVELS = 16
 """How many levels there are to a depth."""
 
 _POSTFIX = ("*", "+", "~", "ω", "^ω")
-_FORMULA = {"||": 1, "|": 2, ".": 3}
+_FORMULA = {"[>": 0, "||": 1, "|": 2, ".": 3}
 
 _SLASH, _CONDITION, _EVENT, _COMMA = 0, 1, 2, 0
 _INFIX = (

@@ -1,0 +1,153 @@
+"""`A [> B`: what cuts another short (semantics, "Transitions")."""
+
+from __future__ import annotations
+
+from tests.behaviour.conftest import Play
+
+CELL = """
+srm R {
+  liveness { R = work [> Stop  work = A . B }
+  control R { enter Stop : when [t.state.M.on]  leave work : [t.state.M.x == 1] }
+}
+"""
+
+
+def test_it_cuts_short_whatever_is_active(play: Play) -> None:
+    """ "It is tried before anything inside" """
+    run = play(CELL).step()
+    run.step(run.done("A"))
+    run.step(run.done("B"), run.heard("t.state.M", on=True))
+    assert run.taken == ["0.2 -> 0.3"]
+    assert run.did == ["start Stop"]
+
+
+def test_an_activity_that_runs_is_cancelled(play: Play) -> None:
+    run = play(CELL).step()
+    run.step(run.heard("t.state.M", on=True))
+    assert run.did == ["cancel A", "start Stop"]
+
+
+def test_without_it_the_first_part_is_left_when_it_is_complete(play: Play) -> None:
+    run = play(CELL).step()
+    run.step(run.done("A"))
+    run.step(run.done("B"))
+    assert run.active == ["0.2.4"]
+    run.step(run.heard("t.state.M", x=1))
+    assert run.last.finished
+
+
+def test_it_comes_before_the_way_on_of_what_is_complete(play: Play) -> None:
+    run = play(CELL).step()
+    run.step(run.done("A"))
+    run.step(run.done("B"))
+    run.step(run.heard("t.state.M", x=1, on=True))
+    assert run.active == ["Stop"]
+
+
+def test_what_cuts_short_is_not_cut_by_its_own_condition(play: Play) -> None:
+    run = play(CELL).step()
+    run.step(run.heard("t.state.M", on=True))
+    assert run.step(ms=5).taken == []
+    assert run.step(run.done("Stop")).last.finished
+
+
+def test_it_cuts_all_regions_short(play: Play) -> None:
+    run = play("""
+        srm R { liveness { R = (A~ || B) [> Stop } control R { enter Stop : go } }
+    """).step()
+    run.step(run.event("go"), run.done("B"))
+    assert run.did == ["cancel A", "start Stop"]
+    assert run.taken == ["0.2 -> 0.3"]
+
+
+def test_the_outermost_is_tried_first(play: Play) -> None:
+    """ "the outermost first" """
+    run = play("""
+        srm R {
+          liveness { R = (inner || C) [> Stop  inner = A [> Pause }
+          control R { enter Stop : go }
+          control inner { enter Pause : go or hop }
+        }
+    """).step()
+    assert run.step(run.event("hop")).active == ["Pause", "C"]
+    run = play("""
+        srm R {
+          liveness { R = (inner || C) [> Stop  inner = A [> Pause }
+          control R { enter Stop : go }
+          control inner { enter Pause : go or hop }
+        }
+    """).step()
+    assert run.step(run.event("go")).active == ["Stop"]
+
+
+def test_it_is_tried_before_the_transitions_of_regions(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = (A . B || C) [> Stop }
+          control R { enter B : go  enter Stop : go }
+        }
+    """).step()
+    run.step(run.event("go"))
+    assert run.taken == ["0.2 -> 0.3"]
+
+
+def test_of_several_each_can_cut_what_is_before_it(play: Play) -> None:
+    """ "`A [> B [> C` is `(A [> B) [> C`" """
+    text = "srm R { liveness { R = A [> B [> C } control R { enter B : go  enter C : hop } }"
+    run = play(text).step()
+    assert run.step(run.event("go")).active == ["B"]
+    assert run.step(run.event("hop")).did == ["cancel B", "start C"]
+    run = play(text).step()
+    assert run.step(run.event("go"), run.event("hop")).active == ["C"]
+
+
+def test_a_time_limit_may_cut_short(play: Play) -> None:
+    run = play("srm R { liveness { R = (A . B) [> Stop } control R { enter Stop : after(10ms) } }").step()
+    run.step(run.done("A"), ms=4)
+    assert run.due == 6
+    assert run.step(ms=6).active == ["Stop"]
+
+
+def test_errors_are_taken_where_they_are_nearest(play: Play) -> None:
+    """ "The nearest `error` transition outwards is taken", also where one cuts short on `error`."""
+    text = """
+        srm R {
+          liveness { R = work [> Stop  work = A . B }
+          control R { enter Stop : error }
+          control work { enter B : error [t.state.M.on]  enter B : }
+        }
+    """
+    run = play(text).step()
+    run.step(run.heard("t.state.M", on=True))
+    assert run.step(run.crashed("A")).active == ["B"]
+    assert run.step(run.crashed("B")).active == ["Stop"]
+
+
+def test_nothing_said_means_never(play: Play) -> None:
+    run = play("srm R { liveness { R = A [> Stop } }").step()
+    assert run.step(run.done("A")).last.finished
+
+
+def test_a_loop_around_it_begins_again(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = (A [> Stop)~ }
+          control R { enter Stop : go }
+        }
+    """).step()
+    run.step(run.event("go"))
+    assert run.step(run.done("Stop")).active == ["A"]
+
+
+def test_a_protocol_may_cut_its_own_process_short(play: Play) -> None:
+    run = play("""
+        aip p {
+          participant a { engage "Always." sends inform Note receives inform Note process = Ask [> Give }
+          participant b { engage "Always." sends inform Note receives inform Note process = Hear }
+          outcome "Done."
+          control a { enter Give : inform Note from b }
+        }
+        srm R { plays p.a  liveness { R = a } }
+    """).step()
+    run.step(run.mail("inform", "Note"))
+    assert run.did[-2:] == ["cancel Ask", "start Give"]
