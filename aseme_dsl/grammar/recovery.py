@@ -100,6 +100,16 @@ _OUTER = {
 }
 
 
+def declaration_begins(text: str, line: int) -> int | None:
+    """Where on the line that begins at `line` a declaration of the file begins; None if none does."""
+    start = line
+    while text[start : start + 1] in (" ", "\t"):
+        start += 1
+    if _DECLARATION.match(text, start) or (start == line and _DECLARATION_AT_MARGIN.match(text, start)):
+        return start
+    return None
+
+
 def begins_declaration(tokens: Tokens, index: int) -> bool:
     """Whether a declaration of the file begins here, and not an entry of a block."""
     if not tokens.begins_line(index):

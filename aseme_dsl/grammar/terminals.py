@@ -85,10 +85,11 @@ class _Parser:
     """What is laid over the parser class that textX makes."""
 
     source: Source | None = None
+    make_progress: type[Progress] = Progress
 
     def parse(self, text: str, file_name: str | None = None) -> Any:
         lexed = clean(self.source or Source(file_name or "<text>", text))
-        self.progress = Progress(lexed)
+        self.progress = self.make_progress(lexed)
         return super().parse(lexed.text, file_name=file_name)  # type: ignore[misc]
 
     def _nm_raise(self, rule: Any, position: int, parser: Any) -> None:
@@ -99,6 +100,11 @@ class _Parser:
 @lru_cache(maxsize=1)
 def metamodel() -> Any:
     """The textX metamodel of the language, made once."""
+    return make_metamodel()
+
+
+def make_metamodel() -> Any:
+    """Another textX metamodel of the language, with rules of its own that may be changed further."""
     from textx import metamodel_from_file
 
     made = metamodel_from_file(str(Path(__file__).with_name("aseme.tx")), autokwd=True)
@@ -106,7 +112,7 @@ def metamodel() -> Any:
     parser.comments_model = None  # `clean` has blanked them
     parser.__class__ = type("AsemeParser", (_Parser, type(parser)), {})
     braces = {"Open": _open, "Close": _close}
-    for rule, owner in list(_rules(parser.parser_model)):
+    for rule, owner in list(all_rules(parser.parser_model)):
         if isinstance(rule, Repetition) and isinstance(rule.nodes[0], RegExMatch) and rule.sep is None:
             if not isinstance(rule, Optional):
                 rule._parse = _tokens(rule.nodes[0], isinstance(rule, OneOrMore))
@@ -123,7 +129,7 @@ def metamodel() -> Any:
     return made
 
 
-def _rules(top: Any) -> Iterator[tuple[Any, str]]:
+def all_rules(top: Any) -> Iterator[tuple[Any, str]]:
     """Every parsing expression of a grammar, with the name of the rule in which it stands."""
     seen: set[int] = set()
     todo: list[tuple[Any, str]] = [(top, "")]
@@ -142,7 +148,8 @@ def _rules(top: Any) -> Iterator[tuple[Any, str]]:
 _BLANKS = re.compile(r"[ \t\r\n]*")
 
 
-def _skip_blanks(parser: Any) -> int:
+def skip_blanks(parser: Any) -> int:
+    """Where the next token begins."""
     progress = parser.progress
     position: int = parser.position
     if position != progress.blank_from:
@@ -159,7 +166,7 @@ def _terminal(rule: Any, brace: Callable[[Progress, int], bool] | None) -> Calla
         match = re.compile(re.escape(rule.to_match)).match
 
     def parse(parser: Any) -> Any:
-        position = _skip_blanks(parser)
+        position = skip_blanks(parser)
         found = match(parser.input, position)
         if found is None:
             parser.progress.fail(rule, position)
@@ -180,7 +187,7 @@ def _tokens(rule: Any, at_least_one: bool) -> Callable[[Any], Any]:
     def parse(parser: Any) -> Any:
         text = parser.input
         results: list[Any] = []
-        position = _skip_blanks(parser)
+        position = skip_blanks(parser)
         while (found := match(text, position)) is not None:
             results.append(Terminal(rule, position, token(found.group(), position)))
             parser.position = found.end()
@@ -217,7 +224,7 @@ def _junk(rule: Any) -> Callable[[Any], Any]:
 
     def parse(parser: Any) -> Any:
         progress: Progress = parser.progress
-        start = _skip_blanks(parser)
+        start = skip_blanks(parser)
         if start == len(parser.input):
             raise NoMatch([rule], start, parser)
         if parser.input[start] == "}" and progress.openers and not progress.is_stray(start):
@@ -245,9 +252,9 @@ def _missing_open(rule: Any) -> Callable[[Any], Any]:
         progress: Progress = parser.progress
         start = parser.position
         tokens = progress.lexed.tokens
-        place = max(_skip_blanks(parser), progress.farthest)
+        place = max(skip_blanks(parser), progress.farthest)
         expected = tuple(progress.expected) if place == progress.farthest else ()
-        end = end_of_header(tokens, tokens.at(_skip_blanks(parser)), start)
+        end = end_of_header(tokens, tokens.at(skip_blanks(parser)), start)
         progress.note("JunkHeader", start, end, place, expected)
         if end == start:
             tokens.missing.append(tokens.at(end))
@@ -263,7 +270,7 @@ def _missing_close(rule: Any) -> Callable[[Any], Any]:
 
     def parse(parser: Any) -> Any:
         progress: Progress = parser.progress
-        place = _skip_blanks(parser)
+        place = skip_blanks(parser)
         progress.note("JunkEnd", place, place, place, ())
         progress.openers.pop()
         return _nothing(rule, parser.position)

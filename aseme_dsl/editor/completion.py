@@ -1,0 +1,302 @@
+"""Completion: what may be written where the cursor stands, the likeliest first.
+
+The grammar says what may come next (grammar/expected.py); names.py, values.py and the slots of expressions
+say which names that means in this system.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+
+from aseme_dsl.amola.liveness import INFIX, Formula, canonical
+from aseme_dsl.compiler.scope import Party
+from aseme_dsl.compiler.terms import Terms, ways
+from aseme_dsl.editor.around import Around, around
+from aseme_dsl.editor.ask import Ask
+from aseme_dsl.editor.items import Item, ItemKind
+from aseme_dsl.editor.known import Known
+from aseme_dsl.editor.names import PLACES, formula_names, performatives
+from aseme_dsl.editor.place import Place, place_at
+from aseme_dsl.editor.slots import Slot, SlotKind, formula_is_open, transition_slot, value_slot
+from aseme_dsl.editor.snippets import WHOLE, skeleton
+from aseme_dsl.editor.values import actions, members, topics, values
+from aseme_dsl.grammar.expected import Expected
+from aseme_dsl.grammar.token import Token
+from aseme_dsl.source import Source
+
+MOST = 500
+"""How many items are offered at most."""
+
+_LATER = 10
+"""By how much items are put behind those that go on with what stands on the line."""
+
+
+def complete(source: Source, offset: int, known: Known) -> tuple[Item, ...]:
+    """The items for a cursor before the character at `offset`. No text raises anything."""
+    place = place_at(source.text, offset)
+    if place.inside == "comment" or not place.expected:
+        return ()
+    block = around(place, known)
+    found: dict[str, Item] = {}
+    for expected in _relevant(place):
+        if place.inside == "text" and expected.terminal != "Text":
+            continue
+        later = _LATER if _begins_here(place, expected) and _goes_on(place) else 0
+        for item in _items(Ask(place, expected, known, block, source.path)):
+            item = _placed(item, place, later)
+            known_item = found.get(item.label)
+            if known_item is None or item.rank < known_item.rank:
+                found[item.label] = item
+    ordered = sorted(found.values(), key=lambda item: item.rank)
+    return tuple(ordered[:MOST])
+
+
+def _relevant(place: Place) -> Iterable[Expected]:
+    """What is expected, without what could only follow if the expression ended in the middle."""
+    flat = [item for item in place.expected if item.terminal in _FLAT]
+    for item in flat:
+        if _is_open(place, item):
+            return [item]
+    return place.expected
+
+
+def _begins_here(place: Place, expected: Expected) -> bool:
+    """Whether what is expected begins an entry of the innermost block, or a declaration."""
+    entry = place.entry_of(expected)
+    return entry is None or place.begin_of(entry) >= place.first + len(place.read.rstrip())
+
+
+def _goes_on(place: Place) -> bool:
+    """Whether an entry has been begun on the cursor's line."""
+    line = place.read[place.read.rfind("\n") + 1 :].strip()
+    return bool(line) and line[-1] not in "{}"
+
+
+def _placed(item: Item, place: Place, later: int) -> Item:
+    start = place.start if item.start < 0 else item.start
+    return replace(item, start=start, end=place.end, insert=item.insert or item.label, rank=item.rank + later)
+
+
+def _items(ask: Ask) -> Iterator[Item]:
+    flat = _FLAT.get(ask.expected.terminal)
+    if flat is not None:
+        yield from flat(ask)
+        return
+    words = [word for word in ask.expected.words if word[:1].isalpha()]
+    provider = PLACES.get(ask.expected.place)
+    if words:
+        yield from (_word(ask, word) for word in words)
+    elif provider is not None and not ask.expected.words:
+        yield from provider(ask)
+
+
+def _word(ask: Ask, word: str) -> Item:
+    """A word of the language; with what must follow it, if nothing stands behind the cursor yet."""
+    if ask.place.rest_of_line.strip() not in ("", "}"):
+        return Item(word, ItemKind.WORD, rank=4)
+    whole = WHOLE.get(word) if len(ask.expected.steps) == 2 and ask.place.block < 0 else None
+    text = whole or skeleton(word, ask.expected)
+    indent = _indentation(ask.place)
+    return Item(
+        word,
+        ItemKind.SNIPPET if whole else ItemKind.WORD,
+        insert=text.replace("\n", "\n" + indent),
+        is_snippet=text != word,
+        rank=4,
+    )
+
+
+def _indentation(place: Place) -> str:
+    line = place.text[place.text.rfind("\n", 0, place.start) + 1 : place.start]
+    return line[: len(line) - len(line.lstrip())]
+
+
+# ---- terms and formulas ----------------------------------------------------------------------------
+
+
+def _terms(ask: Ask) -> Iterator[Item]:
+    """The terms of the formula that have this way; those without a line come first."""
+    way_tokens = ask.tokens("Way")
+    control = ask.name("Control")
+    terms = ask.around.terms(control) if control is not None else None
+    if terms is None or not way_tokens:
+        return
+    verb = str(way_tokens[0])
+    start = way_tokens[1].start if len(way_tokens) > 1 else -1
+    assert control is not None
+    said = ask.around.said(control, terms)
+    written = ask.place.rest_of_line.strip()
+    for term in terms.parents:
+        way = ways(terms, term).get(verb)
+        if way is None:
+            continue
+        name = spelled(terms, term)
+        rank = 6 if way in said else 2
+        insert = name if written else f"{name} : "
+        detail = "has a line already" if way in said else f"of {control}"
+        yield Item(name, ItemKind.TERM, detail, "", insert, rank=rank, start=start, goes_on=not written)
+
+
+def spelled(terms: Terms, term: Formula) -> str:
+    """How a control line names a term, in full: `KickBall#2` where it stands several times."""
+    text = canonical(term)
+    places = terms.places[text]
+    name = f"({text})" if term.operator in INFIX else text
+    return name if len(places) == 1 else f"{name}#{places.index(term) + 1}"
+
+
+def _formula(ask: Ask) -> Iterator[Item]:
+    tokens = ask.said
+    equals = next((index for index, item in enumerate(tokens) if item == "="), None)
+    if equals is not None and formula_is_open(tokens[equals + 1 :]):
+        yield from formula_names(ask)
+
+
+# ---- expressions -----------------------------------------------------------------------------------
+
+
+def _expression(ask: Ask) -> Iterator[Item]:
+    """An expression of a `let` or a `var`."""
+    tokens = ask.said
+    equals = next((index for index, item in enumerate(tokens) if item == "="), None)
+    if equals is None:
+        return
+    slot = value_slot(tokens[equals + 1 :])
+    if ask.expected.place[0] == "Var" and len(tokens) > 3:
+        kind = ask.known.symbols.enum(str(tokens[3]))
+        if kind is not None and slot.kind is SlotKind.VALUE:
+            for name, _ in kind.constants:
+                yield Item(f"{kind.name}.{name}", ItemKind.CONSTANT, str(tokens[3]), rank=0)
+            return
+    yield from _in_slot(ask, slot)
+
+
+def _transition(ask: Ask) -> Iterator[Item]:
+    yield from _in_slot(ask, transition_slot(_behind_colon(ask)))
+
+
+def _behind_colon(ask: Ask) -> list[Token]:
+    tokens = ask.said
+    colon = next((index for index, item in enumerate(tokens) if item == ":"), None)
+    return tokens[colon + 1 :] if colon is not None else []
+
+
+def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
+    scope = ask.scope
+    party = scope.parties.get(scope.participant) if scope.participant is not None else None
+    match slot.kind:
+        case SlotKind.EVENT:
+            yield from _events(ask, party, scope.parties, slot.first)
+        case SlotKind.CONDITION:
+            yield Item("[…]", ItemKind.WORD, "a condition", "", "[${1:condition}]", is_snippet=True, rank=1)
+        case SlotKind.SENT_PERFORMATIVE:
+            yield from performatives(item.performative for item in (party.sends if party is not None else ()))
+        case SlotKind.RECEIVED_MESSAGE | SlotKind.SENT_MESSAGE:
+            performative = slot.said[-1]
+            exchanged = () if party is None else party.receives
+            if slot.kind is SlotKind.SENT_MESSAGE and party is not None:
+                exchanged = party.sends
+            fitting = {item.message for item in exchanged if item.performative == performative}
+            for message in ask.known.symbols.messages:
+                if message.name in fitting or not fitting:
+                    said = ask.known.documentation(message.span)
+                    yield Item(message.name, ItemKind.MESSAGE, performative, said, rank=2)
+        case SlotKind.FROM | SlotKind.TO:
+            yield Item(slot.kind.value, ItemKind.WORD, "", "", f"{slot.kind.value} ", rank=2, goes_on=True)
+        case SlotKind.SENDER | SlotKind.RECEIVER:
+            yield from _parties(scope.parties, slot)
+        case SlotKind.ACTION:
+            yield from actions(scope, ask.known)
+            if party is not None:
+                yield from _sends(party, scope.parties)
+        case SlotKind.ACTION_MEMBER:
+            path = slot.path[1:] if slot.path[0] == "write_messages" else slot.path
+            if path:
+                yield from members(scope, ask.known, path)
+            else:
+                yield from topics(scope, ask.known, 2)
+        case SlotKind.MEMBER:
+            yield from members(scope, ask.known, slot.path)
+        case SlotKind.VALUE:
+            if slot.calls and slot.calls[-1].function in ("expired", "start_timer"):
+                if slot.calls[-1].argument == 0:
+                    for name in ask.around.timers:
+                        yield Item(name, ItemKind.TIMER, "timer", rank=0)
+                return
+            yield from values(scope, ask.known, slot, ask.place.text)
+
+
+def _events(ask: Ask, party: Party | None, parties: Mapping[str, Party], first: bool) -> Iterator[Item]:
+    """What a transition may wait for."""
+    yield Item(
+        "when", ItemKind.WORD, "as soon as it holds", "", "when [${1:condition}]", is_snippet=True, rank=3
+    )
+    yield Item("after", ItemKind.WORD, "after(5s)", "", "after(${1:5s})", is_snippet=True, rank=3)
+    yield Item("error", ItemKind.EVENT, "an activity inside has failed", rank=4)
+    if first:
+        yield Item("else", ItemKind.WORD, "no other branch is open", rank=3)
+        yield Item("[…]", ItemKind.WORD, "a condition", "", "[${1:condition}]", is_snippet=True, rank=1)
+    for name in ask.known.events:
+        if name != "error":
+            yield Item(name, ItemKind.EVENT, "event", rank=2)
+    if party is None:
+        return
+    for message in party.receives:
+        for other in parties.values():
+            if (message.performative, message.message) in {(m.performative, m.message) for m in other.sends}:
+                text = f"{message.performative} {message.message} from {other.name}"
+                yield Item(text, ItemKind.EVENT, "received message", rank=1)
+    yield from performatives(item.performative for item in party.receives)
+
+
+def _sends(party: Party, parties: Mapping[str, Party]) -> Iterator[Item]:
+    yield Item("send", ItemKind.WORD, "an agent message", "", "send ", rank=3, goes_on=True)
+    for message in party.sends:
+        for other in parties.values():
+            taken = {(item.performative, item.message) for item in other.receives}
+            if (message.performative, message.message) in taken:
+                text = f"send {message.performative} {message.message} to {other.name}"
+                yield Item(text, ItemKind.EVENT, "sent message", rank=0)
+
+
+def _parties(parties: Mapping[str, Party], slot: Slot) -> Iterator[Item]:
+    """Participants; first those that send, or receive, the message."""
+    performative, message = slot.said[-3:-1] if slot.kind is SlotKind.SENDER else slot.said[1:3]
+    for party in parties.values():
+        exchanged = party.sends if slot.kind is SlotKind.SENDER else party.receives
+        fits = any((item.performative, item.message) == (performative, message) for item in exchanged)
+        yield Item(party.name, ItemKind.PARTICIPANT, "participant", rank=1 if fits else 5)
+
+
+def _is_open(place: Place, expected: Expected) -> bool:
+    """Whether an expression or a formula stops where it cannot end."""
+    if expected.terminal == "TermToken":
+        return True
+    tokens = place.tokens(expected.steps[-1])
+    sign = ":" if expected.terminal == "ControlToken" else "="
+    begin = next((index for index, item in enumerate(tokens) if item == sign), None)
+    if begin is None:
+        return False
+    tokens = tokens[begin + 1 :]
+    if expected.terminal in ("FormulaToken", "ProcessToken"):
+        return formula_is_open(tokens)
+    slot = transition_slot(tokens) if sign == ":" else value_slot(tokens)
+    if slot.kind is SlotKind.COMPLETE:
+        return False
+    if tokens or sign == "=":
+        return True
+    # `enter A :` may end there; on the next line, another entry is likelier.
+    return "\n" not in place.read[len(place.read.rstrip()) :]
+
+
+_FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
+    "TermToken": _terms,
+    "FormulaToken": _formula,
+    "ProcessToken": _formula,
+    "ExpressionToken": _expression,
+    "ControlToken": _transition,
+}
+"""What is offered inside of what is a list of tokens for the grammar."""
+
+__all__ = ["Around", "complete", "spelled"]

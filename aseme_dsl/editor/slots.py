@@ -1,0 +1,225 @@
+"""Slots: what may come next inside a transition expression, a value or a formula.
+
+These are flat lists of tokens for the grammar; their structure is read by hand (grammar/expression.py), and
+so it is here, from the tokens before the cursor, which need not make sense yet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+from aseme_dsl.compiler.builtins import PERFORMATIVES
+from aseme_dsl.grammar.token import Token, token
+
+
+class SlotKind(StrEnum):
+    """What the next token of an expression would be."""
+
+    EVENT = "event"
+    CONDITION = "condition"  # `[` and what follows, behind `when`
+    RECEIVED_MESSAGE = "received message"
+    FROM = "from"
+    SENDER = "sender"
+    VALUE = "value"
+    MEMBER = "member"  # after a dot
+    ACTION = "action"
+    ACTION_MEMBER = "action member"
+    SENT_PERFORMATIVE = "sent performative"
+    SENT_MESSAGE = "sent message"
+    TO = "to"
+    RECEIVER = "receiver"
+    COMPLETE = "complete"  # an operator, or the end
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A call whose parentheses are open: its function and the index of the argument that is being written."""
+
+    function: str
+    argument: int
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """`path` are the segments before a dot, `left` the other side of a comparison, `said` the words so far.
+
+    `calls` are the open calls, the outermost first; `target` is what an assignment fills.
+    """
+
+    kind: SlotKind
+    path: tuple[str, ...] = ()
+    left: tuple[Token, ...] = ()
+    said: tuple[str, ...] = ()
+    calls: tuple[Call, ...] = ()
+    target: tuple[Token, ...] = ()
+    first: bool = False
+
+
+OPERATORS = frozenset("&& || and or ! not == != < <= > >= + - * / % ( [ , = when else & |".split())
+_COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
+_LOGIC = ("&&", "||", "and", "or")
+
+
+def transition_slot(tokens: Sequence[Token]) -> Slot:
+    """What may come next in `event [condition] / action; action`."""
+    depth = 0
+    condition = slash = -1
+    for index, item in enumerate(tokens):
+        if depth == 0 and item == "[" and condition < 0:
+            condition = index
+        if depth == 0 and item == "/":
+            slash = index
+            break
+        depth += (item in ("(", "[")) - (item in (")", "]"))
+    if slash >= 0:
+        return _action_slot(tokens[slash + 1 :])
+    if condition < 0:
+        return _event_slot(tokens)
+    return value_slot(tokens[condition + 1 :]) if depth > 0 else Slot(SlotKind.COMPLETE)
+
+
+def _event_slot(tokens: Sequence[Token]) -> Slot:
+    begin = _behind_last(tokens, ("or", "||"))
+    event = tokens[begin:]
+    said = tuple(map(str, event))
+    match said:
+        case ():
+            return Slot(SlotKind.EVENT, first=begin == 0)
+        case ("when",):
+            return Slot(SlotKind.CONDITION)
+        case ("after", "(", *_):
+            if ")" not in said:
+                return value_slot(event[0:])
+            return Slot(SlotKind.COMPLETE)
+        case (word,) if word in PERFORMATIVES:
+            return Slot(SlotKind.RECEIVED_MESSAGE, said=said)
+        case (word, _) if word in PERFORMATIVES:
+            return Slot(SlotKind.FROM, said=said)
+        case (_, _, "from"):
+            return Slot(SlotKind.SENDER, said=said)
+    return Slot(SlotKind.COMPLETE)
+
+
+def _action_slot(tokens: Sequence[Token]) -> Slot:
+    action = tokens[_behind_last(tokens, (";",)) :]
+    said = tuple(map(str, action))
+    match said:
+        case ():
+            return Slot(SlotKind.ACTION)
+        case ("send",):
+            return Slot(SlotKind.SENT_PERFORMATIVE)
+        case ("send", _):
+            return Slot(SlotKind.SENT_MESSAGE, said=said)
+        case ("send", _, _):
+            return Slot(SlotKind.TO, said=said)
+        case ("send", _, _, "to"):
+            return Slot(SlotKind.RECEIVER, said=said)
+        case ("send", *_):
+            return Slot(SlotKind.COMPLETE)
+    depth = 0
+    for index, item in enumerate(action):
+        depth += (item in ("(", "[")) - (item in (")", "]"))
+        if depth == 0 and item == "=":
+            slot = value_slot(action[index + 1 :])
+            return Slot(slot.kind, slot.path, slot.left, slot.said, slot.calls, tuple(action[:index]))
+    slot = value_slot(action)
+    if slot.kind is SlotKind.MEMBER and not slot.calls:
+        return Slot(SlotKind.ACTION_MEMBER, slot.path)
+    return slot
+
+
+def value_slot(tokens: Sequence[Token]) -> Slot:
+    """What may come next in an expression."""
+    frames: list[list[int]] = [[-1, 0, 0]]  # the index of the function's name, the argument, where it begins
+    for index, item in enumerate(tokens):
+        if item in ("(", "["):
+            called = index > 0 and item == "(" and is_name(tokens[index - 1])
+            frames.append([index - 1 if called else -1, 0, index + 1])
+        elif item in (")", "]"):
+            if len(frames) > 1:
+                frames.pop()
+        elif item == ",":
+            frames[-1][1] += 1
+            frames[-1][2] = index + 1
+    calls = tuple(
+        Call(str(tokens[name]), argument)
+        for name, argument, _ in frames
+        if name >= 0
+    )  # fmt: skip
+    argument = tokens[frames[-1][2] :]
+    segments, begin = path_before(argument)
+    if segments:
+        kind = SlotKind.MEMBER
+    elif not argument or argument[-1] in OPERATORS:
+        kind, begin = SlotKind.VALUE, len(argument)
+    else:
+        return Slot(SlotKind.COMPLETE, calls=calls)
+    return Slot(kind, segments, tuple(_compared(argument[:begin])), calls=calls)
+
+
+def path_before(tokens: Sequence[Token]) -> tuple[tuple[str, ...], int]:
+    """The segments of a dotted name that ends with a dot, and where it begins; none if there is no dot."""
+    index = len(tokens)
+    segments: list[str] = []
+    while index >= 2 and tokens[index - 1] == "." and is_name(tokens[index - 2]):
+        segments.insert(0, str(tokens[index - 2]))
+        index -= 2
+    return tuple(segments), index
+
+
+def _compared(tokens: Sequence[Token]) -> Sequence[Token]:
+    """The left side of a comparison whose operator is the last token."""
+    if not tokens or tokens[-1] not in _COMPARISONS:
+        return ()
+    depth = 0
+    for index in range(len(tokens) - 2, -1, -1):
+        item = tokens[index]
+        depth += (item in (")", "]")) - (item in ("(", "["))
+        if depth < 0 or (depth == 0 and item in _LOGIC):
+            return tokens[index + 1 : -1]
+    return tokens[:-1]
+
+
+def formula_is_open(tokens: Sequence[Token]) -> bool:
+    """Whether an operand must follow: at the begin, behind an operator or an opening bracket."""
+    return not tokens or tokens[-1] in (".", "|", "||", "(", "[", "=", ",", ">")
+
+
+def joined(text: str, tokens: Sequence[Token]) -> list[Token]:
+    """The tokens as the grammar has them: a dotted name is one."""
+    found: list[Token] = []
+    for item in tokens:
+        if found and ((item == "." and is_name(found[-1])) or (found[-1][-1:] == "." and is_name(item))):
+            start = found.pop().start
+            found.append(token(text[start : item.end], start))
+        else:
+            found.append(item)
+    return found
+
+
+def is_name(text: str) -> bool:
+    """Whether a token is a name, or ends with one."""
+    return (text[:1].isalpha() or text[:1] == "_") and text not in OPERATORS
+
+
+def _behind_last(tokens: Sequence[Token], signs: tuple[str, ...]) -> int:
+    depth, behind = 0, 0
+    for index, item in enumerate(tokens):
+        depth += (item in ("(", "[")) - (item in (")", "]"))
+        if depth == 0 and item in signs:
+            behind = index + 1
+    return behind
+
+
+__all__ = [
+    "Call",
+    "Slot",
+    "SlotKind",
+    "formula_is_open",
+    "joined",
+    "path_before",
+    "transition_slot",
+    "value_slot",
+]

@@ -1,0 +1,340 @@
+"""What is offered while somebody types, place by place."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.editor.items import ItemKind
+from aseme_dsl.editor.names import NEW, PLACES
+from aseme_dsl.editor.snippets import WHOLE, filled
+from aseme_dsl.grammar.expected import all_places, expected_after
+from tests.conftest import Snapshot
+from tests.editor.authoring import CURSOR, accepted, labels, listed, offered
+from tests.support.compiling import codes
+
+ROOT = Path(__file__).parents[2]
+WAREHOUSE = (ROOT / "tests/acceptance/contract_net.aseme").read_text("utf-8")
+SOCCER = (ROOT / "tests/acceptance/kouretes.aseme").read_text("utf-8")
+
+
+def at(text: str, before: str, typed: str = "") -> str:
+    """The text with the cursor right behind the first `before`, where `typed` has been typed."""
+    index = text.index(before) + len(before)
+    return text[:index] + typed + CURSOR + text[index:]
+
+
+def instead(text: str, old: str, new: str) -> str:
+    """The text with `new`, in which the cursor stands, instead of the first `old`."""
+    assert old in text
+    return text.replace(old, new, 1)
+
+
+# ---- the grammar says what may come -------------------------------------------------------------
+
+
+def test_every_place_of_the_grammar_has_an_answer() -> None:
+    places = {
+        (rule, attribute)
+        for rule, attribute, terminal in all_places()
+        if terminal in ("Name", "EntryName", "ActName", "ActivityName", "NodeName", "RoleName", "SystemName")
+        or terminal in ("Path", "Text", "Label")
+    }
+    assert places - PLACES.keys() - NEW == set()
+    assert (PLACES.keys() | NEW) - places == set()
+
+
+def test_every_declaration_is_offered_as_a_whole() -> None:
+    words = {word for item in expected_after("") for word in item.words} - {"language"}
+    found = {item.label for item in offered("system Test\n‸")}
+    assert words == found
+    headless = {"import", "let", "function", "scenario", "property"}  # one line, or still to be designed
+    assert words - headless == set(WHOLE)
+
+
+@pytest.mark.parametrize("word", sorted(WHOLE))
+def test_a_whole_declaration_can_be_compiled(word: str) -> None:
+    text = filled(WHOLE[word])
+    others = {
+        "team": "system T\nsrm role { liveness { role = A } }\n",
+        "topic": "system T\nmessage Message { bool it }\n",
+        "system": "",
+    }
+    errors = [code for code in codes(others.get(word, "system T\n") + text) if code[0] == "E"]
+    assert errors == []
+
+
+# ---- at the top ----------------------------------------------------------------------------------
+
+
+def test_nothing_is_offered_in_a_comment_or_in_a_text() -> None:
+    assert labels("system T // a word‸") == []
+    assert labels("system T /* a\n word‸ */") == []
+    assert labels('system T\nsag { actor a { goal g "to‸" } }') == []
+
+
+def test_imports_are_libraries_and_neighbours(tmp_path: Path) -> None:
+    (tmp_path / "field.aseme").write_text("message M { bool b }")
+    (tmp_path / "body.proto").write_text("")
+    (tmp_path / "notes.txt").write_text("")
+    path = str(tmp_path / "team.aseme")
+    assert labels("system T\nimport ‸", path) == [
+        *("math", "protocols", "runtime", "soccer", "time"),
+        *('"body.proto"', '"field.aseme"'),
+    ]
+    assert labels('system T\nimport "fi‸"', path) == ["body.proto", "field.aseme"]
+
+
+def test_types_of_fields_and_variables() -> None:
+    text = "system T\nenum E { A }\nmessage M { bool b }\nmessage N { ‸ }\n"
+    assert labels(text) == [
+        *("bool", "int", "double", "string", "bytes", "duration"),
+        *("E", "M", "N", "optional", "repeated"),
+    ]
+    text = "system T\nenum E { A }\nmessage M { bool b }\nsrm r { var x : ‸ }\n"
+    assert labels(text) == ["bool", "int", "double", "string", "duration", "E"]
+
+
+def test_an_initial_value_is_a_constant_of_its_type() -> None:
+    text = "system T\nenum E { A B }\nsrm r { var x : E = ‸ liveness { r = Work } }\n"
+    assert labels(text) == ["E.A", "E.B"]
+
+
+# ---- messages and topics -------------------------------------------------------------------------
+
+
+def test_a_topic_offers_messages_it_does_not_carry_yet() -> None:
+    text = "system T\nmessage A { bool x }\nmessage B { bool x }\ntopic t { state A, ‸ }\n"
+    assert labels(text) == ["B", "A"]
+
+
+def test_behind_the_messages_of_a_topic() -> None:
+    text = "system T\nmessage A { bool x }\ntopic t { state A ‸ }\n"
+    assert labels(text)[:4] == ["from", "every", "queued", "persist"]
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        ("[vision.‸]", ["state", "data"]),
+        ("[vision.state.‸]", ["Ball"]),
+        ("[vision.state.Ball.‸]", ["visible", "distance", "bearing", "speed"]),
+        ("[robot1.vision.‸]", ["state", "data"]),
+        ("[keeper.vision.data.BallTrack.be‸]", ["distance", "bearing"]),
+        ("[PlayerState.‸]", ["INITIAL", "READY", "SET", "PLAYING", "FINISHED", "PENALISED"]),
+        ("/ write_messages.‸", ["game", "vision", "world", "body", "motion", "my", "team"]),
+        ("/ write_messages.team.‸", ["state", "signal"]),
+        ("/ team.signal.Pass.‸", ["to"]),
+        ("[ball.‸]", ["visible", "distance", "bearing", "speed"]),
+    ],
+)
+def test_segment_by_segment(written: str, expected: list[str]) -> None:
+    text = instead(SOCCER, "[!vision.state.Ball.visible]", written)
+    text = instead(text, "  control decision {", "  let ball = vision.state.Ball\n  control decision {")
+    assert [label for label in labels(text) if label in expected or len(expected) < 5] == expected
+
+
+def test_activities_read_and_write_channels() -> None:
+    assert labels(at(SOCCER, "writes vision.")) == ["state", "data"]
+    assert labels(at(SOCCER, "writes vision.state.")) == ["Ball"]
+    assert labels(at(SOCCER, "reads vision.state.Ball writes "))[:3] == ["game", "vision", "world"]
+
+
+# ---- formulas and control ------------------------------------------------------------------------
+
+
+def test_only_terms_that_the_verb_fits() -> None:
+    control = "control goalie {\n    "
+    assert labels(at(SOCCER, control, "repeat ")) == ["Sensors", "Vision", "(Guard | NoGame)"]
+    assert labels(at(SOCCER, control, "finish ")) == ["(Sensors~ || Vision~ || (Stand . (Guard | NoGame)+))"]
+    assert "Guard" in labels(at(SOCCER, control, "leave "))
+    assert "Stand" not in labels(at(SOCCER, control, "leave "))
+
+
+def test_terms_without_a_line_come_first() -> None:
+    found = labels(
+        instead(SOCCER, "    enter ClearBall   : [can_kick(vision.state.Ball)]\n", "    enter ‸\n")
+    )
+    assert found == ["ClearBall", "ScanForBall", "FollowBall"]
+    found = labels(instead(SOCCER, "    enter FollowBall  : [vision.state.Ball.visible]\n", "    enter ‸\n"))
+    assert found[0] == "FollowBall"
+
+
+def test_a_term_that_stands_twice_has_its_number() -> None:
+    text = "system T\nsrm r {\n  liveness { r = A . B . A }\n  control r { enter ‸ }\n}\n"
+    assert labels(text) == ["A#1", "B", "A#2"]
+
+
+def test_a_term_replaces_what_has_been_typed_of_it() -> None:
+    text = "system T\nsrm r {\n  liveness { r = X . [A . B] }\n  control r { skip (A . b‸ }\n}\n"
+    (item,) = offered(text)
+    assert accepted(text.replace(CURSOR, ""), item).splitlines()[3] == "  control r { skip (A . B) }"
+
+
+def test_terms_of_a_participant_and_of_its_helpers() -> None:
+    text = (
+        "system T\naip p {\n participant a { process = X . help  help = Y | Z }\n"
+        " participant b { process = W }\n control help { enter ‸ }\n}\n"
+    )
+    assert labels(text) == ["Y", "Z"]
+    assert labels(text.replace("control help", "control b")) == ["W"]
+
+
+def test_a_formula_offers_what_is_not_used_yet_first() -> None:
+    found = labels(instead(WAREHOUSE, "(NextTask . manager)~", "(NextTask . ‸)~"))
+    assert found[0] == "manager"
+    assert labels(at(SOCCER, "initialize = Stand . Calib"))[0] == "center"
+    assert "initialize" not in labels(at(SOCCER, "initialize = Stand . Calib"))
+
+
+def test_behind_an_operand_no_operand_is_offered() -> None:
+    found = labels("system T\nsrm r { liveness { r = A ‸ } }")
+    assert found == ["A"]  # the formula that comes next
+
+
+def test_control_is_offered_for_formulas_that_have_none() -> None:
+    text = instead(SOCCER, "  control Guard {", "  control ‸ {")
+    assert labels(text) == ["Guard", "goalie"]
+    text = instead(WAREHOUSE, "  control manager {", "  control ‸ {")
+    assert labels(text) == ["manager", "contractor"]
+
+
+# ---- transition expressions ----------------------------------------------------------------------
+
+
+def test_an_event_that_the_participant_receives() -> None:
+    found = labels(instead(WAREHOUSE, "cfp Task from manager", "‸"))
+    assert found[:4] == [
+        "[…]",
+        "cfp Task from manager",
+        "accept_proposal Award from manager",
+        "reject_proposal Award from manager",
+    ]
+    assert len([name for name in found if name in ("cfp", "inform", "propagate", "subscribe")]) == 4
+
+
+def test_word_by_word_through_a_received_message() -> None:
+    def when(typed: str) -> list[str]:
+        return labels(instead(WAREHOUSE, "cfp Task from manager", typed))
+
+    assert when("accept_proposal ‸") == ["Award"]
+    assert when("accept_proposal Award ‸") == ["from"]
+    assert when("accept_proposal Award from ‸") == ["manager", "contractor"]
+
+
+def test_word_by_word_through_a_sent_message() -> None:
+    def then(typed: str) -> list[str]:
+        return labels(instead(WAREHOUSE, "send propose Bid to manager", typed))
+
+    assert then("‸")[:3] == [
+        "send propose Bid to manager",
+        "send refuse Task to manager",
+        "send inform Done to manager",
+    ]
+    assert then("send ‸")[:4] == ["inform", "propose", "refuse", "accept_proposal"]
+    assert len(then("send ‸")) == 22
+    assert then("send propose ‸") == ["Bid"]
+    assert then("send propose Bid ‸") == ["to"]
+    assert then("send propose Bid to ‸") == ["manager", "contractor"]
+
+
+def test_the_constants_of_the_enum_that_is_compared() -> None:
+    text = instead(SOCCER, "player_state == PlayerState.PLAYING", "player_state == ‸")
+    assert labels(text)[:3] == ["PlayerState.INITIAL", "PlayerState.READY", "PlayerState.SET"]
+
+
+def test_what_has_the_type_of_the_argument_comes_first() -> None:
+    text = instead(
+        SOCCER, "enter ClearBall   : [can_kick(vision.state.Ball)]", "enter ClearBall : [can_kick(‸)]"
+    )
+    first, *_ = offered(text)
+    assert (first.label, first.kind) == ("vision.state.Ball", ItemKind.MESSAGE)
+
+
+def test_variables_and_lets_of_this_participant_only() -> None:
+    text = instead(WAREHOUSE, "[bids > 0]", "[‸]")
+    assert labels(text)[0] == "bids"
+    assert "reachable" not in labels(text)
+    assert "can_pass" in labels(instead(SOCCER, "[can_pass]", "[‸]"))
+
+
+def test_timers_and_events_that_are_known() -> None:
+    text = instead(SOCCER, "[expired(pace)", "[expired(‸)")
+    assert labels(text) == ["pace"]
+    text = "system T\nsrm r {\n liveness { r = A . B . C }\n control r { enter B : alarm  enter C : ‸ }\n}\n"
+    assert "alarm" in labels(text)
+
+
+# ---- protocols, roles, teams ---------------------------------------------------------------------
+
+
+def test_what_a_role_plays() -> None:
+    assert labels(at(SOCCER, "plays attack.")) == ["center", "center_for"]
+    assert labels(at(SOCCER, "plays attack.center_for with ")) == [
+        *("WalkTowardsGoal", "WalkTowardsBall", "KickBall")
+    ]
+    assert labels(instead(SOCCER, "plays attack.center\n", "plays ‸\n")) == ["attack"]
+
+
+def test_activities_that_are_not_described() -> None:
+    assert labels(instead(WAREHOUSE, "CollectBids takes 500ms", "‸")) == [
+        *("NextTask", "Announce", "CollectBids", "AwardTask", "AwaitResult", "GiveUp")
+    ]
+    assert labels(instead(WAREHOUSE, "every 1s", "‸"))[:6] == [
+        *("every", "takes", "as", "uses", "reads", "writes")
+    ]
+    assert labels(instead(WAREHOUSE, "every 1s", "as ‸")) == ["thread", "async", "process", "step"]
+
+
+def test_roles_of_a_team() -> None:
+    assert labels(at(SOCCER, "keeper                 : ")) == ["player", "goalie"]
+
+
+def test_participants_come_from_the_use_case() -> None:
+    text = (
+        "system T\nsuc { usecase move by giver, taker includes hand, take }\n"
+        "aip move { participant ‸ { process = Give } }\n"
+    )
+    assert labels(text) == ["giver", "taker"]
+    text = text.replace(CURSOR, "giver").replace("aip move {", "aip ‸ {")
+    assert labels(text) == ["move"]
+
+
+# ---- broken texts --------------------------------------------------------------------------------
+
+
+def test_the_place_is_known_in_a_broken_text() -> None:
+    broken = instead(
+        SOCCER, "control decision {", "control decision {\n    enter ScanForBall : [vision.state."
+    )
+    assert labels(broken.replace("[vision.state.", "[vision.state.‸", 1)) == ["Ball"]
+    cut = SOCCER[: SOCCER.index("enter KickBall        :")] + "enter ‸"
+    assert "TrackBall" in labels(cut)
+    garbage = instead(SOCCER, "liveness {", "livness {{ =")
+    assert labels(at(garbage, "robot3 : ")) == ["player", "goalie"]
+
+
+def test_a_line_that_has_gone_wrong_does_not_disturb_the_next() -> None:
+    text = "system T\nmessage M { bool b }\ntopic t {\n  stat M form x\n  ‸\n}\n"
+    assert labels(text)[:3] == ["signal", "state", "data"]
+
+
+# ---- for reading ---------------------------------------------------------------------------------
+
+SHOWN = {
+    "top": SOCCER + "\n‸",
+    "srm": at(SOCCER, "plays attack.center_for with WalkTowardsGoal = WalkTowardsOpponentGoal\n", "  "),
+    "participant": at(SOCCER, "  participant center {\n", "    "),
+    "control": at(SOCCER, "  control action {\n", "    "),
+    "enter": at(SOCCER, "  control action {\n", "    enter "),
+    "event": instead(WAREHOUSE, "[reachable]", "‸"),
+    "condition": instead(SOCCER, "[!vision.state.Ball.visible]", "[‸]"),
+    "action": instead(WAREHOUSE, "send cfp Task to contractor", "‸"),
+    "activity": at(SOCCER, "WalkTowardsBall               ", ""),
+}
+
+
+@pytest.mark.parametrize("place", sorted(SHOWN))
+def test_what_people_see(place: str, snapshot: Snapshot) -> None:
+    snapshot(listed(offered(SHOWN[place])), f"completion_{place}.txt")
