@@ -48,6 +48,7 @@ class RunConfiguration:
     threads: int | None = None
     processes: int | None = None
     process_memory: int | None = None
+    queue: int | None = None
     switch_interval: int | None = None
     priority: int | None = None
 
@@ -181,6 +182,7 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
                 "threads": _count,
                 "processes": _count,
                 "process_memory": _memory,
+                "queue": _count,
                 "switch_interval": _duration,
                 "priority": _count,
             },

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.runtime import context as c
 from aseme_dsl.runtime.activities import ActivityFinder
 from aseme_dsl.runtime.as_json import to_json
+from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.body import Body
 from aseme_dsl.runtime.bus import SELECT, Bus
 from aseme_dsl.runtime.carry import Carried
 from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.clock import SECOND
 from aseme_dsl.runtime.conversation import Conversations
 from aseme_dsl.runtime.convert import Messages, arrived, converted, like, mailed
 from aseme_dsl.runtime.execution import Execution, Executions, frames_of, reason_of
@@ -31,6 +31,7 @@ from aseme_dsl.runtime.inputs import (
     Input,
     Joined,
     Left,
+    LeftOut,
     Mail,
     MailTaken,
     Outcome,
@@ -41,6 +42,7 @@ from aseme_dsl.runtime.inputs import (
 )
 from aseme_dsl.runtime.intake import Errand, Intake, Posted
 from aseme_dsl.runtime.modules import Modules
+from aseme_dsl.runtime.overload import Overload
 from aseme_dsl.runtime.plan import BranchInfo, Plan, Variable
 from aseme_dsl.runtime.timers import Timer
 from aseme_dsl.runtime.trace import Trace
@@ -68,8 +70,9 @@ class Agent:
         seed: int = 1,
         body: Body[Any, Any] | None = None,
         behind: int = 0,
+        queue: int = QUEUE,
     ) -> None:
-        """Identities of what comes from the agent begin `behind` a number."""
+        """Identities of what comes from it begin `behind` a number; `queue` signals may wait in a region."""
         self.name = name
         self.chart = chart
         self.plan = chart.PLAN
@@ -85,8 +88,9 @@ class Agent:
         """Is told of a message that says which plan is to run, and by whom it is."""
         self.executions = Executions(self, find)
         self.modules = Modules(self, find)
-        self.intake = Intake(_queued(self.plan), bounded=not driver.clock.virtual)
-        self._crowd_told: int | None = None
+        self.intake = Intake(_queued(self.plan), not driver.clock.virtual, queue)
+        self.overload = Overload(self, queue)
+        self._queue = chart.queue = queue
         self.steps = 0
         self.recent: deque[tuple[int, ...]] = deque(maxlen=8)
         """The transitions taken last, for messages about what does not end."""
@@ -113,6 +117,7 @@ class Agent:
             Left: lambda effect: self.conversations.left(self, effect.branch),
             FunctionResult: _nothing,
             Fault: _nothing,
+            LeftOut: lambda effect: self.overload.inside(effect.region, effect.channel),
         }
         if not driver.clock.virtual:
             chart.pending = self._pending
@@ -181,8 +186,8 @@ class Agent:
                 if renewed is not None:
                     inputs.append(renewed)
         self._inputs = None
-        if self.intake.left_out:
-            self._tell_of_crowd()
+        if self.intake.left_out or self.intake.refused:
+            self.overload.at_the_door(self.intake)
         if self.down:
             self._lose(inputs)
             return
@@ -190,18 +195,6 @@ class Agent:
             return
         self._wanted = False
         self._step(inputs)
-
-    def _tell_of_crowd(self, last: bool = False) -> None:
-        """Say in the trace, once a second at the most, that more comes in than is taken."""
-        intake, now = self.intake, self.driver.clock.now()
-        if self._crowd_told is None:
-            text = f"{self.name} is sent more than it can take: of states and data only the newest are kept"
-            self.trace.fault(now, self.name, text)
-        elif now - self._crowd_told < SECOND and not last:
-            return
-        self._crowd_told = now
-        self.trace.write("crowd", now, agent=self.name, left_out=intake.left_out, most=intake.most)
-        intake.left_out = intake.most = 0
 
     def _counts(self, item: Posted) -> bool:
         """Whether an input is still wanted."""
@@ -315,8 +308,7 @@ class Agent:
         if self._due is not None:
             self._due.cancel()
             self._due = None
-        if self.intake.left_out:
-            self._tell_of_crowd(last=True)
+        self.overload.end(self.intake)
         self.executions.cancel_all()
         self.modules.stop()
         self.conversations.gone(self)
@@ -397,6 +389,7 @@ class Agent:
 
     def _adopt(self, chart: Chart) -> None:
         self.chart = chart
+        self.chart.queue = self._queue
         self.plan = chart.PLAN
         self.intake.queued = _queued(self.plan)
         self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))

@@ -15,6 +15,10 @@ NEVER = sys.maxsize
 """A moment that does not come."""
 
 
+QUEUE = 10_000
+"""So many signals of a queued channel wait in a region at the most, if nothing else is said."""
+
+
 class Board:
     """The blackboard of a region.
 
@@ -127,6 +131,10 @@ class Board:
     def expired(self, timer: str, now: int) -> bool:
         """Whether a timer was started and has run out."""
         return self.timers.get(timer, NEVER) <= now
+
+    def waits(self, channel: str) -> int:
+        """How many signals of a channel wait."""
+        return len(self._signals.get(channel, ()))
 
     # ---- signals ---------------------------------------------------------------------------
 

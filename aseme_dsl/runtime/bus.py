@@ -26,6 +26,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.as_json import to_json
+from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.inputs import Arrived, Happened, Identity
 from aseme_dsl.runtime.persist import Kept
 from aseme_dsl.runtime.plan import ChannelInfo, Plan, Term
@@ -47,12 +48,13 @@ SELECT = "runtime.signal.SelectPlan"
 class _Held:
     """What one sender has published on one channel for one host: when last, and what waits for its turn."""
 
-    __slots__ = ("last", "timer", "waiting")
+    __slots__ = ("last", "timer", "waiting", "was_full")
 
     def __init__(self) -> None:
         self.last: int | None = None
         self.waiting: list[tuple[Any, str | None, str | None]] = []
         self.timer: Timer | None = None
+        self.was_full = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,9 +78,12 @@ class Bus:
         trace: Trace,
         state_directory: Path | None = None,
         transport: Transport = LOCAL,
+        queue: int = QUEUE,
     ) -> None:
+        """So many signals that queue, `queue`, may wait for their turn on a channel with `every`."""
         self.trace = trace
         self._transport = transport
+        self._queue = queue
         self._driver = driver
         self._agents: dict[str, Agent] = {}
         self._radios: dict[str, Radio] = {}
@@ -176,6 +181,13 @@ class Bus:
         if held.waiting and not rules.queued:
             old, _, _ = held.waiting.pop()
             self._refused("replaced", agent, rules.name, old, "a newer one came before its time")
+        if len(held.waiting) >= self._queue:
+            self._refused("refused", agent, rules.name, message, f"{self._queue} wait already for their turn")
+            if not held.was_full:
+                held.was_full = True
+                text = f"{self._queue} {rules.name} of {agent.name} wait for their turn"
+                self.trace.fault(now, agent.name, f"{text}: what comes now is refused")
+            return
         held.waiting.append((message, region, activity))
         self._refused("held", agent, rules.name, message, "too soon after the last", until=due)
         if held.timer is None:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from importlib import import_module
 from typing import Any, ClassVar
 
-from aseme_dsl.runtime.board import Board
+from aseme_dsl.runtime.board import QUEUE, Board
 from aseme_dsl.runtime.inputs import (
     Arrived,
     Cancel,
@@ -22,6 +22,7 @@ from aseme_dsl.runtime.inputs import (
     Input,
     Joined,
     Left,
+    LeftOut,
     Mail,
     MailTaken,
     Outcome,
@@ -92,6 +93,7 @@ class Chart:
         "now",
         "outcome",
         "pending",
+        "queue",
         "started",
         "taken",
         "tokens",
@@ -126,6 +128,8 @@ class Chart:
         self.mail: dict[str, list[Mail]] = {info.label: [] for info in self.PLAN.branches}
         self.writes: list[tuple[int, str, Any]] = []
         self.pending: Callable[[], Iterable[Arrived]] = tuple
+        self.queue = QUEUE
+        """How many signals of a queued channel may wait in a region."""
         self._faults: set[int] = set()
         self._functions: dict[str, tuple[Callable[..., Any], tuple[type, ...]]] = {}
         self.outcome = Outcome()
@@ -216,7 +220,7 @@ class Chart:
                     if item.identity in board.ahead:
                         board.ahead.discard(item.identity)
                     else:
-                        board.put(item, self.now)
+                        self._put(region, board, item)
             case Completed(label, token):
                 leaf, owner, number = self.RUNNING[label]
                 runs = getattr(self, leaf) == number and label not in self.failed
@@ -232,6 +236,13 @@ class Chart:
                 self.set_variable(variable, value)
             case Mail():
                 self.mail[item.branch].append(item)
+
+    def _put(self, region: int, board: Board, item: Arrived) -> None:
+        """Put a message on a region's board, unless too many wait there that nobody takes."""
+        if item.channel in board.QUEUED and board.waits(item.channel) >= self.queue:
+            self.effects.append(LeftOut(self.REGIONS[region], item.channel))
+        else:
+            board.put(item, self.now)
 
     def _end_step(self, outcome: Outcome) -> None:
         if self.writes:
@@ -349,7 +360,7 @@ class Chart:
             self.effects.append(Publication(channel, message, host, label))
             if host in (None, self.agent) and channel in board.CHANNELS:
                 own = Arrived(channel, message, self.agent, self.now, (self.agent, 0), label)
-                board.put(own, self.now)
+                self._put(region, board, own)
 
     def send(self, branch: str, performative: str, message: str, participant: str) -> None:
         """Send an agent message with the content that was prepared for it."""
@@ -368,4 +379,4 @@ class Chart:
                 and item.identity not in board.ahead
             ):
                 board.ahead.add(item.identity)
-                board.put(item, self.now)
+                self._put(region, board, item)

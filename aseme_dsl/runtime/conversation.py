@@ -4,8 +4,8 @@ A conversation is opened by the first message that a participant sends after it 
 everybody who takes part as the addressed participant or, while nobody does, to all other agents that play
 it. At the receiver it goes to the branch that takes part in that conversation; if none does, it is offered to
 a free branch of the participant, or waits until one is entered or free, with `WAITING` others at the most. A
-branch that is left takes part no more. What a participant does not list as received, what nothing more can
-wait with, and what comes for a participation that is over, is unexpected: it is told in the trace and
+branch that is left takes part no more. What a participant does not list as received, what comes when too many
+wait already, and what comes for a participation that is over, is unexpected: it is told in the trace and
 answered `not_understood`.
 """
 
@@ -18,6 +18,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.as_json import to_json
+from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.convert import Messages, mailed
 from aseme_dsl.runtime.inputs import Identity, Mail
 from aseme_dsl.runtime.plan import BranchInfo, Plan
@@ -98,6 +99,7 @@ class _Branch:
     waiting: list[Mail] = field(default_factory=list)
     taken: dict[tuple[str, str, str], Mail] = field(default_factory=dict)
     """The last one taken of each kind and sender, the newest at the end."""
+    was_full: bool = False
 
 
 @dataclass(slots=True)
@@ -112,10 +114,14 @@ class _Conversation:
 class Conversations:
     """All conversations of a team. May be used from any thread."""
 
-    def __init__(self, driver: Driver, trace: Trace, transport: Transport = LOCAL) -> None:
+    def __init__(
+        self, driver: Driver, trace: Trace, transport: Transport = LOCAL, queue: int = QUEUE
+    ) -> None:
+        """So many messages, `queue`, may wait for a participant to take them."""
         self._driver = driver
         self._trace = trace
         self._transport = transport
+        self._queue = queue
         self._agents: dict[str, Agent] = {}
         self._plans: dict[str, Plan] = {}
         """Of everybody, also of agents in other processes, in the team's order."""
@@ -265,10 +271,12 @@ class Conversations:
     def _deliver(self, agent: Agent, acl: AclMessage) -> None:
         place = self._place_in(agent, acl)
         if place is not None:
-            if self._receives(place.info, acl):
-                self._post(agent, place, acl)
-            else:
+            if not self._receives(place.info, acl):
                 self._unexpected(agent, acl, f"{acl.to} does not receive it")
+            elif len(place.waiting) >= self._queue:
+                self._refuse(agent, place, acl)
+            else:
+                self._post(agent, place, acl)
             return
         conversation = self._conversations.get(acl.conversation)
         if conversation is None:
@@ -333,6 +341,14 @@ class Conversations:
         )
         place.waiting.append(mail)
         agent.post(acl.identity, mail, conversation=acl.conversation)
+
+    def _refuse(self, agent: Agent, place: _Branch, acl: AclMessage) -> None:
+        """Too many messages wait already that the participant does not take."""
+        if not place.was_full:
+            place.was_full = True
+            text = f"{self._queue} messages wait for {acl.to} of {agent.name} and are not taken"
+            self._trace.fault(self._driver.clock.now(), agent.name, f"{text}: what comes now is refused")
+        self._unexpected(agent, acl, f"{self._queue} messages wait already for {acl.to}")
 
     def _unexpected(self, agent: Agent, acl: AclMessage, reason: str) -> None:
         """Tell of a message that nobody expects, and answer it, but never an answer to that."""

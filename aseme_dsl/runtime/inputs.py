@@ -157,7 +157,15 @@ class Fault:
     reason: str
 
 
-Effect = Start | Cancel | Publication | Sending | MailTaken | Joined | Left | FunctionResult | Fault
+@dataclass(frozen=True, slots=True)
+class LeftOut:
+    """A signal of a queued channel was left out in a region, where too many wait already."""
+
+    region: str
+    channel: str
+
+
+Effect = Start | Cancel | Publication | Sending | MailTaken | Joined | Left | FunctionResult | Fault | LeftOut
 
 
 @dataclass(slots=True)

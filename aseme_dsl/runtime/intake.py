@@ -4,8 +4,10 @@ All that waits is taken together, into one snapshot. So of several states of one
 the newest can be seen, and of signals that do not queue as well. As long as little waits, everything is taken
 all the same, and is in the trace. When more waits than `CROWD`, a newer message takes the place of the one of
 the same sender and channel that waits: however fast messages come, so many wait at the most, and one of each
-sender and channel. Of data this leaves out samples. Signals that queue, agent messages, events and what
-activities say of themselves are never left out.
+sender and channel, and an event or the value of a variable that of the one that the same activity has raised
+or written: all are taken together. Of data this leaves out samples. Of signals that queue, so many wait
+besides as the run permits; what comes then is left out, and told. Agent messages are bounded where they are
+delivered, and what activities say of themselves by their number.
 """
 
 from __future__ import annotations
@@ -16,7 +18,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from aseme_dsl.runtime.inputs import Arrived, Identity, Input
+from aseme_dsl.runtime.board import QUEUE
+from aseme_dsl.runtime.inputs import Arrived, Happened, Identity, Input, Written
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.execution import Execution
@@ -25,6 +28,8 @@ CROWD = 1000
 """When so many inputs wait, of those that replace one another only the newest are kept."""
 
 Errand = Callable[[], None]
+_Key = tuple[object, str, object]
+"""What a newer input replaces: what is said, about what, and by whom."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,12 +49,28 @@ class Posted:
 class Intake:
     """What waits. `append` may be called from any thread, `take` by who steps the agent."""
 
-    __slots__ = ("_bounded", "_items", "_lock", "_newest", "left_out", "most", "queued")
+    __slots__ = (
+        "_bounded",
+        "_items",
+        "_lock",
+        "_newest",
+        "_queue",
+        "_signals",
+        "left_out",
+        "most",
+        "queued",
+        "refused",
+    )
 
-    def __init__(self, queued: frozenset[str], bounded: bool) -> None:
+    def __init__(self, queued: frozenset[str], bounded: bool, queue: int = QUEUE) -> None:
         """`queued` are the channels whose signals queue; in virtual time nothing is `bounded`."""
         self._items: deque[Posted | Errand] = deque()
-        self._newest: dict[tuple[str, str, str | None], Posted] = {}
+        self._newest: dict[_Key, Posted] = {}
+        self._queue = queue
+        self._signals = 0
+        """How many signals that queue have come since much waits."""
+        self.refused: dict[str, int] = {}
+        """How many of those were left out, by channel, since somebody emptied it."""
         self.queued = queued
         self._bounded = bounded
         self._lock = threading.Lock()
@@ -69,23 +90,39 @@ class Intake:
         self._items.extendleft(reversed(items))
 
     def _crowded(self, item: Posted | Errand) -> bool:
-        """Put a message in the place of the one that it replaces, if it is of that sort."""
-        if not isinstance(item, Posted) or not isinstance(item.input, Arrived):
+        """Put an input in the place of the one that it replaces, if it is of that sort, or leave it out."""
+        if not isinstance(item, Posted):
             return False
-        message = item.input
-        if message.channel in self.queued:
-            return False
-        key = message.channel, message.sender, message.written_by
+        key: _Key
+        match item.input:
+            case Arrived(channel) if channel in self.queued:
+                return self._is_too_much(channel)
+            case Arrived(channel, sender=sender, written_by=region):
+                key = channel, sender, region
+            case Happened(name) | Written(name):
+                key = type(item.input), name, item.execution
+            case _:
+                return False
         with self._lock:
             if self._newest.pop(key, None) is not None:
                 self.left_out += 1
             self._newest[key] = item  # the newest of all is the last one
         return True
 
+    def _is_too_much(self, channel: str) -> bool:
+        """Whether a signal that queues is left out: so many wait already."""
+        with self._lock:
+            if self._signals >= self._queue:
+                self.refused[channel] = self.refused.get(channel, 0) + 1
+                return True
+            self._signals += 1
+            return False
+
     def take(self) -> list[Posted | Errand]:
         """Everything that waits."""
         items = self._items
         taken = [items.popleft() for _ in range(len(items))]
+        self._signals = 0
         if self._newest:
             with self._lock:
                 taken += self._newest.values()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.clock import MILLISECOND, SECOND
 
 
@@ -20,6 +21,9 @@ class RealTime:
     """How many worker processes there may be for `process` activities; further ones wait."""
     process_memory: int | None = None
     """The address space, in bytes, that a worker process may use; beyond it an activity gets MemoryError."""
+    queue: int = QUEUE
+    """How many signals of a queued channel may wait in a region, how many for an agent's next step, and how
+    many agent messages for a participant. What comes then is left out, and told; also in virtual time."""
     switch_interval: int = MILLISECOND // 10
     """How long a thread that computes may keep the interpreter from another one that wants it."""
     priority: int | None = None

@@ -178,8 +178,9 @@ class Team:
         self.driver = self._driver(clock, real_time, origin)
         self.trace.now = self.driver.clock.now
         self.transport = transport
-        self.bus = Bus(self.driver, self.trace, state_directory, transport)
-        self.conversations = Conversations(self.driver, self.trace, transport)
+        queue = (real_time or RealTime()).queue
+        self.bus = Bus(self.driver, self.trace, state_directory, transport, queue)
+        self.conversations = Conversations(self.driver, self.trace, transport, queue)
         self.elsewhere: dict[str, Plan] = {name: chart.PLAN for name, chart in members if name not in mine}
         """The plans of the agents that run in other processes."""
         self.agents: tuple[Agent, ...] = tuple(
@@ -194,6 +195,7 @@ class Team:
                 seed,
                 there.get(name),
                 transport.behind,
+                queue,
             )
             for name, chart in members
             if name in mine
