@@ -119,6 +119,7 @@ def srm_json(srm: Srm, system: System, folder: PurePath | None = None) -> Json:
         "format": FORMAT,
         "name": srm.name,
         "system": system.name,
+        **({"includes": list(srm.includes)} if srm.includes else {}),
         "plays": [
             {
                 "protocol": item.protocol,

@@ -103,3 +103,5 @@ class Srm:
     capabilities: tuple[Capability, ...]
     span: Span
     modules: tuple[Module, ...] = ()
+    includes: tuple[str, ...] = ()
+    """The roles that it takes over: what they say is in its formulas, variables and so on already."""

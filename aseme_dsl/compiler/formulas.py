@@ -18,11 +18,13 @@ class Formulas:
     """The formulas of a role (`player`) or participant (`attack.center`) by name, in document order.
 
     `root` is the name of the one that the others refine: a role's first, a participant's `process`.
+    `taken_over` are those that stand in a role which this one includes: they need not be used.
     """
 
     owner: str
     root: str
     named: Mapping[str, tree.NamedFormula] = field(default_factory=dict)
+    taken_over: frozenset[str] = frozenset()
 
     def formula(self, name: str) -> Formula | None:
         """What `name` stands for, or None if it is no formula."""
@@ -213,7 +215,7 @@ def _unused(formulas: Formulas) -> Iterator[Diagnostic]:
     used = {node.name for name in formulas.named for node in uses(formulas, name) if node.name != name}
     root = formulas.named[formulas.root]
     for name, item in formulas.named.items():
-        if name not in used and name != formulas.root:
+        if name not in used and name != formulas.root and name not in formulas.taken_over:
             yield Diagnostic(
                 "E302",
                 f"nothing in {formulas.owner} uses the formula `{name}`",

@@ -28,10 +28,12 @@ from aseme_dsl.compiler.blocks import Blocks, blocks_of
 from aseme_dsl.compiler.chart import World
 from aseme_dsl.compiler.conditions import FROM_CONDITIONS, check_conditions, contradiction, prover_of
 from aseme_dsl.compiler.consequences import without_consequences
-from aseme_dsl.compiler.damage import damage
+from aseme_dsl.compiler.damage import Damaged, damage
 from aseme_dsl.compiler.flow import check_flow, check_reach, check_timers
 from aseme_dsl.compiler.goals import not_played, out_of_reach, without_functionality
+from aseme_dsl.compiler.inclusion import Inclusion, errors_alone, include
 from aseme_dsl.compiler.load import Loaded, load
+from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.modules import also_activities, read_modules
 from aseme_dsl.compiler.resolve import resolve
 from aseme_dsl.compiler.sag_to_suc import read_sag, sag_to_suc
@@ -44,7 +46,7 @@ from aseme_dsl.compiler.scopes import (
     role_scope,
 )
 from aseme_dsl.compiler.srm_to_iac import Role, read_role, srm_to_iac
-from aseme_dsl.compiler.statecharts import build_statechart, read_statechart
+from aseme_dsl.compiler.statecharts import GivenChart, build_statechart, read_statechart
 from aseme_dsl.compiler.suc_to_aip import read_aip, suc_to_aip
 from aseme_dsl.compiler.suc_to_srm import read_srm, suc_to_srm
 from aseme_dsl.compiler.symbols import Symbols
@@ -111,12 +113,15 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     found += loaded.diagnostics
     is_damaged = damage(found)
     symbols = keep(resolve(loaded))
-    blocks = keep(blocks_of(loaded.files))
+    all_blocks = keep(blocks_of(loaded.files))
+    inclusion = keep(include(all_blocks, symbols.is_excused, not has_errors(loaded.diagnostics)))
+    blocks = inclusion.blocks
+    is_damaged = inclusion.damaged(is_damaged)
     top = keep(global_scope(symbols))
 
     # Requirements: goals and use cases.
     sag = keep(read_sag(blocks.sags, symbols))
-    suc = keep(sag_to_suc(sag, blocks.sucs, _places_of_roles(blocks), symbols))
+    suc = keep(sag_to_suc(sag, blocks.sucs, _places_of_roles(blocks), _places(inclusion.abstract), symbols))
 
     # Analysis: protocols and roles, with the activities that they describe.
     participants = {item.name.text: keep(protocol_scopes(item, top)) for item in blocks.aips}
@@ -130,6 +135,11 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
         item.name.text: keep(read_role(item, scopes[item.name.text], protocols, options.largest, is_damaged))
         for item in blocks.srms
     }
+    found += [
+        problem
+        for item in inclusion.unused
+        for problem in errors_alone(_problems_alone(item, top, protocols, options.largest, is_damaged))
+    ]
     given = [keep(read_statechart(item, scopes[item.name.text], is_damaged)) for item in blocks.statecharts]
     statements = [
         keep(type_activity(activity, scopes[block.name.text].scope, _played_variables(roles, block)))
@@ -167,10 +177,14 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
     cases = use_cases(suc, [*protocols, *(item.name.text for item in formulas), *used, *capabilities])
     missing = [*suc_to_aip(cases, blocks.aips)]
-    srms = [keep(read_srm(role, iacs[role.name], modules[role.name], cases)) for role in roles.values()]
-    missing += suc_to_srm(cases, roles, [item.name for item in given], blocks.aips)
+    srms = [
+        keep(read_srm(role, iacs[role.name], modules[role.name], cases, inclusion.names(role.name)))
+        for role in roles.values()
+    ]
+    missing += suc_to_srm(cases, roles, _not_looked_into(given, inclusion), blocks.aips)
     missing += [item for protocol in protocols.values() for item in protocol.missing]
     missing += [item for role in roles.values() for item in role.missing]
+    missing = _once(missing)
     if has_errors(loaded.diagnostics):
         missing = []  # it may be among what could not be read
     found += [item.note for item in missing]
@@ -188,13 +202,13 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
             found += check_use(_built(iacs), _built(eacs), described, list(_statements(blocks)), symbols)
         if symbols.system is not None:
             found += check_unused(loaded.files, symbols)
-            found += check_agents(blocks.roles, symbols)
+            found += check_agents(_alone(inclusion), symbols)
             found += check_exchange(blocks.aips)
         compared, unchecked = check_conditions(charts, prover)
         found += compared
 
     not_looked_for = _OF_CODE | FROM_CONDITIONS if unchecked else _OF_CODE
-    diagnostics, suppressed = allow(loaded.files, without_consequences(found), not_looked_for)
+    diagnostics, suppressed = allow(loaded.files, without_consequences(inclusion.once(found)), not_looked_for)
     diagnostics = options.policy.apply(diagnostics)
     accepted = {id(item.diagnostic) for item in suppressed}
     missing = [item for item in missing if id(item.note) not in accepted]
@@ -241,7 +255,38 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
 
 
 def _places_of_roles(blocks: Blocks) -> dict[str, Span]:
-    return {item.name.text: item.name.span for item in blocks.roles}
+    return _places(blocks.roles)
+
+
+def _places(roles: Iterable[tree.Srm | tree.Statechart]) -> dict[str, Span]:
+    return {item.name.text: item.name.span for item in roles}
+
+
+def _alone(inclusion: Inclusion) -> list[tree.Srm | tree.Statechart]:
+    """The roles that are not part of another one: those that agents should have."""
+    parts = {part.name.text for parts in inclusion.included.values() for part in parts}
+    return [item for item in inclusion.blocks.roles if item.name.text not in parts]
+
+
+def _not_looked_into(given: Iterable[GivenChart], inclusion: Inclusion) -> list[str]:
+    return [*(item.name for item in given), *(item.name.text for item in inclusion.abstract)]
+
+
+def _problems_alone(
+    item: tree.Srm, top: Scope, protocols: Mapping[str, Protocol], largest: int, is_damaged: Damaged
+) -> Iterable[Diagnostic]:
+    """What is wrong with a role that no other one completes."""
+    typed, problems = role_scope(item, top)
+    yield from problems
+    yield from read_role(item, typed, protocols, largest, is_damaged)[1]
+
+
+def _once(missing: Iterable[Missing]) -> list[Missing]:
+    """What is missing in a text that several roles take over is missing once."""
+    found: dict[object, Missing] = {}
+    for item in missing:
+        found.setdefault((item.note.code, item.note.span, item.skeleton), item)
+    return list(found.values())
 
 
 def _played_variables(roles: Mapping[str, Role], block: tree.Srm | tree.Statechart) -> set[str]:

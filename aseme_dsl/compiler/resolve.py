@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 
 from aseme_dsl.amola.messages import Function, Type
 from aseme_dsl.amola.system import Agent, Team
 from aseme_dsl.compiler.builtins import FORMS, FUNCTIONS, reserved
 from aseme_dsl.compiler.collector import Collector, type_named
+from aseme_dsl.compiler.inclusion import includers
 from aseme_dsl.compiler.load import Loaded
 from aseme_dsl.compiler.message_types import enums, imported_types, messages
-from aseme_dsl.compiler.names import declared_twice, unknown
+from aseme_dsl.compiler.names import declared_twice, listed, unknown
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.compiler.topics import check_radio, topics
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -134,21 +136,39 @@ def _lets(collector: Collector) -> tuple[tree.Let, ...]:
 
 
 def _teams(collector: Collector) -> tuple[Team, ...]:
-    roles = {item.name.text for item in collector.every(tree.Srm)}
+    srms = tuple(collector.every(tree.Srm))
+    roles = {item.name.text for item in srms if not item.abstract}
+    abstract = {item.name.text: item for item in srms if item.abstract and item.name.text not in roles}
     roles |= {item.name.text for item in collector.every(tree.Statechart)}
     found: dict[str, Team] = {}
     for item in collector.every(tree.Team):
-        team = Team(item.name.text, _agents(collector, item, roles), item.name.span)
+        team = Team(item.name.text, _agents(collector, item, roles, abstract), item.name.span)
         first = found.setdefault(team.name, team)
         if first is not team:
             collector.diagnostics.append(declared_twice("the team", item.name, first.span))
     return tuple(found.values())
 
 
-def _agents(collector: Collector, team: tree.Team, roles: set[str]) -> tuple[Agent, ...]:
+def _is_abstract(name: tree.Name, role: tree.Srm, roles: set[str], collector: Collector) -> Diagnostic:
+    including = [item for item in includers(collector.every(tree.Srm)).get(name.text, ()) if item in roles]
+    hint = f"give the agent a role that includes it: {listed(including, 'or')}" if including else None
+    return Diagnostic(
+        "E224",
+        f"`{name}` is abstract: no agent can have it alone",
+        name.span,
+        (Related(role.name.span, "the abstract role"),),
+        hint=hint or f"leave `abstract` out, or write a role with `includes {name}`",
+    )
+
+
+def _agents(
+    collector: Collector, team: tree.Team, roles: set[str], abstract: Mapping[str, tree.Srm]
+) -> tuple[Agent, ...]:
     found: dict[str, Agent] = {}
     for line in team.agents:
-        if line.role.text not in roles and not collector.is_excused(line.role.text):
+        if line.role.text in abstract:
+            collector.diagnostics.append(_is_abstract(line.role, abstract[line.role.text], roles, collector))
+        elif line.role.text not in roles and not collector.is_excused(line.role.text):
             collector.diagnostics.append(
                 unknown("E207", "there is no role", line.role, roles, "a role is an `srm` or a `statechart`")
             )

@@ -41,11 +41,16 @@ def read_sag(written: Iterable[tree.Sag], symbols: Symbols) -> tuple[Sag, tuple[
 
 
 def sag_to_suc(
-    sag: Sag, written: Iterable[tree.Suc], declared_roles: Mapping[str, Span], symbols: Symbols
+    sag: Sag,
+    written: Iterable[tree.Suc],
+    declared_roles: Mapping[str, Span],
+    abstract_roles: Mapping[str, Span],
+    symbols: Symbols,
 ) -> tuple[Suc, tuple[Diagnostic, ...]]:
     """Actors as roles, goals as use cases of those who have them and those they depend on, and what is added.
 
-    `declared_roles` are the names of roles that are written as an `srm` or `statechart`.
+    `declared_roles` are the names of roles that are written as an `srm` or `statechart`, `abstract_roles`
+    those of an `abstract srm`.
     """
     written = tuple(written)
     found: list[Diagnostic] = []
@@ -71,10 +76,14 @@ def sag_to_suc(
         for name in entry.by:
             if name.text not in roles and name.text in declared_roles:
                 roles[name.text] = Role(name.text, RoleType.SYSTEM, declared_roles[name.text])
+            if name.text not in roles and name.text in abstract_roles:
+                roles[name.text] = Role(name.text, RoleType.ABSTRACT, abstract_roles[name.text])
             if name.text in roles:
                 by.append(name.text)
             elif not symbols.is_excused(name.text):
-                found.append(unknown("E200", "there is no role", name, [*roles, *declared_roles]))
+                found.append(
+                    unknown("E200", "there is no role", name, [*roles, *declared_roles, *abstract_roles])
+                )
         included += entry.includes
         cases[key] = _joined(cases.get(key), entry, by, spelling)
     for name in included:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.srm import Plays
@@ -61,6 +61,9 @@ def read_role(
     damaged = is_damaged(written.span)
     formulas, problems = formula_tables.table(name, written.formulas)
     found += problems
+    if formulas is not None and written.includes:
+        foreign = (item.name for item in formulas.named.values() if not _stands_in(item.span, written))
+        formulas = replace(formulas, taken_over=frozenset(name.text for name in foreign))
     plays, parts, problems = _plays(written, formulas, protocols, typed.scope.symbols, is_damaged)
     found += problems
     played = {item.name: item for item in plays}
@@ -103,7 +106,9 @@ def read_role(
     found += check_formulas(formulas, {}, checked, unsure)
     wrong = unsure.union(unsettled(formulas, found), played.keys() & formulas.named.keys())
     missing = undecided_formulas(formulas, {}, checked, written.span, wrong)
-    unused = () if damaged else tuple(_unused(formulas, plays))
+    unused = (
+        () if damaged else tuple(item for item in _unused(formulas, plays) if _stands_in(item.span, written))
+    )
     missing += tuple(_not_used(written, formulas, item) for item in unused)
     role = Role(written, typed, formulas, plays, parts, lines, labelled, outline, unused, missing)
     return role, tuple(found)
@@ -124,6 +129,12 @@ def srm_to_iac(role: Role, world: World) -> Statechart | None:
         role.labelled,
         role.typed.variables,
     )
+
+
+def _stands_in(span: Span, written: tree.Srm) -> bool:
+    """Whether a place is in the role's own text, not in that of one which it includes."""
+    own = written.span
+    return span.source is own.source and own.start <= span.start and span.end <= own.end
 
 
 # ---- playing participants ------------------------------------------------------------------------

@@ -18,9 +18,13 @@ from aseme_dsl.grammar import tree
 
 
 def read_srm(
-    role: Role, chart: Statechart | None, modules: tuple[Module, ...], cases: UseCases
+    role: Role,
+    chart: Statechart | None,
+    modules: tuple[Module, ...],
+    cases: UseCases,
+    included: Iterable[str] = (),
 ) -> tuple[Srm, tuple[Diagnostic, ...]]:
-    """The role as written, with the capabilities that its use cases give it."""
+    """The role as written, with the capabilities that its use cases and those of `included` roles give it."""
     written = role.written
     found: list[Diagnostic] = []
     activities = activities_of(chart) if chart is not None else ()
@@ -37,7 +41,7 @@ def read_srm(
             _text(item.algorithm),
             item.name.span,
         )
-    capabilities, problems = _capabilities(role, activities, cases)
+    capabilities, problems = _capabilities(role, activities, cases, included)
     found += problems
     formulas = role.formulas.named.values() if role.formulas is not None else ()
     model = Srm(
@@ -50,6 +54,7 @@ def read_srm(
         capabilities,
         written.name.span,
         modules,
+        tuple(dict.fromkeys(item.text for item in written.includes)),
     )
     return model, tuple(found)
 
@@ -68,7 +73,7 @@ def activities_of(chart: Statechart) -> tuple[str, ...]:
 
 
 def _capabilities(
-    role: Role, activities: Sequence[str], cases: UseCases
+    role: Role, activities: Sequence[str], cases: UseCases, included: Iterable[str]
 ) -> tuple[tuple[Capability, ...], tuple[Diagnostic, ...]]:
     found: list[Diagnostic] = []
     capabilities: dict[str, Capability] = {}
@@ -84,7 +89,7 @@ def _capabilities(
                 found.append(unknown("E204", f"{role.name} has no activity", name, known))
         names = tuple(name.text for name in item.activities)
         capabilities[key] = Capability(item.name.text, names, _text(item.description), item.name.span)
-    for case in _cases_of(role.name, role, cases):
+    for case in _cases_of([role.name, *included], role, cases):
         if case.includes and folded(case.name) not in capabilities:
             capabilities[folded(case.name)] = Capability(
                 case.name, cases.activities(case), case.requirements, case.span
@@ -92,9 +97,9 @@ def _capabilities(
     return tuple(capabilities.values()), tuple(found)
 
 
-def _cases_of(name: str, role: Role | None, cases: UseCases) -> list[UseCase]:
-    """The use cases of a role, those of the participants that it plays included."""
-    names = [name]
+def _cases_of(own: Sequence[str], role: Role | None, cases: UseCases) -> list[UseCase]:
+    """The use cases of a role by its names, those of the participants that it plays included."""
+    names = list(own)
     if role is not None:
         names += [item.participant for item in role.plays]
     found = {case.name: case for item in names for case in cases.by_participant.get(item, ())}
@@ -124,9 +129,9 @@ def suc_to_srm(
             note = Diagnostic("N703", message, item.span, hint="start from\n" + skeleton)
             found.append(Missing(note, skeleton))
             elsewhere.add(item.name)
-            noted |= _included(_cases_of(item.name, None, cases), cases)
+            noted |= _included(_cases_of([item.name], None, cases), cases)
     for name, role in roles.items():
-        for case in _cases_of(name, None, cases):
+        for case in _cases_of([name], None, cases):
             if case.includes and not _is_realised(case, role, written):
                 found.append(_no_formula(case, role, written))
                 noted |= _included([case], cases)
@@ -246,7 +251,7 @@ def _no_formula(case: UseCase, role: Role, written: _Written) -> Missing:
 def srm_skeleton(name: str, cases: UseCases, protocols: Sequence[tree.Aip]) -> str:
     """An `srm` to start from: every use case of the role, with all that they include; nothing is left out."""
     written = _Written(cases, protocols)
-    own = _cases_of(name, None, cases)
+    own = _cases_of([name], None, cases)
     inner = {folded(item) for case in own for item in case.includes}
     outer = [case for case in own if folded(case.name) not in inner] or own
     plays: dict[str, None] = {}

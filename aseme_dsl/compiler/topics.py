@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from aseme_dsl.amola.liveness import names
@@ -10,6 +10,7 @@ from aseme_dsl.amola.messages import Channel, ChannelRules, Comm, Message, Topic
 from aseme_dsl.codegen.radio import KIND_BYTES, MOST_KINDS, Unfit, parts
 from aseme_dsl.compiler.builtins import COMM_TYPES, reserved
 from aseme_dsl.compiler.collector import Collector
+from aseme_dsl.compiler.inclusion import includers
 from aseme_dsl.compiler.library import providers
 from aseme_dsl.compiler.names import declared_twice, unknown
 from aseme_dsl.compiler.symbols import Symbols
@@ -25,6 +26,7 @@ def topics(collector: Collector, symbols: Symbols) -> tuple[Topic, ...]:
     kept: list[tree.Topic] = []
     limited = any(entry.sources for item in declared for entry in item.entries)
     publishers = symbols.agents | _publishers(collector) if limited else frozenset()
+    including = includers(collector.every(tree.Srm)) if limited else {}
     for item in declared:
         name = item.name.text
         reason = f"`{name}` is a communication class" if name in COMM_TYPES else reserved(name)
@@ -45,7 +47,7 @@ def topics(collector: Collector, symbols: Symbols) -> tuple[Topic, ...]:
             name,
             item.under.text if item.under is not None and item.under.text in declared_names else None,
             None if item.radio is None else int(item.radio.value),
-            _channels(collector, item, symbols, publishers),
+            _channels(collector, item, symbols, publishers, including),
             item.name.span,
         )
         kept.append(item)
@@ -86,6 +88,12 @@ def _publishers(collector: Collector) -> set[str]:
     return found
 
 
+def _with_includers(sources: Iterable[tree.Name], including: Mapping[str, Sequence[str]]) -> Iterator[str]:
+    for source in sources:
+        yield source.text
+        yield from including.get(source.text, ())
+
+
 def _check_tree(collector: Collector, declared: list[tree.Topic], found: dict[str, Topic]) -> None:
     """No topic is below itself; the circle is cut where it is reported."""
     for item in declared:
@@ -103,8 +111,13 @@ def _check_tree(collector: Collector, declared: list[tree.Topic], found: dict[st
 
 
 def _channels(
-    collector: Collector, topic: tree.Topic, symbols: Symbols, publishers: Collection[str]
+    collector: Collector,
+    topic: tree.Topic,
+    symbols: Symbols,
+    publishers: Collection[str],
+    including: Mapping[str, Sequence[str]],
 ) -> tuple[ChannelRules, ...]:
+    """The channels of a topic. Who includes a role publishes as it: `including` gives each its includers."""
     found: dict[Channel, ChannelRules] = {}
     for entry in topic.entries:
         if entry.comm.text not in COMM_TYPES:
@@ -139,7 +152,7 @@ def _channels(
                 continue
             found[channel] = ChannelRules(
                 channel,
-                tuple(source.text for source in entry.sources),
+                tuple(dict.fromkeys(_with_includers(entry.sources, including))),
                 None if entry.every is None else entry.every.nanoseconds,
                 entry.queued,
                 entry.persist,

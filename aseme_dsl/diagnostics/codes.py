@@ -74,6 +74,10 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E218": ("error", "a module without a period"),
     "E219": ("error", "a module that is an activity, too"),
     "E220": ("error", "a foreign file that cannot be read"),
+    "E221": ("error", "a statechart that is included"),
+    "E222": ("error", "a role that includes itself"),
+    "E223": ("error", "a name that a role has from two others"),
+    "E224": ("error", "an agent with an abstract role"),
     "W110": ("warning", "a part of a foreign file without a counterpart"),
     "W111": ("warning", "a module of a foreign file without a period"),
     "W200": ("warning", "a name that is close to a declared one"),
@@ -150,6 +154,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W531": ("warning", "an activity that does what it does not say"),
     "W532": ("warning", "an event that nothing waits for"),
     "W533": ("warning", "an activity whose code cannot be found"),
+    # Roles and agent messages (W55x)
+    "W550": ("warning", "an abstract role that no role includes"),
     # Statecharts (E6xx): the structural rules of the papers' tools
     "E600": ("error", "a statechart without exactly one root"),
     "E601": ("error", "an OR state without exactly one START"),

@@ -23,6 +23,7 @@ _Rows = list[list[Cell]]
 def sheet(system: System, srm: Srm, name: str) -> Sheet:
     """The table of a role. Parts that have nothing to say are left out."""
     rows: _Rows = [[Cell((f"Role: {srm.name}",), _COLUMNS, bold=True, colour=style.ACTOR_COLOUR)]]
+    _part(rows, "Includes", [", ".join(srm.includes)] if srm.includes else [])
     _part(rows, "Protocols", [", ".join(map(_plays, srm.plays))] if srm.plays else [])
     _part(rows, "Liveness", (f"{item.name} = {canonical(item.formula)}" for item in srm.formulas))
     _part(rows, "Variables", (f"{v.name} : {v.type} = {value_text(v.initial)}" for v in srm.variables))

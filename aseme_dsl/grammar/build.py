@@ -426,6 +426,8 @@ class _Builder:
             self.all(self.functionality, kinds["Functionality"]),
             self.all(self.control, kinds["Control"]),
             self.span(node),
+            tuple(self.name(role) for entry in kinds["Inclusion"] for role in entry.roles),
+            bool(node.abstract),
         )
 
     def plays(self, node: Any) -> tree.Plays:

@@ -42,6 +42,7 @@ _PHRASES = {
     "EntryName": "a name",
     "SystemName": "a name",
     "RoleName": "a role",
+    "IncludedName": "a role",
     "ActName": "a name",
     "ActivityName": "an activity",
     "NodeName": "a name",
@@ -71,7 +72,7 @@ _ENTRIES = {
 """What a block holds, where its words do not say it."""
 
 
-_BEGINNINGS = ("a name", "an activity", "a label (as 0.2.1)")
+_BEGINNINGS = ("'abstract'", "a name", "an activity", "a label (as 0.2.1)")
 """What an entry may begin with, besides the words of its block."""
 
 
@@ -109,7 +110,13 @@ class _Explanation:
         swallowed = self._name_on_the_next_line()
         if swallowed is not None:
             return swallowed
-        typical = self._misspelt() or self._no_colon() or self._hyphen() or self._late_language()
+        typical = (
+            self._abstract_role()
+            or self._misspelt()
+            or self._no_colon()
+            or self._hyphen()
+            or self._late_language()
+        )
         typical = typical or self._other_word() or self._agents_by_number()
         if typical is not None:
             return typical
@@ -263,6 +270,14 @@ class _Explanation:
             return None
         message = f"{shown(word)} is no word of the language here"
         return Diagnostic("E100", message, self._span(self.index), hint=f"write {shown(meant)}", fix=meant)
+
+    def _abstract_role(self) -> Diagnostic | None:
+        """`abstract role base`: the word of the use cases for what is an `srm` here."""
+        word = self.tokens.word(self.index)
+        if self.tokens.word(self.index - 1) != "abstract" or _OTHER_WORDS.get(word) != "srm":
+            return None
+        message = f"{shown(word)} is no word of the language here"
+        return Diagnostic("E100", message, self._span(self.index), hint="write 'srm'", fix="srm")
 
     def _agents_by_number(self) -> Diagnostic | None:
         """`robot[2]` for two agents."""

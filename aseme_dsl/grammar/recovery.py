@@ -12,12 +12,12 @@ from aseme_dsl.grammar.lexer import Tokens
 _NAME = r"[A-Za-z_]\w*"
 # How declarations begin: such that nothing in a block begins so, and others, which count at the margin only.
 _CLOSED_DECLARATION = (
-    rf"(?:enum|message|topic|aip|srm|statechart|team)\s+{_NAME}\s*(?:under\b|radio\b|\{{)|(?:sag|suc)\s*\{{"
+    rf"(?:enum|message|topic|aip|(?:abstract\s+)?srm|statechart|team)\s+{_NAME}\s*(?:under\b|radio\b|\{{)|(?:sag|suc)\s*\{{"
     r'|(?:scenario|property)\s*"'
 )
 _OPEN_DECLARATION = (
     rf'system\s+{_NAME}|import\s+(?:{_NAME}|")|function\s+{_NAME}\s*\(|let\s+{_NAME}\s*=(?!=)|language\s+[0-9]'
-    rf"|(?:enum|message|topic|aip|srm|statechart|team)\s+{_NAME}|(?:sag|suc)\b"
+    rf"|(?:enum|message|topic|aip|(?:abstract\s+)?srm|statechart|team)\s+{_NAME}|(?:sag|suc)\b"
 )
 _FORMULA = rf"{_NAME}\s*=(?!=)"
 _LABELS = r"[0-9]+(?:\.[0-9]+)*\s*[-=]"
@@ -75,7 +75,7 @@ BLOCKS: dict[str, Block] = {
     "JunkAip": _block("participant outcome clause let control"),
     "JunkParticipant": _block("engage var let sends receives process", _FORMULA, around="JunkAip"),
     "JunkControl": _block("enter skip repeat leave start finish", _LABELS, around="JunkAip JunkSrm"),
-    "JunkSrm": _block("plays capability var let liveness activities modules functionality control"),
+    "JunkSrm": _block("includes plays capability var let liveness activities modules functionality control"),
     "JunkFormula": _block("", _FORMULA, around="JunkSrm"),
     "JunkActivity": _names("every takes as uses reads writes", around="JunkSrm"),
     "JunkModule": _names("every takes as uses reads writes", around="JunkSrm"),
@@ -85,7 +85,7 @@ BLOCKS: dict[str, Block] = {
 }
 """By the name of the terminal that takes what is no entry."""
 
-_ENTRY_WORDS = frozenset(word for block in BLOCKS.values() for word in block.words)
+_ENTRY_WORDS = frozenset(("abstract", *(word for block in BLOCKS.values() for word in block.words)))
 
 # What begins an entry of a block around and cannot be an entry of the block itself.
 _OUTER = {
@@ -94,7 +94,7 @@ _OUTER = {
         rf'participant\s+{_NAME}\s*[\[{{]|outcome\s*"|clause\s+(?:at\s+most|every|\(|{_NAME}\s*@)|control\s+{_NAME}\s*\{{'
     ),
     "JunkSrm": re.compile(
-        rf"plays\s+{_NAME}\s*\.|liveness\s*\{{|activities\s*\{{|modules\s*\{{|functionality\s+{_NAME}\s*\{{|control\s+{_NAME}\s*\{{"
+        rf"includes\s+{_NAME}|plays\s+{_NAME}\s*\.|liveness\s*\{{|activities\s*\{{|modules\s*\{{|functionality\s+{_NAME}\s*\{{|control\s+{_NAME}\s*\{{"
         rf'|capability\s+{_NAME}\s*["=]|var\s+{_NAME}\s*:'
     ),
 }

@@ -542,6 +542,8 @@ class Capability:
 
 @dataclass(frozen=True, slots=True)
 class Srm:
+    """`includes` are the roles that it takes over; an `abstract` one is only there to be included."""
+
     name: Name
     plays: tuple[Plays, ...]
     capabilities: tuple[Capability, ...]
@@ -553,6 +555,8 @@ class Srm:
     functionalities: tuple[Functionality, ...]
     controls: tuple[Control, ...]
     span: Span
+    includes: tuple[Name, ...] = ()
+    abstract: bool = False
 
 
 @dataclass(frozen=True, slots=True)

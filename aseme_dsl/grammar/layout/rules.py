@@ -116,6 +116,7 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "Place": Part(),
         # roles.tx
         "Srm": Braces(),
+        "Inclusion": Line(),
         "Plays": Line(),
         "Part": Part(breaks=frozenset(("with",))),
         "Binding": Part(),
