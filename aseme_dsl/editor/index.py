@@ -266,6 +266,7 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.Send, "message"): (Use.READ, _is(Kind.MESSAGE)),
     (tree.Send, "participant"): (Use.READ, _party),
     (tree.Srm, "name"): (Use.DECLARATION, _is(Kind.ROLE)),
+    (tree.Srm, "includes"): (Use.READ, _is(Kind.ROLE)),
     (tree.Plays, "protocol"): (Use.READ, _is(Kind.PROTOCOL)),
     (tree.Plays, "participant"): (Use.READ, _participant_played),
     (tree.Plays, "alias"): (Use.DECLARATION, _is(Kind.ALIAS, _owner)),
