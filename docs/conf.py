@@ -18,6 +18,7 @@ extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
+    "aseme_dsl.documents.sphinx",
     "aseme_lexer",
     "diagnostic_codes",
     "file_names",

@@ -13,6 +13,7 @@ PACKAGE = Path(__file__).resolve().parent.parent / "aseme_dsl"
 
 FLOORS = {
     "cli": 5,
+    "documents": 5,
     "build": 4,
     "editor": 4,
     "compiler": 3,

@@ -34,6 +34,8 @@ class Compiled:
     """What comments in the sources allow."""
     unchecked: int = 0
     """How many choices' conditions were not compared, because z3 is not installed."""
+    depends: tuple[str, ...] = ()
+    """Where all that was read or looked for really is."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,6 +116,7 @@ def compile_root(
         analysis.is_library,
         suppressed,
         analysis.unchecked,
+        analysis.files,
     )
 
 

@@ -40,6 +40,8 @@ _OPTIONAL = {
     "grpcio-tools": ("proto", "imports .proto files, with the real protoc that it carries"),
     "eclipse-zenoh": ("zenoh", "robots in several processes and on several machines"),
     "jsonschema": ("schema", "validates models and traces against their JSON schemas"),
+    "sphinx": ("sphinx", "draws models in the pages of a documentation"),
+    "mkdocs": ("mkdocs", "draws models in the pages of a documentation"),
 }
 """What an extra brings."""
 

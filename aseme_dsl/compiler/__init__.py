@@ -42,7 +42,8 @@ class Analysis:
     `missing` are the notes with what `asemec scaffold` writes for each. `is_library`: the file declares no
     system, and nothing but what other files import; that is E008 only where a system is wanted. `suppressed`
     is what comments in the sources allow; it is not among the diagnostics. `unchecked` is the number of
-    choices whose conditions were not compared, because z3 is not installed.
+    choices whose conditions were not compared, because z3 is not installed. `files` are all that was read or
+    looked for, where they really are.
     """
 
     system: System | None
@@ -51,6 +52,7 @@ class Analysis:
     is_library: bool = False
     suppressed: tuple[Suppressed, ...] = ()
     unchecked: int = 0
+    files: tuple[str, ...] = ()
 
 
 def analyse(

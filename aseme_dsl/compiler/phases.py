@@ -230,8 +230,10 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
             iacs,
         )
 
+    files = tuple(loaded.paths.values())
     if has_errors(diagnostics) or symbols.system is None:
-        return inspected(Analysis(None, diagnostics, tuple(missing), _is_library(loaded), suppressed))
+        analysis = Analysis(None, diagnostics, tuple(missing), _is_library(loaded), suppressed, files=files)
+        return inspected(analysis)
     system = System(
         name=name,
         enums=symbols.enums,
@@ -250,7 +252,9 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
         sources=tuple(file.source for file in loaded.files),
         span=symbols.system.name.span,
     )
-    analysis = Analysis(system, diagnostics, tuple(missing), suppressed=suppressed, unchecked=unchecked)
+    analysis = Analysis(
+        system, diagnostics, tuple(missing), suppressed=suppressed, unchecked=unchecked, files=files
+    )
     return inspected(analysis)
 
 

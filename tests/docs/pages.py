@@ -7,7 +7,7 @@ The examples of a page share a folder and run from the top to the bottom. Their 
     python    a piece of a program; the pieces of a page share their names
     pycon     a Python session, as for doctest
     json, toml  must be valid
-    text      a file of another kind
+    text      a file of another kind, as are rst and markdown
     diff      a change to a file (see below)
     sh        a command that cannot run here (it installs something, or never ends); only a few are allowed
 
@@ -153,7 +153,7 @@ class Page:
                 tomllib.loads(example.text)
             case "yaml":
                 self._workflow(example)
-            case "text" if "file" in said:
+            case "text" | "rst" | "markdown" if "file" in said:
                 pass
             case "diff":
                 self._diff(example)
