@@ -442,6 +442,7 @@ PLACES: Mapping[tuple[str, str], Provider] = {
     ("TopicFrom", "sources"): _sources,
     ("Depends", "actors"): _actors,
     ("By", "roles"): _all_roles,
+    ("Inclusion", "roles"): _roles,
     ("Includes", "usecases"): _use_cases,
     ("Realises", "names"): _realised,
     ("Aip", "name"): _protocols_to_write,

@@ -26,6 +26,7 @@ WHOLE = {
         "  }\n"
         "}\n$0"
     ),
+    "abstract": "abstract srm ${1:name} {\n  liveness {\n    ${1:name} = ${2:Work}~\n  }\n}\n$0",
     "srm": (
         "srm ${1:name} {\n"
         "  liveness {\n"
