@@ -38,7 +38,17 @@ def test_every_place_of_the_grammar_has_an_answer() -> None:
     places = {
         (rule, attribute)
         for rule, attribute, terminal in all_places()
-        if terminal in ("Name", "EntryName", "ActName", "ActivityName", "NodeName", "RoleName", "SystemName")
+        if terminal
+        in (
+            "Name",
+            "EntryName",
+            "ActName",
+            "ActivityName",
+            "NodeName",
+            "RoleName",
+            "SystemName",
+            "IncludedName",
+        )
         or terminal in ("Path", "Text", "Label")
     }
     assert places - PLACES.keys() - NEW == set()
