@@ -91,19 +91,13 @@ def compile_root(
     code is looked for where a build would put it. Texts in `sources` (by path) are taken instead of the files
     on disk.
     """
-    folder = Path(root.path).parent if isinstance(root, Source) else root.parent
-    configuration, problems = find_configuration(folder)
-    if configuration.files and os.path.realpath(path_of(root)) not in map(
-        os.path.realpath, configuration.files
-    ):
-        # The project plays its own files; this one is a neighbour.
-        configuration = replace(configuration, run=None)
+    configuration, problems = configuration_for(Path(path_of(root)))
     analysis = analyse(root, sources, options_of(configuration, max_states))
     diagnostics = in_order((*problems, *analysis.diagnostics))
     system = None if has_errors(diagnostics) else analysis.system
     suppressed = analysis.suppressed
     if system is not None:
-        problems, allowed = _code_problems(system, configuration, activities)
+        problems, allowed = code_problems(system, configuration, activities)
         diagnostics = in_order((*diagnostics, *configuration.diagnostics.apply(problems)))
         suppressed += allowed
     files = tuple(source.path for source in system.sources) if system else ()
@@ -120,7 +114,16 @@ def compile_root(
     )
 
 
-def _code_problems(
+def configuration_for(root: Path) -> tuple[Configuration, tuple[Diagnostic, ...]]:
+    """The configuration that applies to a root, and what is wrong with it."""
+    configuration, problems = find_configuration(root.parent)
+    if configuration.files and os.path.realpath(root) not in map(os.path.realpath, configuration.files):
+        # The project plays its own files; this one is a neighbour.
+        configuration = replace(configuration, run=None)
+    return configuration, problems
+
+
+def code_problems(
     system: System, configuration: Configuration, activities: Path | None
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """What the code of the activities gets wrong, where there is some; several systems may share it."""

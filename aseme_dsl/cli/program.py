@@ -24,6 +24,7 @@ COMMANDS = (
     "check",
     "explain",
     "fmt",
+    "lsp",
     "build",
     "diagram",
     "run",

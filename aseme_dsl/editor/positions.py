@@ -4,14 +4,22 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from collections.abc import Callable
 from dataclasses import dataclass
 
 _END_OF_LINE = re.compile(r"\r\n|\n|\r")
 
+_WIDTHS: dict[str, Callable[[str], int]] = {
+    "utf-8": lambda char: len(char.encode("utf-8", "surrogatepass")),
+    "utf-16": lambda char: 2 if ord(char) > 0xFFFF else 1,
+    "utf-32": lambda char: 1,
+}
+"""What a character counts, by the encoding that editor and server have agreed on."""
+
 
 @dataclass(frozen=True, slots=True, order=True)
 class Position:
-    """A place between two characters: the line from 0, and the UTF-16 units before it on the line."""
+    """A place between two characters: the line from 0, and the units before it on the line."""
 
     line: int
     character: int
@@ -20,9 +28,10 @@ class Position:
 class Lines:
     """Where the lines of a text begin. As editors have it, `\\r` ends a line, too, alone or before `\\n`."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, encoding: str = "utf-16") -> None:
         self._text = text
-        self._narrow = text.isascii()
+        self._narrow = text.isascii() or encoding == "utf-32"
+        self._width = _WIDTHS[encoding]
         self._ends = [found.span() for found in _END_OF_LINE.finditer(text)]
         self._starts = [0, *(end for _, end in self._ends)]
 
@@ -43,9 +52,9 @@ class Lines:
             return min(start + units, end)
         offset = start
         while offset < end and units > 0:
-            units -= 2 if ord(self._text[offset]) > 0xFFFF else 1
+            units -= self._width(self._text[offset])
             if units < 0:
-                break  # between the halves of a character
+                break  # inside a character
             offset += 1
         return offset
 
@@ -56,8 +65,7 @@ class Lines:
         start = self._starts[line]
         if self._narrow:
             return Position(line, offset - start)
-        wide = sum(1 for char in self._text[start:offset] if ord(char) > 0xFFFF)
-        return Position(line, offset - start + wide)
+        return Position(line, sum(map(self._width, self._text[start:offset])))
 
     def line(self, number: int) -> tuple[int, int]:
         """Where line `number` (from 0) begins and ends, without its line ending."""
@@ -65,4 +73,25 @@ class Lines:
         return self._starts[number], end
 
 
-__all__ = ["Lines", "Position"]
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A change of a text as an editor tells it; without a range, the text is all of the new one."""
+
+    text: str
+    start: Position | None = None
+    end: Position | None = None
+
+
+def changed(text: str, changes: tuple[Change, ...], encoding: str = "utf-16") -> str:
+    """A text after changes, each of which counts in the text that the one before it has left."""
+    for change in changes:
+        if change.start is None or change.end is None:
+            text = change.text
+            continue
+        lines = Lines(text, encoding)
+        start, end = lines.offset(change.start), lines.offset(change.end)
+        text = text[:start] + change.text + text[max(start, end) :]
+    return text
+
+
+__all__ = ["Change", "Lines", "Position", "changed"]

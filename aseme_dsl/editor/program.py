@@ -45,6 +45,35 @@ class Program:
         """The place in its file."""
         return self.layout.whole(span)
 
+    def block_at(self, span: Span) -> tree.Declaration | None:
+        """The declaration around a place in a part."""
+        for file in self.inspection.loaded.files:
+            for item in file.declarations:
+                around = item.span
+                if around.source is span.source and around.start <= span.start <= around.end:
+                    return item
+        return None
+
+    def control_at(self, span: Span) -> tuple[tree.Aip | tree.Srm, tree.Control] | None:
+        """The control block around a place in a part, with the role or protocol that it is in."""
+        block = self.block_at(span)
+        if isinstance(block, (tree.Aip, tree.Srm)):
+            for control in block.controls:
+                if control.span.start <= span.start <= control.span.end:
+                    return block, control
+        return None
+
+    def controlled(self, block: tree.Aip | tree.Srm, control: tree.Control) -> tree.NamedFormula | None:
+        """The formula that a control block is about; of a participant, its process."""
+        owners = block.participants if isinstance(block, tree.Aip) else (block,)
+        for owner in owners:
+            about_owner = isinstance(owner, tree.Participant) and owner.name.text == control.name.text
+            name = "process" if about_owner else control.name.text
+            for item in owner.formulas:
+                if item.name.text == name:
+                    return item
+        return None
+
     @cached_property
     def index(self) -> Index:
         """What every name in the files means."""

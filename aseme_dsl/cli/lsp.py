@@ -1,0 +1,85 @@
+"""`asemec lsp`: the language server that editors start."""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+if TYPE_CHECKING:
+    from aseme_dsl.amola.system import System
+    from aseme_dsl.compiler import Options
+    from aseme_dsl.diagnostics import Diagnostic, Suppressed
+    from aseme_dsl.editor.navigation import PythonFolders
+
+LOOPBACK = "127.0.0.1"
+
+
+@click.command(
+    short_help="Answer an editor: the language server.",
+    help="Answer an editor in the language server protocol, on standard input and output. Editors start this"
+    " by themselves: see docs/editor.md. It needs the extra `editor`.",
+    epilog='Example: pip install "aseme-dsl[editor]"   ·   asemec lsp --tcp 2087',
+)
+@click.option(
+    "--tcp",
+    "port",
+    type=click.IntRange(1, 65535),
+    metavar="PORT",
+    help="For debugging: wait for one editor at this port of this machine only.",
+)
+@click.option("--stdio", is_flag=True, hidden=True, help="What editors may say; it is the default.")
+def command(port: int | None, stdio: bool) -> int:
+    """Serve until the editor leaves."""
+    if find_spec("pygls") is None:
+        raise click.ClickException(
+            'the language server needs pygls, which is not installed: pip install "aseme-dsl[editor]"'
+        )
+    from aseme_dsl import __version__
+    from aseme_dsl.editor.server import make_server
+    from aseme_dsl.editor.workspace import Project
+
+    server = make_server(__version__, Project(_options, _code), _python_folders)
+    if port is None:
+        # The protocol has standard output to itself; what else is printed goes where people may read it.
+        output = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+        os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
+        server.start_io(stdout=output)
+    else:
+        server.start_tcp(LOOPBACK, port)
+    return 0
+
+
+def _options(root: Path) -> tuple[Options, tuple[Diagnostic, ...]]:
+    """How the project of a root wants to be compiled, and what is wrong with its configuration."""
+    from aseme_dsl.build.project import configuration_for, options_of
+
+    configuration, problems = configuration_for(root)
+    return options_of(configuration), problems
+
+
+def _code(root: Path, system: System) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
+    """What the code of the activities gets wrong."""
+    from aseme_dsl.build.project import code_problems, configuration_for
+
+    return code_problems(system, configuration_for(root)[0], None)
+
+
+def _python_folders(root: Path) -> PythonFolders:
+    """Where the Python of a root is: its activities, and what functions name, from the project's folder."""
+    from aseme_dsl.build.build import activities_folder, choose
+    from aseme_dsl.build.configuration import OUTPUT
+    from aseme_dsl.build.project import configuration_for
+    from aseme_dsl.editor.navigation import PythonFolders
+
+    configuration, _ = configuration_for(root)
+    output = configuration.output or configuration.folder / OUTPUT
+    activities = activities_folder(output, choose(configuration))
+    return PythonFolders(activities, (configuration.folder, root.parent))
+
+
+__all__ = ["command"]

@@ -1,0 +1,61 @@
+"""Python places: where the Python of activities, functions and modules is. It is parsed, never imported."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+from aseme_dsl.runtime.naming import class_name, module_name
+from aseme_dsl.source import Source, Span
+
+
+def activity_place(folder: Path | None, activity: str) -> Span | None:
+    """The class of an activity in the folder of the activities."""
+    if folder is None:
+        return None
+    return _defined(folder / f"{module_name(activity)}.py", class_name(activity))
+
+
+def target_place(folders: tuple[Path, ...], target: str) -> Span | None:
+    """The function or class that `module:name` means, seen from the first of the folders that has it."""
+    module, _, name = target.partition(":")
+    for folder in folders:
+        base = folder.joinpath(*module.split("."))
+        for path in (base.with_suffix(".py"), base / "__init__.py"):
+            found = _defined(path, name)
+            if found is not None:
+                return found
+    return None
+
+
+def _defined(path: Path, name: str) -> Span | None:
+    """Where a module defines a name (`Class.method` too); the beginning of the file if it cannot be said."""
+    try:
+        text = path.read_text("utf-8").replace("\r\n", "\n")
+    except (OSError, UnicodeDecodeError, ValueError):
+        return None
+    source = Source(str(path), text)
+    try:
+        body: list[ast.stmt] = ast.parse(text).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return Span(source, 0, 0)
+    place = Span(source, 0, 0)
+    for part in name.split("."):
+        found = next((item for item in body if _defines(item, part)), None)
+        if found is None:
+            return place
+        start = source.line_start(found.lineno) + len(
+            source.line(found.lineno).encode()[: found.col_offset].decode(errors="replace")
+        )
+        begin = text.find(part, start)
+        place = Span(source, begin, begin + len(part)) if begin >= 0 else Span(source, start, start)
+        body = found.body if isinstance(found, ast.ClassDef) else []
+    return place
+
+
+def _defines(item: ast.stmt, name: str) -> bool:
+    if isinstance(item, (ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
+        return item.name == name
+    if isinstance(item, ast.Assign):
+        return any(isinstance(target, ast.Name) and target.id == name for target in item.targets)
+    return isinstance(item, ast.AnnAssign) and isinstance(item.target, ast.Name) and item.target.id == name

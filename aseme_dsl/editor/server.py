@@ -1,0 +1,607 @@
+"""Server: the language server protocol around the functions of this room; nothing is decided here."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+from collections.abc import Callable, Iterable, Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from lsprotocol import types as lsp
+from pygls.exceptions import JsonRpcInvalidParams
+from pygls.lsp.server import LanguageServer
+from pygls.uris import from_fs_path, to_fs_path
+
+from aseme_dsl import diagnostics
+from aseme_dsl.diagnostics.pages import file_of
+from aseme_dsl.editor import calls, hints, hover, layout, navigation, outline, rename, tokens
+from aseme_dsl.editor.index import Kind, Symbol, Use
+from aseme_dsl.editor.positions import Change, Lines, Position, changed
+from aseme_dsl.editor.view import View
+from aseme_dsl.editor.workspace import Project, Workspace
+from aseme_dsl.source import Source, Span
+
+DEBOUNCE = 0.05
+"""Seconds without a change after which there is something to say of a file."""
+
+_log = logging.getLogger(__name__)
+
+_SEVERITIES = {
+    diagnostics.Severity.ERROR: lsp.DiagnosticSeverity.Error,
+    diagnostics.Severity.WARNING: lsp.DiagnosticSeverity.Warning,
+    diagnostics.Severity.NOTE: lsp.DiagnosticSeverity.Information,
+}
+
+_SYMBOLS = {
+    Kind.SYSTEM: lsp.SymbolKind.Module,
+    Kind.LIBRARY: lsp.SymbolKind.Package,
+    Kind.ENUM: lsp.SymbolKind.Enum,
+    Kind.CONSTANT: lsp.SymbolKind.EnumMember,
+    Kind.MESSAGE: lsp.SymbolKind.Struct,
+    Kind.FIELD: lsp.SymbolKind.Field,
+    Kind.TOPIC: lsp.SymbolKind.Namespace,
+    Kind.FUNCTION: lsp.SymbolKind.Function,
+    Kind.PARAMETER: lsp.SymbolKind.Variable,
+    Kind.LET: lsp.SymbolKind.Constant,
+    Kind.VARIABLE: lsp.SymbolKind.Variable,
+    Kind.USE_CASE: lsp.SymbolKind.Interface,
+    Kind.ROLE: lsp.SymbolKind.Class,
+    Kind.PROTOCOL: lsp.SymbolKind.Interface,
+    Kind.PARTICIPANT: lsp.SymbolKind.Class,
+    Kind.ALIAS: lsp.SymbolKind.Class,
+    Kind.FORMULA: lsp.SymbolKind.Method,
+    Kind.ACTIVITY: lsp.SymbolKind.Function,
+    Kind.FUNCTIONALITY: lsp.SymbolKind.Property,
+    Kind.CAPABILITY: lsp.SymbolKind.Property,
+    Kind.STATE: lsp.SymbolKind.Key,
+    Kind.TEAM: lsp.SymbolKind.Namespace,
+    Kind.AGENT: lsp.SymbolKind.Object,
+}
+
+_HIGHLIGHTS = {
+    Use.DECLARATION: lsp.DocumentHighlightKind.Text,
+    Use.READ: lsp.DocumentHighlightKind.Read,
+    Use.WRITE: lsp.DocumentHighlightKind.Write,
+}
+
+_FOLDS = {
+    "region": lsp.FoldingRangeKind.Region,
+    "comment": lsp.FoldingRangeKind.Comment,
+    "imports": lsp.FoldingRangeKind.Imports,
+}
+
+
+class Server(LanguageServer):
+    """A language server with the workspace that it answers for."""
+
+    def __init__(self, version: str, project: Project, folders: FoldersOf) -> None:
+        super().__init__("asemec", version, text_document_sync_kind=lsp.TextDocumentSyncKind.Incremental)
+        self.files = Workspace(project)
+        self.folders_of = folders
+        self.waiting: dict[str, asyncio.TimerHandle] = {}
+        self.said: set[str] = set()
+        self.tokens: dict[str, tuple[str, list[int]]] = {}
+        self.uris: dict[str, str] = {}
+
+    @property
+    def encoding(self) -> str:
+        chosen = self.server_capabilities.position_encoding
+        return str(getattr(chosen, "value", chosen) or "utf-16")
+
+    # ---- places ----------------------------------------------------------------------------------
+
+    def lines(self, source: Source) -> Lines:
+        return _lines(source, self.encoding)
+
+    def uri(self, path: str) -> str:
+        """As the editor calls the file, if it has opened it."""
+        return self.uris.get(path) or from_fs_path(path) or path
+
+    def path(self, uri: str) -> str:
+        """What an editor calls by another scheme (`untitled:`) has a path that no file has."""
+        path = to_fs_path(uri) if uri.startswith("file:") else f"/{uri.replace(':', '/')}"
+        found = os.path.realpath(path or uri)
+        if uri not in self.uris.values():
+            self.uris.setdefault(found, uri)
+        return found
+
+    def view(self, uri: str) -> View | None:
+        return self.files.view(self.path(uri))
+
+    def offset(self, view: View, position: lsp.Position) -> int:
+        return self.lines(view.source).offset(Position(position.line, position.character))
+
+    def range(self, span: Span) -> lsp.Range:
+        lines = self.lines(span.source)
+        start, end = lines.position(span.start), lines.position(span.end)
+        return lsp.Range(lsp.Position(start.line, start.character), lsp.Position(end.line, end.character))
+
+    def location(self, path: str, span: Span) -> lsp.Location:
+        return lsp.Location(self.uri(path), self.range(span))
+
+    # ---- diagnostics ------------------------------------------------------------------------------
+
+    def soon(self, path: str) -> None:
+        """Say what there is to say of a file, and of those that it concerns, when nothing changes now."""
+        earlier = self.waiting.pop(path, None)
+        if earlier is not None:
+            earlier.cancel()
+        loop = asyncio.get_running_loop()
+        self.waiting[path] = loop.call_later(DEBOUNCE, self.publish, path)
+
+    def publish(self, path: str) -> None:
+        """Send the diagnostics of a file and of all open files that they may have changed in."""
+        self.waiting.pop(path, None)
+        for other in self.files.affected(path):
+            self.publish_one(other)
+
+    def publish_one(self, path: str) -> None:
+        view = self.files.view(path)
+        if view is None or path not in self.files.buffers:
+            return
+        found = [self.diagnostic(view, item) for item in view.diagnostics]
+        self.text_document_publish_diagnostics(
+            lsp.PublishDiagnosticsParams(self.uri(path), found, self.files.buffers[path].version)
+        )
+
+    def diagnostic(self, view: View, item: diagnostics.Diagnostic) -> lsp.Diagnostic:
+        span = item.span if item.span is not None else Span(view.source, 0, len(view.source.line(1)))
+        message = item.message if item.hint is None else f"{item.message}\n{item.hint}"
+        page = file_of(item.code)
+        return lsp.Diagnostic(
+            self.range(span),
+            message,
+            severity=_SEVERITIES[item.severity],
+            code=item.code,
+            code_description=None if page is None else lsp.CodeDescription(page.as_uri()),
+            source="asemec",
+            tags=[lsp.DiagnosticTag.Unnecessary] if item.code in UNUSED else None,
+            related_information=[
+                lsp.DiagnosticRelatedInformation(
+                    self.location(view.program.path_of(other.span.source), other.span), other.message
+                )
+                for other in item.related
+                if other.span.source.path != "<built in>"
+            ],
+            data=self.fix(view, item),
+        )
+
+    def fix(self, view: View, item: diagnostics.Diagnostic) -> dict[str, Any] | None:
+        """What mends it, as a workspace edit's changes, for clients that apply it themselves."""
+        if not item.changes:
+            return None
+        changes: dict[str, list[Any]] = {}
+        for edit in item.changes:
+            place = self.range(edit.span)
+            uri = self.uri(view.program.path_of(edit.span.source))
+            changes.setdefault(uri, []).append(
+                {
+                    "range": {
+                        "start": {"line": place.start.line, "character": place.start.character},
+                        "end": {"line": place.end.line, "character": place.end.character},
+                    },
+                    "newText": edit.text,
+                }
+            )
+        return {"changes": changes}
+
+    def text_edits(self, edits: Iterable[diagnostics.Edit]) -> list[lsp.TextEdit]:
+        return [lsp.TextEdit(self.range(edit.span), edit.text) for edit in edits]
+
+    def locations(self, places: Iterable[navigation.Place]) -> list[lsp.Location]:
+        return [self.location(place.path, place.span) for place in places]
+
+
+UNUSED = frozenset({"N727", "E302", "W301"})
+"""Codes of what is there and never used: editors show it pale."""
+
+FoldersOf = Callable[[Path], navigation.PythonFolders]
+"""Where the Python of a root's activities, functions and modules is."""
+
+
+@lru_cache(maxsize=64)
+def _lines(source: Source, encoding: str) -> Lines:
+    return Lines(source.text, encoding)
+
+
+def make_server(version: str, project: Project, folders: FoldersOf) -> Server:
+    """A server that answers every request that this room can answer."""
+    server = Server(version, project, folders)
+    _documents(server)
+    _questions(server)
+    _changes(server)
+    _structure(server)
+    _hierarchy(server)
+    return server
+
+
+# ---- what the editor tells -------------------------------------------------------------------------
+
+
+def _documents(server: Server) -> None:
+    @server.feature(lsp.INITIALIZED)
+    def initialized(params: lsp.InitializedParams) -> None:
+        folders = server.workspace.folders.values() if server.workspace.folders else ()
+        paths = [to_fs_path(folder.uri) for folder in folders] or [server.workspace.root_path]
+        server.files.folders = [path for path in paths if path]
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
+    def did_open(params: lsp.DidOpenTextDocumentParams) -> None:
+        document = params.text_document
+        path = server.path(document.uri)
+        server.uris[path] = document.uri
+        server.files.open(path, document.text, document.version)
+        server.soon(path)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_CHANGE)
+    def did_change(params: lsp.DidChangeTextDocumentParams) -> None:
+        path = server.path(params.text_document.uri)
+        text = server.files.text(path) or ""
+        changes = tuple(map(_change, params.content_changes))
+        server.files.open(path, changed(text, changes, server.encoding), params.text_document.version)
+        server.soon(path)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_SAVE)
+    def did_save(params: lsp.DidSaveTextDocumentParams) -> None:
+        server.files.forget()
+        server.soon(server.path(params.text_document.uri))
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
+    def did_close(params: lsp.DidCloseTextDocumentParams) -> None:
+        path = server.path(params.text_document.uri)
+        others = [other for other in server.files.affected(path) if other != path]
+        waiting = server.waiting.pop(path, None)
+        if waiting is not None:
+            waiting.cancel()
+        server.files.close(path)
+        server.tokens.pop(path, None)
+        server.uris.pop(path, None)
+        empty: list[lsp.Diagnostic] = []
+        server.text_document_publish_diagnostics(
+            lsp.PublishDiagnosticsParams(params.text_document.uri, empty)
+        )
+        for other in others:
+            server.soon(other)
+
+    @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
+    def watched(params: lsp.DidChangeWatchedFilesParams) -> None:
+        server.files.forget()
+        for path in server.files.buffers:
+            server.soon(path)
+
+    @server.feature(lsp.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
+    def folders(params: lsp.DidChangeWorkspaceFoldersParams) -> None:
+        paths = [to_fs_path(folder.uri) for folder in server.workspace.folders.values()]
+        server.files.folders = [path for path in paths if path]
+        server.files.forget()
+        for path in server.files.buffers:
+            server.soon(path)
+
+
+def _change(item: lsp.TextDocumentContentChangeEvent) -> Change:
+    if isinstance(item, lsp.TextDocumentContentChangePartial):
+        start, end = item.range.start, item.range.end
+        return Change(item.text, Position(start.line, start.character), Position(end.line, end.character))
+    return Change(item.text)
+
+
+# ---- names ---------------------------------------------------------------------------------------
+
+
+def _questions(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_HOVER)
+    def on_hover(params: lsp.HoverParams) -> lsp.Hover | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        found = hover.hover(view, server.offset(view, params.position))
+        if found is None:
+            return None
+        return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, found.text), server.range(found.span))
+
+    @server.feature(lsp.TEXT_DOCUMENT_DEFINITION)
+    def definition(params: lsp.DefinitionParams) -> list[lsp.Location] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        offset = server.offset(view, params.position)
+        return server.locations(navigation.definition_or_python(view, offset, _folders(server, view)))
+
+    @server.feature(lsp.TEXT_DOCUMENT_DECLARATION)
+    def declaration(params: lsp.DeclarationParams) -> list[lsp.Location] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        return server.locations(navigation.definition(view, server.offset(view, params.position)))
+
+    @server.feature(lsp.TEXT_DOCUMENT_IMPLEMENTATION)
+    def implementation(params: lsp.ImplementationParams) -> list[lsp.Location] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        offset = server.offset(view, params.position)
+        return server.locations(navigation.implementation(view, offset, _folders(server, view)))
+
+    @server.feature(lsp.TEXT_DOCUMENT_REFERENCES)
+    def references(params: lsp.ReferenceParams) -> list[lsp.Location] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        places = navigation.references(
+            view,
+            server.offset(view, params.position),
+            _folders(server, view),
+            declaration=params.context.include_declaration,
+        )
+        return server.locations(places)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
+    def highlights(params: lsp.DocumentHighlightParams) -> list[lsp.DocumentHighlight] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        found = navigation.highlights(view, server.offset(view, params.position))
+        return [lsp.DocumentHighlight(server.range(span), _HIGHLIGHTS[use]) for span, use in found]
+
+    @server.feature(lsp.WORKSPACE_SYMBOL)
+    def symbols(params: lsp.WorkspaceSymbolParams) -> list[lsp.SymbolInformation]:
+        roots = {root for path in server.files.files() for root in server.files.roots(path)}
+        programs = tuple(server.files.program(root) for root in sorted(roots))
+        return [
+            lsp.SymbolInformation(
+                server.location(path, span),
+                symbol.name,
+                _SYMBOLS.get(symbol.kind, lsp.SymbolKind.Variable),
+                container_name=symbol.owner or None,
+            )
+            for symbol, path, span in outline.workspace_symbols(programs, params.query)
+        ]
+
+
+def _folders(server: Server, view: View) -> navigation.PythonFolders:
+    return server.folders_of(Path(view.program.root))
+
+
+# ---- changes --------------------------------------------------------------------------------------
+
+
+def _changes(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_PREPARE_RENAME)
+    def prepare(params: lsp.PrepareRenameParams) -> lsp.Range | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        found = rename.renameable(server.files, view, server.offset(view, params.position))
+        if isinstance(found, rename.Refused):
+            raise JsonRpcInvalidParams(found.reason)
+        return server.range(found)
+
+    @server.feature(lsp.TEXT_DOCUMENT_RENAME, lsp.RenameOptions(prepare_provider=True))
+    def on_rename(params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        offset = server.offset(view, params.position)
+        found = rename.rename(server.files, view, offset, params.new_name)
+        if isinstance(found, rename.Refused):
+            raise JsonRpcInvalidParams(found.reason)
+        return lsp.WorkspaceEdit(
+            {server.uri(path): server.text_edits(edits) for path, edits in found.edits.items()}
+        )
+
+    @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
+    def formatting(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
+        view = server.view(params.text_document.uri)
+        return server.text_edits(layout.layout(view.source)) if view is not None else None
+
+    @server.feature(lsp.TEXT_DOCUMENT_RANGE_FORMATTING)
+    def range_formatting(params: lsp.DocumentRangeFormattingParams) -> list[lsp.TextEdit] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        first, last = params.range.start.line + 1, params.range.end.line + 1
+        if params.range.end.character == 0 and last > first:
+            last -= 1
+        return server.text_edits(layout.layout(view.source, first, last))
+
+
+# ---- structure -------------------------------------------------------------------------------------
+
+
+def _structure(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
+    def document_symbols(params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol] | None:
+        view = server.view(params.text_document.uri)
+        return [_entry(server, item) for item in outline.outline(view)] if view is not None else None
+
+    @server.feature(lsp.TEXT_DOCUMENT_FOLDING_RANGE)
+    def folding(params: lsp.FoldingRangeParams) -> list[lsp.FoldingRange] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        return [
+            lsp.FoldingRange(item.first - 1, item.last - 1, kind=_FOLDS[item.kind])
+            for item in outline.folds(view)
+        ]
+
+    @server.feature(lsp.TEXT_DOCUMENT_SELECTION_RANGE)
+    def selection(params: lsp.SelectionRangeParams) -> list[lsp.SelectionRange] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        found = []
+        for position in params.positions:
+            around: lsp.SelectionRange | None = None
+            for span in reversed(outline.selections(view, server.offset(view, position))):
+                around = lsp.SelectionRange(server.range(span), around)
+            assert around is not None
+            found.append(around)
+        return found
+
+    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_LINK)
+    def document_links(params: lsp.DocumentLinkParams) -> list[lsp.DocumentLink] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        return [
+            lsp.DocumentLink(server.range(span), server.uri(path)) for span, path in navigation.links(view)
+        ]
+
+    legend = lsp.SemanticTokensLegend(list(tokens.TYPES), list(tokens.MODIFIERS))
+
+    @server.feature(
+        lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL,
+        lsp.SemanticTokensRegistrationOptions(
+            legend=legend, full=lsp.SemanticTokensFullDelta(delta=True), range=True
+        ),
+    )
+    def semantic_tokens(params: lsp.SemanticTokensParams) -> lsp.SemanticTokens | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        data = tokens.encoded(server.lines(view.source), tokens.tokens(view))
+        return lsp.SemanticTokens(data, _remember(server, view, data))
+
+    @server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA)
+    def semantic_tokens_delta(
+        params: lsp.SemanticTokensDeltaParams,
+    ) -> lsp.SemanticTokens | lsp.SemanticTokensDelta | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        data = tokens.encoded(server.lines(view.source), tokens.tokens(view))
+        known, before = server.tokens.get(view.path, ("", []))
+        name = _remember(server, view, data)
+        if known != params.previous_result_id:
+            return lsp.SemanticTokens(data, name)
+        if before == data:
+            return lsp.SemanticTokensDelta([], name)
+        start, count, inserted = tokens.difference(before, data)
+        return lsp.SemanticTokensDelta([lsp.SemanticTokensEdit(start, count, inserted)], name)
+
+    @server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE)
+    def semantic_tokens_range(params: lsp.SemanticTokensRangeParams) -> lsp.SemanticTokens | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        start, end = server.offset(view, params.range.start), server.offset(view, params.range.end)
+        found = [item for item in tokens.tokens(view) if item.end > start and item.start < end]
+        return lsp.SemanticTokens(tokens.encoded(server.lines(view.source), found))
+
+    @server.feature(lsp.TEXT_DOCUMENT_INLAY_HINT)
+    def inlay_hints(params: lsp.InlayHintParams) -> list[lsp.InlayHint] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        start, end = server.offset(view, params.range.start), server.offset(view, params.range.end)
+        return [
+            lsp.InlayHint(
+                server.range(Span(view.source, item.offset, item.offset)).start,
+                item.text,
+                lsp.InlayHintKind.Type if item.is_type else None,
+                padding_left=not item.is_type,
+            )
+            for item in hints.hints(view, start, end)
+        ]
+
+    @server.feature(lsp.TEXT_DOCUMENT_CODE_LENS)
+    def code_lens(params: lsp.CodeLensParams) -> list[lsp.CodeLens] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        return [
+            lsp.CodeLens(
+                server.range(Span(item.span.source, item.span.start, item.span.start)),
+                lsp.Command(item.title, item.command, arguments=[dict(item.arguments)]),
+            )
+            for item in hints.lenses(view)
+        ]
+
+
+def _entry(server: Server, item: outline.Entry) -> lsp.DocumentSymbol:
+    return lsp.DocumentSymbol(
+        item.name,
+        _SYMBOLS.get(item.kind, lsp.SymbolKind.Variable),
+        server.range(item.span),
+        server.range(item.name_span),
+        detail=item.detail,
+        children=[_entry(server, inner) for inner in item.inside],
+    )
+
+
+def _remember(server: Server, view: View, data: Sequence[int]) -> str:
+    """Keep the tokens that an editor has got, under a name that says which they are."""
+    known, _ = server.tokens.get(view.path, ("0", []))
+    name = str(int(known) + 1)
+    server.tokens[view.path] = (name, list(data))
+    return name
+
+
+# ---- calls ------------------------------------------------------------------------------------------
+
+
+def _hierarchy(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY)
+    def prepare(params: lsp.CallHierarchyPrepareParams) -> list[lsp.CallHierarchyItem] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        found = calls.prepared(view, server.offset(view, params.position))
+        return [_item(server, view.path, found)] if found is not None else None
+
+    @server.feature(lsp.CALL_HIERARCHY_INCOMING_CALLS)
+    def incoming(params: lsp.CallHierarchyIncomingCallsParams) -> list[lsp.CallHierarchyIncomingCall] | None:
+        path, symbol = _asked(params.item)
+        view = server.files.view(path)
+        if view is None:
+            return None
+        return [
+            lsp.CallHierarchyIncomingCall(
+                _item(server, path, call.other), [server.range(span) for span in call.places]
+            )
+            for call in calls.incoming(view.program, symbol)
+        ]
+
+    @server.feature(lsp.CALL_HIERARCHY_OUTGOING_CALLS)
+    def outgoing(params: lsp.CallHierarchyOutgoingCallsParams) -> list[lsp.CallHierarchyOutgoingCall] | None:
+        path, symbol = _asked(params.item)
+        view = server.files.view(path)
+        if view is None:
+            return None
+        return [
+            lsp.CallHierarchyOutgoingCall(
+                _item(server, path, call.other), [server.range(span) for span in call.places]
+            )
+            for call in calls.outgoing(view.program, symbol)
+        ]
+
+
+def _item(server: Server, path: str, found: calls.Caller) -> lsp.CallHierarchyItem:
+    symbol = found.symbol
+    return lsp.CallHierarchyItem(
+        symbol.name,
+        _SYMBOLS.get(symbol.kind, lsp.SymbolKind.Function),
+        server.uri(found.path),
+        server.range(found.span),
+        server.range(found.name_span),
+        detail=symbol.owner or None,
+        data={"view": path, "kind": symbol.kind.value, "name": symbol.name, "owner": symbol.owner},
+    )
+
+
+def _asked(item: lsp.CallHierarchyItem) -> tuple[str, Symbol]:
+    """What an item is about: the file from which it was asked for, and the symbol."""
+    data: Any = item.data
+    kind, name, owner = (str(_read(data, part)) for part in ("kind", "name", "owner"))
+    return str(_read(data, "view")), Symbol(Kind(kind), name, owner)
+
+
+def _read(data: Any, name: str) -> Any:
+    """A member of what an editor has sent back."""
+    return data[name] if isinstance(data, dict) else getattr(data, name)
+
+
+__all__ = ["Server", "make_server"]

@@ -1,0 +1,549 @@
+"""Every request of the language server, asked by a client of a real server process."""
+
+from __future__ import annotations
+
+import asyncio
+import subprocess
+import sys
+from collections.abc import AsyncIterator
+from pathlib import Path
+
+import pytest
+import pytest_lsp
+from lsprotocol import types as lsp
+from pygls.exceptions import JsonRpcException
+from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
+
+from aseme_dsl.editor.positions import Lines
+from aseme_dsl.editor.tokens import TYPES
+
+pytestmark = pytest.mark.asyncio(loop_scope="module")
+
+TEAM = """\
+system Team
+import "shared.aseme"
+import soccer
+
+// How often somebody has tried. 🤖
+let near = vision.state.Ball.distance < 3
+
+aip swap {
+  participant giver {
+    engage "always"
+    var tries : int = 0
+    sends inform Note
+    process = Give . [more]
+    more = Give . Rest
+  }
+  participant taker { engage "always"  receives inform Note  process = Take }
+  control giver {
+    enter Give : / send inform Note to taker; tries = tries + 1
+    enter more : [tries < 2]
+    skip more : else
+  }
+  control taker { enter Take : inform Note from giver }
+}
+
+srm keeper {
+  plays swap.giver as handing with Give = Hand
+  plays swap.taker
+  liveness {
+    keeper = (look | handing | taker)~
+    look = Scan . [Jump]
+  }
+  activities {
+    Scan uses camera writes board.state.Note
+    Jump takes 1s
+  }
+  functionality camera { technology "eye" }
+  control keeper {
+    enter look    : [near]
+    enter handing : [board.state.Note.number == 1]
+    enter taker   : else
+  }
+  control look {
+    enter Jump : [is_high(board.state.Note)] / start_timer(pace, 1s)
+    skip Jump : [expired(pace)]
+  }
+}
+team Team { robot1 : keeper }
+"""
+
+SHARED = """\
+// What is written on the board.
+message Note {
+  int number  // which one
+}
+topic board { state Note }
+function is_high(Note note) : bool = "judge:is_high"
+"""
+
+SCAN = '''\
+"""Scan."""
+
+
+class Scan:
+    def run(self, context): ...
+'''
+
+
+class Project:
+    """A project on disk that a server has open."""
+
+    def __init__(self, folder: Path, client: LanguageClient) -> None:
+        self.folder = folder
+        self.client = client
+        self.versions: dict[str, int] = {}
+
+    def uri(self, name: str = "team.aseme") -> str:
+        return (self.folder / name).as_uri()
+
+    def document(self, name: str = "team.aseme") -> lsp.TextDocumentIdentifier:
+        return lsp.TextDocumentIdentifier(self.uri(name))
+
+    def open(self, name: str, text: str) -> None:
+        self.client.text_document_did_open(
+            lsp.DidOpenTextDocumentParams(lsp.TextDocumentItem(self.uri(name), "aseme", 1, text))
+        )
+        self.versions[name] = 1
+
+    def change(self, name: str, text: str, place: lsp.Range | None = None) -> None:
+        self.versions[name] += 1
+        change: lsp.TextDocumentContentChangeEvent = (
+            lsp.TextDocumentContentChangeWholeDocument(text)
+            if place is None
+            else lsp.TextDocumentContentChangePartial(place, text)
+        )
+        self.client.text_document_did_change(
+            lsp.DidChangeTextDocumentParams(
+                lsp.VersionedTextDocumentIdentifier(self.versions[name], self.uri(name)), [change]
+            )
+        )
+
+    def close(self, name: str) -> None:
+        self.client.text_document_did_close(lsp.DidCloseTextDocumentParams(self.document(name)))
+
+    async def diagnostics(self, name: str) -> list[lsp.Diagnostic]:
+        """The next diagnostics that the server sends for a file."""
+        said = self.client.protocol.wait_for_notification_async
+        while True:
+            found = await asyncio.wait_for(said(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS), 20)
+            current = found.version in (None, self.versions[name])
+            if found.uri == self.uri(name) and current:
+                return list(found.diagnostics)
+
+
+def at(marked: str, text: str = TEAM) -> lsp.Position:
+    """The place of the `^` in a piece of the text."""
+    before, _, after = marked.partition("^")
+    offset = text.index(before + after) + len(before)
+    place = Lines(text).position(offset)
+    return lsp.Position(place.line, place.character)
+
+
+def shown(text: str, place: lsp.Range) -> str:
+    """The text of a range."""
+    lines = text.split("\n")
+    assert place.start.line == place.end.line
+    line = lines[place.start.line].encode("utf-16-le")
+    return line[2 * place.start.character : 2 * place.end.character].decode("utf-16-le")
+
+
+@pytest_lsp.fixture(
+    config=ClientServerConfig(server_command=[sys.executable, "-m", "aseme_dsl", "lsp"]), scope="module"
+)
+async def client(lsp_client: LanguageClient, folder: Path) -> AsyncIterator[None]:
+    await lsp_client.initialize_session(
+        lsp.InitializeParams(
+            capabilities=client_capabilities("visual-studio-code"),
+            workspace_folders=[lsp.WorkspaceFolder(folder.as_uri(), "team")],
+        )
+    )
+    yield
+    await lsp_client.shutdown_session()
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made = tmp_path_factory.mktemp("project")
+    (made / "team.aseme").write_text(TEAM, "utf-8")
+    (made / "shared.aseme").write_text(SHARED, "utf-8")
+    (made / "pyproject.toml").write_text(
+        '[tool.asemec]\nfiles = ["team.aseme"]\nactivities = "act"\n', "utf-8"
+    )
+    (made / "act").mkdir()
+    (made / "act/scan.py").write_text(SCAN, "utf-8")
+    (made / "judge.py").write_text("def is_high(note):\n    return True\n", "utf-8")
+    return made
+
+
+@pytest.fixture
+def project(client: LanguageClient, folder: Path) -> Project:
+    made = Project(folder, client)
+    made.open("team.aseme", TEAM)
+    return made
+
+
+async def hovered(project: Project, marked: str) -> str:
+    found = await project.client.text_document_hover_async(lsp.HoverParams(project.document(), at(marked)))
+    assert found is not None and isinstance(found.contents, lsp.MarkupContent)
+    return found.contents.value
+
+
+async def test_diagnostics_come_while_typing_and_go(project: Project) -> None:
+    project.change("team.aseme", TEAM.replace("[near]", "[neer]"))
+    found = await project.diagnostics("team.aseme")
+    mistake = next(item for item in found if item.code == "E200")
+    assert shown(TEAM.replace("[near]", "[neer]"), mistake.range) == "neer"
+    assert mistake.severity is lsp.DiagnosticSeverity.Error
+    assert mistake.code_description is not None and mistake.code_description.href.endswith("/E200.md")
+    assert mistake.data is not None  # the fix
+    project.change("team.aseme", TEAM)
+    assert [item.message for item in await project.diagnostics("team.aseme") if item.severity == 1] == []
+
+
+async def test_diagnostics_have_related_places(project: Project) -> None:
+    twice = TEAM.replace("team Team {", "let near = true\nteam Team {")
+    project.change("team.aseme", twice)
+    found = await project.diagnostics("team.aseme")
+    mistake = next(item for item in found if item.code == "E201")
+    assert [shown(twice, item.location.range) for item in mistake.related_information or ()] == ["near"]
+
+
+async def test_diagnostics_come_in_files_that_import_the_changed_one(project: Project) -> None:
+    project.open("shared.aseme", SHARED)
+    project.change("shared.aseme", SHARED.replace("int number", "int numero"))
+    found = await project.diagnostics("team.aseme")
+    assert [shown(TEAM, item.range) for item in found if item.severity == 1] == ["number"]
+    project.close("shared.aseme")
+    found = await project.diagnostics("team.aseme")
+    assert [item for item in found if item.severity == 1] == []
+
+
+async def test_incremental_changes_count_in_utf16(project: Project) -> None:
+    line = next(n for n, text in enumerate(TEAM.split("\n")) if "🤖" in text)
+    end = len(TEAM.split("\n")[line]) + 1
+    project.change(
+        "team.aseme", "\nlet far = neer", lsp.Range(lsp.Position(line, end), lsp.Position(line, end))
+    )
+    found = await project.diagnostics("team.aseme")
+    mistake = next(item for item in found if item.code == "E200")
+    assert (mistake.range.start.line, mistake.range.start.character) == (line + 1, 10)
+
+
+@pytest.mark.parametrize(
+    ("marked", "expected"),
+    [
+        ("[^near]", ["let near : bool = vision.state.Ball.distance < 3", "How often somebody has tried. 🤖"]),
+        ("board.state.Note.^number", ["int number", "which one"]),
+        ("board.state.^Note.number", ["message Note", "What is written on the board.", "board.state.Note"]),
+        ("[^board.state.Note.number", ["topic board", "Written by `Scan`", "`control keeper` of keeper"]),
+        ("look = ^Scan", ["Scan uses camera", "State `0.2.3.2` of keeper"]),
+        ("enter ^Jump", ["Jump takes 1s", "of keeper"]),
+        ("(^look", ["look = Scan . [Jump]", "State `0.2.3` of keeper"]),
+        ("plays swap.^giver", ["participant giver", "Engages: always", "Sends `inform Note`"]),
+        ("[^is_high", ["function is_high(Note note) : bool", "judge:is_high"]),
+        ("expired(^pace", ["Timer `pace`", "1s"]),
+        ("[^tries", ["var tries : int = 0"]),
+        ("uses ^camera", ["Technology: eye"]),
+        ("^expired", ["expired(timer)"]),
+    ],
+)
+async def test_hover(project: Project, marked: str, expected: list[str]) -> None:
+    text = await hovered(project, marked)
+    for part in expected:
+        assert part in text
+
+
+async def test_hover_explains_a_code_in_a_comment(project: Project) -> None:
+    text = "// asemec: allow-file(W300) so it is\n" + TEAM
+    project.change("team.aseme", text)
+    found = await project.client.text_document_hover_async(
+        lsp.HoverParams(project.document(), at("(^W300", text))
+    )
+    assert found is not None and "operators mixed without parentheses" in found.contents.value
+
+
+async def places(project: Project, found: object) -> list[tuple[str, str]]:
+    """Locations as the names of files with the text of the line."""
+    made = []
+    for item in found or ():  # type: ignore[attr-defined]
+        path = Path(item.uri.removeprefix("file://"))
+        made.append((path.name, path.read_text("utf-8").split("\n")[item.range.start.line].strip()))
+    return made
+
+
+@pytest.mark.parametrize(
+    ("marked", "expected"),
+    [
+        ("(^look |", ("team.aseme", "look = Scan . [Jump]")),
+        ("board.state.Note.^number", ("shared.aseme", "int number  // which one")),
+        (
+            "plays swap.^taker",
+            ("team.aseme", 'participant taker { engage "always"  receives inform Note  process = Take }'),
+        ),
+        ("vision.state.^Ball", ("soccer.aseme", "message Ball {")),
+        ('import "^shared', ("shared.aseme", "// What is written on the board.")),
+        ("enter ^Jump", ("team.aseme", "Jump takes 1s")),
+        ("robot1 : ^keeper", ("team.aseme", "srm keeper {")),
+    ],
+)
+async def test_definition(project: Project, marked: str, expected: tuple[str, str]) -> None:
+    parameters = lsp.DefinitionParams(project.document(), at(marked))
+    found = await project.client.text_document_definition_async(parameters)
+    assert await places(project, found) == [expected]
+    also = await project.client.text_document_declaration_async(
+        lsp.DeclarationParams(project.document(), at(marked))
+    )
+    assert also == found
+
+
+async def test_implementation_is_in_python(project: Project) -> None:
+    for marked, expected in (
+        ("look = ^Scan", ("scan.py", "class Scan:")),
+        ("[^is_high", ("judge.py", "def is_high(note):")),
+    ):
+        parameters = lsp.ImplementationParams(project.document(), at(marked))
+        found = await project.client.text_document_implementation_async(parameters)
+        assert await places(project, found) == [expected]
+
+
+async def test_a_target_leads_to_python(project: Project) -> None:
+    project.open("shared.aseme", SHARED)
+    parameters = lsp.DefinitionParams(project.document("shared.aseme"), at('"judge:^is_high', SHARED))
+    found = await project.client.text_document_definition_async(parameters)
+    assert await places(project, found) == [("judge.py", "def is_high(note):")]
+    project.close("shared.aseme")
+
+
+async def test_references_in_all_files(project: Project) -> None:
+    parameters = lsp.ReferenceParams(lsp.ReferenceContext(True), project.document(), at("state.Note.^number"))
+    found = await project.client.text_document_references_async(parameters)
+    assert await places(project, found) == [
+        ("shared.aseme", "int number  // which one"),
+        ("team.aseme", "enter handing : [board.state.Note.number == 1]"),
+    ]
+    parameters.context.include_declaration = False
+    found = await project.client.text_document_references_async(parameters)
+    assert [name for name, _ in await places(project, found)] == ["team.aseme"]
+
+
+async def test_highlights(project: Project) -> None:
+    parameters = lsp.DocumentHighlightParams(project.document(), at("[^tries"))
+    found = await project.client.text_document_document_highlight_async(parameters) or ()
+    kinds = lsp.DocumentHighlightKind
+    assert [item.kind for item in found] == [kinds.Text, kinds.Write, kinds.Read, kinds.Read]
+
+
+def applied(text: str, edits: list[lsp.TextEdit]) -> str:
+    lines = Lines(text)
+
+    def offset(place: lsp.Position) -> int:
+        from aseme_dsl.editor.positions import Position
+
+        return lines.offset(Position(place.line, place.character))
+
+    for edit in sorted(edits, key=lambda item: offset(item.range.start), reverse=True):
+        text = text[: offset(edit.range.start)] + edit.new_text + text[offset(edit.range.end) :]
+    return text
+
+
+async def test_rename_changes_all_files(project: Project) -> None:
+    where = at("state.Note.^number")
+    prepared = await project.client.text_document_prepare_rename_async(
+        lsp.PrepareRenameParams(project.document(), where)
+    )
+    assert isinstance(prepared, lsp.Range) and shown(TEAM, prepared) == "number"
+    found = await project.client.text_document_rename_async(
+        lsp.RenameParams(project.document(), where, "count")
+    )
+    assert found is not None and found.changes is not None
+    assert applied(TEAM, found.changes[project.uri()]) == TEAM.replace("Note.number", "Note.count")
+    shared = applied(SHARED, found.changes[project.uri("shared.aseme")])
+    assert shared == SHARED.replace("int number", "int count")
+
+
+@pytest.mark.parametrize(
+    ("marked", "name", "reason"),
+    [
+        ("[^tries", "for ever", "is no name"),
+        ("(^look |", "handing", "handing"),
+        ("look = ^Scan", "Jump", "there is a activity `Jump` already"),
+        ("[^tries", "true", "true"),
+        ("vision.state.^Ball", "Sphere", "the standard library declares it"),
+        ("^process = Give", "x", "a word of the language"),
+        ("[^board", "vision", "there is a topic `vision` already"),
+    ],
+)
+async def test_rename_is_refused_with_the_reason(
+    project: Project, marked: str, name: str, reason: str
+) -> None:
+    with pytest.raises(JsonRpcException, match=reason):
+        await project.client.text_document_rename_async(
+            lsp.RenameParams(project.document(), at(marked), name)
+        )
+
+
+async def test_document_symbols(project: Project) -> None:
+    found = await project.client.text_document_document_symbol_async(
+        lsp.DocumentSymbolParams(project.document())
+    )
+    tree = {item.name: item for item in found or ()}
+    assert list(tree) == ["Team", "near", "swap", "keeper"]
+    swap = tree["swap"]
+    assert [item.name for item in swap.children or ()] == ["giver", "taker"]
+    giver = (swap.children or ())[0]
+    assert {item.name for item in giver.children or ()} == {"tries", "process", "more"}
+
+
+async def test_workspace_symbols(project: Project) -> None:
+    found = await project.client.workspace_symbol_async(lsp.WorkspaceSymbolParams("ishi"))
+    assert [(item.name, Path(item.location.uri).name) for item in found or ()] == [
+        ("is_high", "shared.aseme")
+    ]
+
+
+async def test_semantic_tokens_full_and_their_difference(project: Project) -> None:
+    whole = await project.client.text_document_semantic_tokens_full_async(
+        lsp.SemanticTokensParams(project.document())
+    )
+    assert whole is not None and len(whole.data) % 5 == 0
+    lines = TEAM.split("\n")
+    found = []
+    line = character = 0
+    for index in range(0, len(whole.data), 5):
+        down, right, length, kind, _ = whole.data[index : index + 5]
+        line, character = line + down, right if down else character + right
+        found.append((lines[line][character : character + length], TYPES[kind]))
+    assert ("Note", "struct") in found and ("number", "property") in found and ("Scan", "function") in found
+
+    changed = TEAM.replace("enter look    : [near]", "enter look    : [!near]")
+    project.change("team.aseme", changed)
+    difference = await project.client.text_document_semantic_tokens_full_delta_async(
+        lsp.SemanticTokensDeltaParams(project.document(), whole.result_id or "")
+    )
+    assert isinstance(difference, lsp.SemanticTokensDelta)
+    data = list(whole.data)
+    for edit in difference.edits:
+        data[edit.start : edit.start + edit.delete_count] = edit.data or []
+    again = await project.client.text_document_semantic_tokens_full_async(
+        lsp.SemanticTokensParams(project.document())
+    )
+    assert again is not None and data == list(again.data)
+
+
+async def test_folding(project: Project) -> None:
+    found = await project.client.text_document_folding_range_async(lsp.FoldingRangeParams(project.document()))
+    lines = TEAM.split("\n")
+    folded = {lines[item.start_line].strip(): lines[item.end_line + 1].strip() for item in found or ()}
+    assert folded["srm keeper {"] == "}"
+    assert folded["liveness {"] == "}"
+
+
+async def test_selection_grows(project: Project) -> None:
+    found = await project.client.text_document_selection_range_async(
+        lsp.SelectionRangeParams(project.document(), [at("[^tries")])
+    )
+    texts = []
+    around = (found or [])[0]
+    while around is not None:
+        if around.range.start.line == around.range.end.line:
+            texts.append(shown(TEAM, around.range))
+        around = around.parent
+    assert texts[:3] == ["tries", "tries < 2", "[tries < 2]"]
+
+
+async def test_formatting_lays_the_file_out(project: Project) -> None:
+    options = lsp.FormattingOptions(2, True)
+    edits = await project.client.text_document_formatting_async(
+        lsp.DocumentFormattingParams(project.document(), options)
+    )
+    text = applied(TEAM, list(edits or ()))
+    assert text != TEAM
+    project.change("team.aseme", text)
+    again = await project.client.text_document_formatting_async(
+        lsp.DocumentFormattingParams(project.document(), options)
+    )
+    assert not again
+
+
+async def test_formatting_of_some_lines(project: Project) -> None:
+    text = TEAM.replace("enter look    : [near]", "enter look    :   [near]")
+    project.change("team.aseme", text)
+    place = at("enter look^    :   [near]", text)
+    edits = await project.client.text_document_range_formatting_async(
+        lsp.DocumentRangeFormattingParams(
+            project.document(), lsp.Range(place, place), lsp.FormattingOptions(2, True)
+        )
+    )
+    assert applied(text, list(edits or ())) == TEAM
+
+
+async def test_inlay_hints(project: Project) -> None:
+    found = await project.client.text_document_inlay_hint_async(
+        lsp.InlayHintParams(project.document(), lsp.Range(lsp.Position(0, 0), lsp.Position(99, 0)))
+    )
+    lines = TEAM.split("\n")
+    shown_at = {(lines[item.position.line].strip(), str(item.label)) for item in found or ()}
+    assert ("let near = vision.state.Ball.distance < 3", ": bool") in shown_at
+    assert ("look = Scan . [Jump]", "0.2.3.2") in shown_at
+
+
+async def test_code_lens(project: Project) -> None:
+    found = await project.client.text_document_code_lens_async(lsp.CodeLensParams(project.document()))
+    titles = [(item.command.title, item.command.command) for item in found or () if item.command is not None]
+    assert titles == [("Diagram", "asemec.diagram"), ("Diagram", "asemec.diagram"), ("Run", "asemec.run")]
+
+
+async def test_document_links(project: Project) -> None:
+    found = await project.client.text_document_document_link_async(lsp.DocumentLinkParams(project.document()))
+    assert [Path(item.target or "").name for item in found or ()] == ["shared.aseme", "soccer.aseme"]
+
+
+async def test_call_hierarchy_of_formulas(project: Project) -> None:
+    items = await project.client.text_document_prepare_call_hierarchy_async(
+        lsp.CallHierarchyPrepareParams(project.document(), at("(^look |"))
+    )
+    assert items is not None and [item.name for item in items] == ["look"]
+    callers = await project.client.call_hierarchy_incoming_calls_async(
+        lsp.CallHierarchyIncomingCallsParams(items[0])
+    )
+    assert [item.from_.name for item in callers or ()] == ["keeper"]
+    called = await project.client.call_hierarchy_outgoing_calls_async(
+        lsp.CallHierarchyOutgoingCallsParams(items[0])
+    )
+    assert [item.to.name for item in called or ()] == ["Scan", "Jump"]
+
+
+async def test_a_buffer_that_is_no_file_is_answered_for(client: LanguageClient) -> None:
+    uri = "untitled:Untitled-1"
+    client.text_document_did_open(
+        lsp.DidOpenTextDocumentParams(lsp.TextDocumentItem(uri, "aseme", 1, "system X\nlet a = 1 < 2\n"))
+    )
+    found = await client.text_document_hover_async(
+        lsp.HoverParams(lsp.TextDocumentIdentifier(uri), lsp.Position(1, 4))
+    )
+    assert found is not None and "let a : bool" in found.contents.value
+    client.text_document_did_close(lsp.DidCloseTextDocumentParams(lsp.TextDocumentIdentifier(uri)))
+
+
+async def test_nonsense_is_answered(project: Project) -> None:
+    project.change("team.aseme", "srm { /* 🤖 \x00 liveness { = . | ")
+    position = lsp.Position(0, 9)
+    assert (
+        await project.client.text_document_hover_async(lsp.HoverParams(project.document(), position)) is None
+    )
+    assert (
+        await project.client.text_document_document_symbol_async(lsp.DocumentSymbolParams(project.document()))
+        is not None
+    )
+
+
+async def test_without_pygls_the_command_says_what_to_install(tmp_path: Path) -> None:
+    script = (
+        "import sys; sys.modules['pygls'] = None; from aseme_dsl.cli import main; sys.exit(main(['lsp']))"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert done.returncode == 1
+    assert 'pip install "aseme-dsl[editor]"' in done.stderr
+    assert "Traceback" not in done.stderr
