@@ -1,7 +1,7 @@
 """A real match with a process for each robot: what it takes of memory, threads and handles, and how it ends.
 
-`benchmarks/real_match.py [MINUTES]` plays the example's team for 10 minutes of real time, looks at the
-processes every few seconds, and ends the match with SIGINT. Exits with 1 if one of them grew, was restarted,
+`benchmarks/real_match.py [MINUTES] [SIGINT|SIGTERM]` plays the example's team for 10 minutes of real time, looks
+at the processes every few seconds, and ends the match with SIGINT. Exits with 1 if one of them grew, was restarted,
 or took long to end. Memory is that of the last fifth of the time against that of the second fifth.
 """
 
@@ -42,8 +42,8 @@ def make(seed):
 """
 
 
-def main(minutes: float) -> int:
-    """Play, look and tell."""
+def main(minutes: float, ending: signal.Signals) -> int:
+    """Play, look, end it and tell."""
     folder = Path(tempfile.mkdtemp())
     project = folder / "robocup"
     shutil.copytree(ROOT / "examples" / "robocup", project, ignore=shutil.ignore_patterns("build"))
@@ -68,7 +68,7 @@ def main(minutes: float) -> int:
         _look(team.pid, looked)
     processes = psutil.Process(team.pid).children(recursive=True)
     began = time.monotonic()
-    team.send_signal(signal.SIGINT)
+    team.send_signal(ending)
     told = team.stdout.read()
     code = team.wait(30)
     took = time.monotonic() - began
@@ -77,7 +77,7 @@ def main(minutes: float) -> int:
     fine = code == 130 and took < END and not left and "started" not in told
     for name, values in sorted(looked.items()):
         fine = _grew(name, values) and fine
-    print(f"ended with exit code {code} after {took:.2f} s; processes left: {len(left)}")
+    print(f"ended by {ending.name} with exit code {code} after {took:.2f} s; processes left: {len(left)}")
     sizes = sum(path.stat().st_size for path in (project / "build").glob("trace.*"))
     print(f"traces: {sizes / 1e6:.0f} MB")
     shutil.rmtree(folder)
@@ -114,4 +114,9 @@ def _grew(name: str, values: list[tuple[int, int, int]]) -> bool:
 
 
 if __name__ == "__main__":
-    sys.exit(main(float(sys.argv[1]) if len(sys.argv) > 1 else 10.0))
+    sys.exit(
+        main(
+            float(sys.argv[1]) if len(sys.argv) > 1 else 10.0,
+            signal.Signals[sys.argv[2]] if len(sys.argv) > 2 else signal.SIGINT,
+        )
+    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from aseme_dsl.build.configuration import Configuration
 
 if TYPE_CHECKING:
+    from aseme_dsl.runtime.control import Changed
     from aseme_dsl.runtime.loading import Loaded
     from aseme_dsl.runtime.swap import Version
     from aseme_dsl.runtime.team import Team
@@ -22,8 +23,12 @@ def output_of(loaded: Loaded) -> Path:
 
 
 @contextmanager
-def operable(team: Team, loaded: Loaded, activities: Path) -> Iterator[None]:
+def operable(
+    team: Team, loaded: Loaded, activities: Path, changed: Callable[[Changed], None] | None = None
+) -> Iterator[None]:
     """Inside, operators reach the team: over a socket, and over its transport where it has one.
+
+    `changed` is told of each swap that is done.
 
     A run to which no socket can be opened goes on without one, with a line in its trace.
     """
@@ -32,7 +37,7 @@ def operable(team: Team, loaded: Loaded, activities: Path) -> Iterator[None]:
 
     agents = team.agents
     name = agents[0].name if len(agents) == 1 else "team"
-    control = Control(team, activities)
+    control = Control(team, activities, changed)
     team.transport.answer(control.handle)
     socket = listening(control, output_of(loaded), name)
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import contextmanager, nullcontext, suppress
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +15,7 @@ from aseme_dsl.diagnostics import closest
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from aseme_dsl.runtime.control import Changed
     from aseme_dsl.runtime.loading import Loaded
     from aseme_dsl.runtime.plan import State
     from aseme_dsl.runtime.real_time import RealTime
@@ -66,6 +67,8 @@ class Request:
     begin: Callable[[], int | None] = lambda: None
     """Called when everything is there; gives the moment at which the run has begun, if it is not now (ns of
     the machine's monotonic clock)."""
+    changed: Callable[[Changed], None] | None = None
+    """Told of each swap of a robot that is done."""
     state: Path | None = None
     """Where `persist` states are kept from one run to the next."""
 
@@ -118,6 +121,24 @@ def load(folder: Path, system: str, configuration: Configuration) -> Loaded:
         return load_system(folder / BACKEND / system, path=[configuration.folder.resolve()])
     except LoadError as problem:
         raise PlayError(str(problem)) from problem
+
+
+def in_version(loaded: Loaded, package: Path, configuration: Configuration) -> Loaded:
+    """The same system with the charts and messages of another version of it, whose package is somewhere else.
+
+    Raises:
+        PlayError: it is not there, cannot be imported, or lacks a plan of the team.
+    """
+    from aseme_dsl.runtime.loading import LoadError, load_system
+
+    try:
+        found = load_system(package, path=[configuration.folder.resolve()])
+    except LoadError as problem:
+        raise PlayError(str(problem)) from problem
+    missing = [role for _, role in loaded.team if role not in found.charts]
+    if missing:
+        raise PlayError(f"{package} has no plan {missing[0]}")
+    return replace(found, name=loaded.name, team=loaded.team, folder=loaded.folder)
 
 
 def select(systems: Sequence[Loaded], plan: str | None) -> tuple[Loaded, str | None]:
@@ -283,7 +304,7 @@ def _play_robot(
                 carried=lambda: others(loaded, activities, configuration),
                 state_directory=_state(request, project),
             )
-            with operable(team, loaded, activities):
+            with operable(team, loaded, activities, request.changed):
                 result = team.run()
         except (TeamError, ActivityError, TransportError) as problem:
             raise PlayError(str(problem)) from problem

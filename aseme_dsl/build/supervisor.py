@@ -3,6 +3,7 @@
 Each process has a pipe from here as its standard input and ends when that does, so that none is left over,
 also if this process is killed. All begin at one moment, told over that pipe when everybody is ready. A robot
 that ends badly is started again after a while that doubles each time, until it has lived for some time.
+Robots tell to which version of their model they are changed while they play: in that they are started again.
 """
 
 from __future__ import annotations
@@ -33,6 +34,8 @@ if TYPE_CHECKING:
 
 READY = "\x01ready"
 """What a robot's process says on its standard output when it waits for the beginning."""
+CHANGED = "\x01changed "
+"""With this begins a line in which a robot says, as JSON, which version it plays from now on."""
 WORLD = "ASEMEC_WORLD"
 """The environment variable that has the key to the world."""
 FEW_ARENAS = {"MALLOC_ARENA_MAX": "2"}
@@ -92,6 +95,8 @@ class _Child:
     over: bool = False
     again_at: float | None = None
     traces: list[Path] = field(default_factory=list)
+    version: Mapping[str, Any] | None = None
+    """The version that it was changed to (`runtime.control.Changed`), if it was."""
 
 
 def supervise(
@@ -224,7 +229,11 @@ class _Run:
         child.traces.append(trace)
         command = [sys.executable, "-m", "aseme_dsl", "node", child.name, str(self._folder.absolute())]
         command += ["--supervised", "--system", self._loaded.name, "--trace", str(trace.absolute())]
-        command += ["--activities", str(self._activities.absolute())]
+        activities = str(self._activities.absolute())
+        if child.version is not None:
+            command += ["--in-version", child.version["folder"]]
+            activities = child.version["activities"] or activities
+        command += ["--activities", activities]
         if self._configuration.path is not None:
             command += ["--project", str(self._configuration.path.absolute())]
         if self._address is not None:
@@ -290,6 +299,9 @@ class _Run:
     def _heed(self, name: str, kind: str, value: Any) -> None:
         if kind == "stop":
             self._reason = value
+        elif kind == "changed":
+            for child in self._robots.values() if value["whole_team"] else (self._robots[name],):
+                child.version = value
         elif kind == "over":
             self._reason = "the world is over"
         elif kind == "ended" and name == "":
@@ -387,6 +399,8 @@ class _Run:
                     self._of_world(line)
                 elif line == READY:
                     self._news.put((name, "ready", None))
+                elif line.startswith(CHANGED):
+                    self._news.put((name, "changed", json.loads(line.removeprefix(CHANGED))))
                 else:
                     self._say(name, line, False)
 

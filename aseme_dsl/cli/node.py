@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import sys
 import threading
 import time
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from aseme_dsl.build.configuration import Configuration
+    from aseme_dsl.runtime.control import Changed
 
 INTERRUPTED = 130
 GRACE = 2.0
@@ -72,6 +75,7 @@ GRACE = 2.0
 @click.option("-v", "--verbose", is_flag=True, help="Say every transition and activity while it plays.")
 @click.option("--project", type=FilePath(path_type=Path), hidden=True)
 @click.option("--world-at", hidden=True)
+@click.option("--in-version", "version", type=FilePath(path_type=Path), hidden=True)
 @click.option("--supervised", is_flag=True, hidden=True)
 @colour_option
 def command(
@@ -91,13 +95,23 @@ def command(
     verbose: bool,
     project: Path | None,
     world_at: str | None,
+    version: Path | None,
     supervised: bool,
     colour: str,
 ) -> int:
     """Play; 1 if there are errors, it cannot be played, or the robot fails."""
     from aseme_dsl.build.build import activities_folder, choose
     from aseme_dsl.build.configuration import find_configuration, read_configuration
-    from aseme_dsl.build.play import NoSuchPlan, PlayError, Request, carried, is_output, load, play
+    from aseme_dsl.build.play import (
+        NoSuchPlan,
+        PlayError,
+        Request,
+        carried,
+        in_version,
+        is_output,
+        load,
+        play,
+    )
     from aseme_dsl.build.supervisor import WORLD
     from aseme_dsl.cli.telling import Telling
 
@@ -113,7 +127,7 @@ def command(
             if len(systems) != 1:
                 known = ", ".join(item.name for item in carried(folder, configuration))
                 raise NoSuchPlan(f"choose one system with --system; there are {known}")
-            loaded = systems[0]
+            loaded = systems[0] if version is None else in_version(systems[0], version, configuration)
         else:
             built = build_target(target, output, activities, None, False, False, colour)
             if isinstance(built, int):
@@ -143,6 +157,7 @@ def command(
             robot=robot,
             world_at=(world_at, key) if world_at is not None else None,
             begin=_told_to_begin() if supervised else lambda: None,
+            changed=_tell_change if supervised else None,
         )
         played = play(
             loaded,
@@ -192,6 +207,14 @@ def _told_to_begin() -> Callable[[], int | None]:
         return int(line)
 
     return begin
+
+
+def _tell_change(change: Changed) -> None:
+    """Says that we play another version now, which our supervisor takes if it starts us again."""
+    from aseme_dsl.build.supervisor import CHANGED
+
+    sys.stdout.write(CHANGED + json.dumps(asdict(change), default=str) + "\n")
+    sys.stdout.flush()
 
 
 def _end_with_supervisor() -> None:

@@ -32,6 +32,7 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any
@@ -57,13 +58,29 @@ class Refused(Exception):
     """A request cannot be fulfilled; the arguments are the reasons."""
 
 
+@dataclass(frozen=True, slots=True)
+class Changed:
+    """A swap that is done: to which generated package, with the activities of which other folder if any, and
+    whether it was the whole team's."""
+
+    folder: Path
+    activities: Path | None
+    whole_team: bool
+
+
 class Control:
     """Answers the requests of operators for a team that runs in real time. May be used from any thread."""
 
-    def __init__(self, team: Team, activities: Path | None = None) -> None:
-        """`activities` is the folder of the team's activities, and of those of new versions."""
+    def __init__(
+        self, team: Team, activities: Path | None = None, changed: Callable[[Changed], None] | None = None
+    ) -> None:
+        """`activities` is the folder of the team's activities, and of those of new versions.
+
+        `changed` is told of each swap that is done.
+        """
         self._team = team
         self._activities = activities
+        self._changed = changed or (lambda what: None)
         self._lock = threading.Lock()
         self._numbers = itertools.count(1)
         self._held: _Held | None = None
@@ -200,7 +217,12 @@ class Control:
     def _prepare(self, request: dict[str, Any]) -> Reply:
         swap = self._checked(request)
         within, hold = _seconds(request, "within", 0.0), _seconds(request, "hold", HOLD)
-        self._held = held = _Held(swap, next(self._numbers), within, hold)
+        given = request.get("activities")
+        what = Changed(
+            Path(str(request["folder"])), Path(str(given)) if given else None, request.get("agents") is None
+        )
+        finished = partial(self._changed, what)
+        self._held = held = _Held(swap, next(self._numbers), within, hold, finished)
         held.start()
         held.prepared.wait()
         if held.state == "refused":
@@ -239,7 +261,9 @@ class _Said:
 class _Held(threading.Thread):
     """Holds the agents between prepare and finish: locks are for one thread."""
 
-    def __init__(self, swap: Swap, number: int, within: float, hold: float) -> None:
+    def __init__(
+        self, swap: Swap, number: int, within: float, hold: float, finished: Callable[[], None]
+    ) -> None:
         super().__init__(name="aseme swap", daemon=True)
         self.number = number
         self.state = "waiting"
@@ -247,6 +271,7 @@ class _Held(threading.Thread):
         self._swap = swap
         self._within = within
         self._hold = hold
+        self._finished = finished
         self._said: SimpleQueue[_Said] = SimpleQueue()
 
     def say(self, phase: str, reason: str) -> Reply:
@@ -301,6 +326,7 @@ class _Held(threading.Thread):
                 elif said.phase == "finish" and self.state == "committed":
                     self.state = "done"
                     self._swap.finish()
+                    self._finished()
                 elif said.phase == "finish":
                     said.refused = "it has not been committed"
                 else:
