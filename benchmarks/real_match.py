@@ -1,8 +1,8 @@
 """A real match with a process for each robot: what it takes of memory, threads and handles, and how it ends.
 
 `benchmarks/real_match.py [MINUTES] [SIGINT|SIGTERM]` plays the example's team for 10 minutes of real time,
-looks at the processes every few seconds, and ends the match with SIGINT. Exits with 1 if one of them grew, was
-restarted, or took long to end. Memory is that of the last fifth of the time against that of the second fifth.
+looks at the processes every few seconds, and ends the match with SIGINT. Exits with 1 if one of them grew,
+was restarted, or took long to end. Memory is that of the last fifth of the time against that of the second.
 """
 
 from __future__ import annotations
