@@ -250,7 +250,7 @@ def _formulas(formulas: Iterable[NamedFormula], folder: PurePath | None) -> list
 
 
 def _activity(item: Activity, folder: PurePath | None) -> Json:
-    return {
+    found: Json = {
         "name": item.name,
         "uses": list(item.uses),
         "every": _duration(item.every),
@@ -258,8 +258,12 @@ def _activity(item: Activity, folder: PurePath | None) -> Json:
         "kind": item.kind,
         "reads": [_subscription(read) for read in item.reads],
         "writes": [str(channel) for channel in item.writes] + list(item.writes_variables),
-        "span": _span(item.span, folder),
     }
+    if item.within is not None:
+        found["within"] = _duration(item.within)
+    if item.ends:
+        found["ends"] = list(item.ends)
+    return {**found, "span": _span(item.span, folder)}
 
 
 def _module(item: Module, folder: PurePath | None) -> Json:

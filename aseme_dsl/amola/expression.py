@@ -5,8 +5,8 @@ Nesting is bounded by the compiler (E103), so walking an expression may recurse.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from decimal import Decimal
 
 from aseme_dsl.amola.messages import BOOL, DURATION, Channel, Function, Kind, Type
@@ -112,6 +112,19 @@ class Expired:
 
 
 @dataclass(frozen=True, slots=True)
+class Outcome:
+    """`outcome(Grasp)`: how the activity has ended last; absent from the entry of its state until it has.
+
+    It is compared with a Literal of the same type, whose value is the name of an outcome. Which state of
+    several with that activity is meant: amola/meant.py.
+    """
+
+    activity: str
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Not:
     operand: Value
     span: Span
@@ -176,6 +189,7 @@ Value = (
     | At
     | Mean
     | Expired
+    | Outcome
     | Not
     | Logic
     | Compare
@@ -330,6 +344,75 @@ def operands(value: Value) -> tuple[Value, ...]:
     return ()
 
 
+def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
+    """The value computed from other parts, as many as `operands` gives."""
+    match value:
+        case Call():
+            return replace(value, arguments=parts)
+        case Logic():
+            return replace(value, operands=parts)
+        case Not() | Negate():
+            return replace(value, operand=parts[0])
+        case Compare() | Arithmetic():
+            return replace(value, left=parts[0], right=parts[1])
+        case Named():
+            return replace(value, expression=parts[0])
+        case At(message=message):
+            return replace(value, message=_member(parts[0], message), offset=parts[1])
+        case Mean(message=message):
+            return replace(value, message=_member(parts[0], message), window=parts[1])
+        case Has(message=message) | Age(message=message):
+            return replace(value, message=_member(parts[0], message))
+    return value
+
+
+def _member(value: Value, before: Member) -> Member:
+    return value if isinstance(value, Member) else before
+
+
+def rewritten(value: Value, change: Callable[[Value], Value]) -> Value:
+    """The value with `change` applied to everything in it, parts first; the same object if nothing changes.
+
+    Nesting is bounded, so this may recurse.
+    """
+    before = operands(value)
+    parts = tuple(rewritten(part, change) for part in before)
+    if any(part is not other for part, other in zip(parts, before, strict=True)):
+        value = _rebuilt(value, parts)
+    return change(value)
+
+
+def rewritten_expression(
+    written: TransitionExpression, change: Callable[[Value], Value]
+) -> TransitionExpression:
+    """The expression with `change` applied to all values in it, targets of assignments included."""
+    condition = None if written.condition is None else rewritten(written.condition, change)
+    actions = tuple(_rewritten_action(action, change) for action in written.actions)
+    if condition is written.condition and all(
+        action is other for action, other in zip(actions, written.actions, strict=True)
+    ):
+        return written
+    return replace(written, condition=condition, actions=actions)
+
+
+def _rewritten_action(action: Action, change: Callable[[Value], Value]) -> Action:
+    match action:
+        case Assign(target=target, value=value):
+            new, changed = rewritten(value, change), change(target)
+            if not isinstance(changed, VariableValue | Member):
+                changed = target
+            if new is value and changed is target:
+                return action
+            return replace(action, target=changed, value=new)
+        case StartTimer(duration=duration):
+            new = rewritten(duration, change)
+            return action if new is duration else replace(action, duration=new)
+        case Evaluate(value=value):
+            new = rewritten(value, change)
+            return action if new is value else replace(action, value=new)
+    return action
+
+
 def walk(value: Value) -> Iterator[Value]:
     """The value and everything in it, from left to right."""
     stack = [value]
@@ -406,6 +489,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
             case Literal(value=constant, type=kind):
                 if isinstance(constant, bool):
                     text = "true" if constant else "false"
+                elif kind.kind is Kind.OUTCOME:
+                    text = str(constant)
                 elif isinstance(constant, str):
                     text = f"{kind}.{constant}" if kind.kind is Kind.ENUM else _quoted(constant)
                 elif kind == DURATION:
@@ -430,6 +515,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = f"mean({show(message)}, {show(extra)})"
             case Expired(timer=timer):
                 text = f"expired({timer})"
+            case Outcome(activity=activity):
+                text = f"outcome({activity})"
             case Not(operand=operand):
                 text = f"!{show(operand, _UNARY)}"
             case Negate(operand=operand):

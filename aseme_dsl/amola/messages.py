@@ -19,6 +19,8 @@ class Kind(StrEnum):
     DURATION = "duration"
     ENUM = "enum"
     MESSAGE = "message"
+    OUTCOME = "outcome"
+    """How the activity that names the type has ended; only conditions have such values."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -41,7 +41,11 @@ class Subscription:
 
 @dataclass(frozen=True, slots=True)
 class Activity:
-    """An activity of the system. `every` and `takes` are in ns; `kind` is thread, async, process or step."""
+    """An activity of the system. `every` and `takes` are in ns; `kind` is thread, async, process or step.
+
+    `within` (ns) is how long it may last from the entry of its state, `ends` are its outcomes: the names of
+    the ways in which it may end.
+    """
 
     name: str
     uses: tuple[str, ...]
@@ -52,6 +56,8 @@ class Activity:
     writes: tuple[Channel, ...]
     writes_variables: tuple[str, ...]
     span: Span
+    within: int | None = None
+    ends: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from aseme_dsl.amola.expression import Raised
 from aseme_dsl.amola.messages import Channel, Comm
 from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.build.activity_ends import wrong_outcomes
 from aseme_dsl.build.activity_words import unknown_messages, unknown_methods
 from aseme_dsl.diagnostics import Diagnostic, Related, Suppressed, closest
 from aseme_dsl.runtime.naming import class_name, module_name
@@ -242,6 +243,9 @@ def _of_activity(module: _Module, activity: Activity, world: _World) -> Iterator
             yield Diagnostic(
                 "W533", message, _named(module, node), (Related(activity.span, "the activity"),), hint=hint
             )
+        execute = next((item for item in methods if item.name == "execute"), None)
+        if node.name == wanted and execute is not None:
+            yield from wrong_outcomes(execute, activity, module.span, lambda item: _text(module, item))
     undeclared: dict[tuple[str, str], _Call] = {}
     for call in _calls(module):
         problems = list(_unknown(call, activity, world))

@@ -244,7 +244,8 @@ def told(record: Record) -> str:
             where = f"  in {', '.join(record['configuration'])}" if "configuration" in record else ""
             return f"step {record['step']}: {'; '.join(ways) or 'no transition'}{where}"
         case "activity":
-            reason = f": {record['reason']}" if "reason" in record else ""
+            more = record.get("outcome", record.get("reason"))
+            reason = f": {more}" if more is not None else ""
             return f"{record['what']} {record['activity']} ({record['label']}){reason}"
         case "message" | "heard" | "arrived":
             to = f"  to {', '.join(record['to']) or 'nobody'}" if "to" in record else ""

@@ -6,7 +6,7 @@ condition under which it is true, its negation as the one under which it is fals
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
@@ -26,6 +26,7 @@ from aseme_dsl.amola.expression import (
     Named,
     Negate,
     Not,
+    Outcome,
     Value,
     VariableValue,
 )
@@ -46,6 +47,10 @@ class Piece:
     known: Known = field(default_factory=lambda: NOTHING)
 
 
+def _none(activity: str) -> tuple[str, ...]:
+    return ()
+
+
 @dataclass
 class Names:
     """The names of one generated method and what the emitted code turned out to use."""
@@ -57,6 +62,8 @@ class Names:
     fields: Mapping[tuple[str, str], tuple[bool, str]] = field(default_factory=dict)
     """For (message, field) whether it may be absent in a message that is there, and its type's name."""
     enums: set[tuple[str, str]] = field(default_factory=set)
+    outcomes: Callable[[str], tuple[str, ...]] = _none
+    """The states whose outcome is asked for by an activity's name."""
     prefix: str = ""
     locals: int = 0
     may_raise: bool = False
@@ -160,6 +167,8 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return Piece(local, (*extent.needs, f"({local} := {call}) is not None"), extent.known)
         case Expired(timer=timer):
             return Piece(f"b.timers.get({timer!r}, NEVER) <= now", known=known)
+        case Outcome(activity=activity):
+            return _outcome(activity, names, known)
         case Call():
             return _call(value, names, known)
         case Compare(operator=operator, left=left, right=right):
@@ -224,6 +233,13 @@ def _at(message: Member, offset: Value, names: Names, known: Known) -> Piece:
     call = f"b.at({str(message.channel)!r}, {message.host!r}, now + {_wrapped(extent.code)})"
     needs = (*extent.needs, f"({local} := {call}) is not None")
     return _path(local, message.channel.message, message.path, needs, names, extent.known)
+
+
+def _outcome(activity: str, names: Names, known: Known) -> Piece:
+    labels = names.outcomes(activity)
+    asked = f"outcomes.get({labels[0]!r})" if len(labels) == 1 else f"last_outcome({labels!r})"
+    local = names.local()
+    return Piece(local, (f"({local} := self.{asked}) is not None",), known)
 
 
 def _call(value: Call, names: Names, known: Known) -> Piece:

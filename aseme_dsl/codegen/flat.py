@@ -30,7 +30,9 @@ from aseme_dsl.amola.expression import (
     values_of,
     walk,
 )
+from aseme_dsl.amola.meant import states_meant
 from aseme_dsl.amola.messages import DURATION, Comm
+from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition
 
 
@@ -46,8 +48,8 @@ class Way:
 class Wait:
     """Something that time alone may change while a source is active.
 
-    `kind` is "after" (`amount` ns after the entry of `source`), "timer" (`name`) or "age" (the message
-    `member` becomes `amount` ns old).
+    `kind` is "after" (`amount` ns after the entry of `source`), "within" (the same, while the activity of
+    `source` runs), "timer" (`name`) or "age" (the message `member` becomes `amount` ns old).
     """
 
     source: str
@@ -69,8 +71,10 @@ class FlatRegion:
 class FlatChart:
     """A statechart with everything that the generator asks about it."""
 
-    def __init__(self, chart: Statechart) -> None:
+    def __init__(self, chart: Statechart, activities: Iterable[Activity] = ()) -> None:
+        """`activities` are those of the system: of those in the chart, what is said of them counts."""
         self.chart = chart
+        self.activities = {activity.name: activity for activity in activities}
         self.region_number: dict[str, int] = {}
         """The number of the innermost region around each state."""
         self.leaf: dict[str, int] = {}
@@ -205,12 +209,44 @@ class FlatChart:
             for transition in self.segments(source):
                 for wait in _waits(source, transition.expression):
                     found.setdefault(wait)
+        for label, within in self.deadlines.items():
+            found.setdefault(Wait(label, "within", within))
         return tuple(found)
+
+    def said_of(self, node: Node) -> Activity | None:
+        """What is said of the activity of a BASIC state."""
+        return self.activities.get(node.activity) if node.activity is not None else None
+
+    @cached_property
+    def deadlines(self) -> dict[str, int]:
+        """The BASIC states whose activity has a deadline, with how long it has from their entry, in ns."""
+        return {
+            node.label: said.within
+            for node in self.chart.nodes
+            if (said := self.said_of(node)) is not None and said.within is not None
+        }
+
+    @cached_property
+    def ending(self) -> frozenset[str]:
+        """The BASIC states whose activity ends with an outcome."""
+        return frozenset(
+            node.label for node in self.chart.nodes if (said := self.said_of(node)) is not None and said.ends
+        )
+
+    def asked_of(self, source: str, activity: str) -> tuple[str, ...]:
+        """The states of which `outcome(activity)` is the last outcome, in a transition out of `source`."""
+        found = states_meant(
+            self.chart,
+            source,
+            activity,
+            lambda node: node.type is NodeType.BASIC and node.activity == activity,
+        )
+        return tuple(node.label for node in found)
 
     @cached_property
     def timed(self) -> frozenset[str]:
         """The states whose moment of entry somebody asks for."""
-        return frozenset(wait.source for wait in self.waits if wait.kind == "after")
+        return frozenset(wait.source for wait in self.waits if wait.kind in ("after", "within"))
 
     @cached_property
     def members(self) -> dict[int, tuple[Member, ...]]:

@@ -49,6 +49,8 @@ def value_term(value: e.Value) -> Term:
             return ("mean", value_term(message), value_term(window))
         case e.Expired(timer=timer):
             return ("expired", timer)
+        case e.Outcome(activity=activity):
+            return ("outcome", activity)
         case e.Not(operand=operand):
             return ("!", value_term(operand))
         case e.Logic(operator=operator, operands=parts):
@@ -206,6 +208,8 @@ def _statement(system: System, activity: Activity) -> list[tuple[str, Any, Any]]
         ("reads", _read(system, activity), ()),
         ("writes", tuple(str(channel) for channel in activity.writes), ()),
         ("variables", activity.writes_variables, ()),
+        ("within", activity.within, None),
+        ("ends", activity.ends, ()),
     ]
 
 
@@ -216,7 +220,7 @@ def _participant(system: System, protocol: str, name: str) -> Participant | None
 
 def plan_sections(system: System, chart: Statechart) -> list[tuple[str, list[str]]]:
     """The parts of the plan as (keyword of Plan, source lines of the items)."""
-    flat = FlatChart(chart)
+    flat = FlatChart(chart, system.activities)
     kept = retention(system, chart, flat)
     used = {node.activity for node in chart.nodes if node.activity}
     activities = [item for item in system.activities if item.name in used]

@@ -15,6 +15,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import partial
 
 from aseme_dsl.amola.expression import (
     Action,
@@ -122,7 +123,7 @@ class _Generator:
         self.system = system
         self.chart = chart
         self.class_name = class_name
-        self.flat = FlatChart(chart)
+        self.flat = FlatChart(chart, system.activities)
         self.identifiers = _Identifiers()
         self.enums: set[tuple[str, str]] = set()
         self.messages: set[str] = set()
@@ -165,7 +166,7 @@ class _Generator:
 
     def _names(self, region: int, prefix: str = "") -> Names:
         variables = {name: self._variable(name, region) for name in self.variables}
-        return Names(self.slots[region], variables, self.fields, self.enums, prefix)
+        return Names(self.slots[region], variables, self.fields, self.enums, prefix=prefix)
 
     def _place(self, number: int) -> str:
         transition = self.chart.transitions[number]
@@ -244,6 +245,7 @@ class _Generator:
             f"    VARIABLES: ClassVar[Mapping[str, tuple[str, ...]]] = {variables!r}",
             f"    MESSAGES: ClassVar[Mapping[str, Any]] = {self._message_classes()}",
             f"    TIMES: ClassVar[Mapping[str, str]] = {times!r}",
+            *self._deadlines(),
             "    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = (",
             *(f"        {labels!r}," for labels in self._leaf_labels()),
             "    )",
@@ -252,6 +254,10 @@ class _Generator:
             "        super().__init__(agent)",
         ]
         return lines + [f"        self.{name}: {kind} = {value}" for name, kind, value in attributes]
+
+    def _deadlines(self) -> list[str]:
+        found = self.flat.deadlines
+        return [f"    WITHIN: ClassVar[Mapping[str, int]] = {found!r}"] if found else []
 
     def _python(self, kind: Type) -> str:
         if kind.kind in (Kind.ENUM, Kind.MESSAGE):
@@ -552,6 +558,7 @@ class _Generator:
         """The condition in line, or as a method of its own where evaluating it may raise."""
         before = method.names.may_raise
         method.names.may_raise = False
+        method.names.outcomes = self._outcomes(number)
         code, _ = holds(condition, method.names)
         raises, method.names.may_raise = method.names.may_raise, before
         if not raises:
@@ -559,12 +566,17 @@ class _Generator:
         if number not in self.guards:
             self.guards.add(number)
             guard = _Method(self._names(region))
+            guard.names.outcomes = self._outcomes(number)
             code, _ = holds(condition, guard.names)
             guard.add(2, "try:", f"    return {code}", "except Exception as error:")
             guard.add(3, f"return self.fault({number}, error)")
             signature = f"_holds_{number}(self, b: Board{region}, now: int) -> bool"
             self._method(signature, f"The condition of {_docstring(self._place(number))}.", guard)
         return f"self._holds_{number}(b, now)"
+
+    def _outcomes(self, number: int) -> Callable[[str], tuple[str, ...]]:
+        """Which states a transition asks for the outcome of an activity."""
+        return partial(self.flat.asked_of, self.flat.transition(number).source)
 
     # ---- taking a transition ---------------------------------------------------------------
 
@@ -711,6 +723,8 @@ class _Generator:
         match node.type:
             case NodeType.BASIC:
                 method.add(depth, f"self.r{region} = {number}")
+                if target in self.flat.ending:
+                    method.add(depth, f"self.await_outcome({target!r})")
                 method.add(depth, f"self.k{region} = self.begin({target!r}, {node.activity!r})")
             case NodeType.AND:
                 method.add(depth, f"self.r{region} = {number}")
@@ -820,6 +834,7 @@ class _Generator:
     ) -> None:
         """Compute a value and use it; an absent or raising one is a fault."""
         before, method.names.may_raise = method.names.may_raise, False
+        method.names.outcomes = self._outcomes(number)
         piece = evaluate(value, method.names)
         raises, method.names.may_raise = method.names.may_raise, before
         if raises:
@@ -894,8 +909,8 @@ class _Generator:
         region = self.flat.region_number[wait.source]
         if wait.source in self.flat.leaf:
             number = self.flat.leaf[wait.source]
-            is_basic = self.chart.node(wait.source).type is NodeType.BASIC
-            first, last = number, number + 1 if is_basic else number
+            has_two = self.chart.node(wait.source).type is NodeType.BASIC and wait.kind != "within"
+            first, last = number, number + 1 if has_two else number
         else:
             first, last = self.flat.range[wait.source]
         where = f"self.r{region} == {first}" if first == last else f"{first} <= self.r{region} <= {last}"
@@ -903,7 +918,7 @@ class _Generator:
         depth = 3
         board = f"self.b{region}"
         match wait.kind:
-            case "after":
+            case "after" | "within":
                 method.add(depth, f"at = self.{self._time(wait.source)} + {wait.amount}")
             case "timer":
                 method.add(depth, f"at = {board}.timers.get({wait.name!r}, NEVER)")

@@ -48,7 +48,12 @@ def type_activity(
         tuple(dict.fromkeys(writes)),
         tuple(dict.fromkeys(variables)),
         written.span,
+        None if written.within is None else written.within.nanoseconds,
+        tuple(dict.fromkeys(name.text for name in written.ends)),
     )
+    if written.within is not None and written.within.nanoseconds <= 0:
+        hint = "a deadline comes after the state is entered: `within 5s`"
+        checker.report("E522", "the deadline is no time at all", written.within.span, hint)
     return activity, tuple(checker.diagnostics)
 
 
@@ -143,6 +148,8 @@ _CLAUSES = {
     "reads": "reads",
     "writes": "writes",
     "writes_variables": "writes",
+    "within": "within",
+    "ends": "ends",
 }
 
 

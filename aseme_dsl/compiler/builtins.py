@@ -29,6 +29,7 @@ FORMS: dict[str, str] = {
     "mean": "mean(topic.data.Message.member, 500ms)",
     "expired": "expired(timer)",
     "start_timer": "start_timer(timer, 200ms)",
+    "outcome": "outcome(Activity) == name",
 }
 """What looks like a function and is part of the language, with an example of its use."""
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from aseme_dsl.amola.aip import DeclaredVariable
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Origin, OriginKind, Statechart, Variable
-from aseme_dsl.compiler.control import LabelledLine, Line, Lines, Placed, transitions
+from aseme_dsl.compiler.control import LabelledLine, Line, Lines, Placed, Renames, transitions
 from aseme_dsl.compiler.formula_to_statechart import Branch, Outline, Way
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.regions import regions_of
@@ -71,14 +71,14 @@ def chart_of(
     origin = Origin(OriginKind.FORMULA, name, "control")
     placed = [Placed(item.source.text, item.target.text, item.line, origin, None) for item in labelled]
     own = [Variable(v.name, v.type, v.initial, None, v.span) for v in variables]
-    renamed: dict[str, dict[str, str]] = {}
+    renamed: dict[str, Renames] = {}
     for label, branch in outline.branches.items():
         part = parts[branch.protocol, branch.participant]
         by_way.update(part.lines.by_way)
         placed += _placed(label, part, branch.origin)
-        if part.variables:
-            renamed[label] = {v.name: f"{v.name}@{label}" for v in part.variables}
-            own += [Variable(f"{v.name}@{label}", v.type, v.initial, label, v.span) for v in part.variables]
+        keys = {v.name: f"{v.name}@{label}" for v in part.variables}
+        renamed[label] = Renames(keys, branch.bindings)
+        own += [Variable(keys[v.name], v.type, v.initial, label, v.span) for v in part.variables]
     found = transitions(outline, by_way, placed, renamed)
     modules = world.modules.get(name, ()) if kind == "IAC" else ()
     regions = regions_of(outline.nodes, found, world.activities, modules, world.symbols)

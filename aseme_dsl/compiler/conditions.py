@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from aseme_dsl.amola.expression import Value
-from aseme_dsl.amola.messages import EnumType, Message
 from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
 from aseme_dsl.compiler.flow import Contradict
 from aseme_dsl.compiler.formulas import cut
+from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.proofs.choice import (
     Always,
@@ -33,9 +33,15 @@ _SHOWN = 5
 """How many branches beside the first one are pointed at."""
 
 
-def prover_of(enums: Iterable[EnumType], messages: Iterable[Message]) -> Prover:
+def prover_of(symbols: Symbols) -> Prover:
     """The prover for a system's conditions; z3 is loaded with its first question."""
-    return Prover(Vocabulary({item.name: item for item in enums}, {item.name: item for item in messages}))
+    return Prover(
+        Vocabulary(
+            {item.name: item for item in symbols.enums},
+            {item.name: item for item in symbols.messages},
+            {name: item.ends for name, item in symbols.activities.items() if item.ends},
+        )
+    )
 
 
 def check_conditions(charts: Iterable[Statechart], prover: Prover) -> tuple[tuple[Diagnostic, ...], int]:

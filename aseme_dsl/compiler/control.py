@@ -124,12 +124,12 @@ def transitions(
     outline: Outline,
     lines: Mapping[Way, tuple[Line, ...]],
     placed: Sequence[Placed] = (),
-    renamed: Mapping[str, Mapping[str, str]] | None = None,
+    renamed: Mapping[str, Renames] | None = None,
 ) -> tuple[Transition, ...]:
     """The transitions of a chart, in the template's order; several lines of one way are parallel ones.
 
-    `renamed` gives each branch the keys that its participant's variables have in the chart. What `placed`
-    lines add to the formula comes last.
+    `renamed` says for each branch what the names of its participant's expressions mean in the chart. What
+    `placed` lines add to the formula comes last.
     """
     renamed = renamed or {}
     by_ends: dict[tuple[str, str], list[Placed]] = {}
@@ -142,7 +142,7 @@ def transitions(
         cuts_short = isinstance(arrow, Arrow) and arrow.first
         expression = NEVER if cuts_short else EMPTY
         if line is not None:
-            names = renamed.get(arrow.branch, {}) if arrow.branch is not None else {}
+            names = renamed.get(arrow.branch, _SAME) if arrow.branch is not None else _SAME
             expression = rename(line.expression, names)
         first = cuts_short and not expression.is_for_errors
         drafts.append(Transition(name, arrow.source, arrow.target, expression, 0, arrow.origin, span, first))
@@ -190,56 +190,31 @@ def prioritised(drafts: Sequence[Transition], positions: Sequence[int | None]) -
     return tuple(found)
 
 
-def rename(written: TransitionExpression, names: Mapping[str, str]) -> TransitionExpression:
-    """The expression with the keys of variables replaced as `names` says."""
-    if not names or not _mentions(written, names):
-        return written
-    condition = None if written.condition is None else _renamed(written.condition, names)
-    actions = tuple(_renamed_action(action, names) for action in written.actions)
-    return replace(written, condition=condition, actions=actions)
+@dataclass(frozen=True, slots=True)
+class Renames:
+    """What the names in a participant's expressions mean in the chart where it is played."""
+
+    variables: Mapping[str, str] = field(default_factory=dict)
+    """The keys of its variables: `bids@0.2.3`."""
+    activities: Mapping[str, str] = field(default_factory=dict)
+    """The role's own activities that stand for the protocol's."""
 
 
-def _mentions(written: TransitionExpression, names: Mapping[str, str]) -> bool:
-    targets = (action.target for action in written.actions if isinstance(action, expression.Assign))
-    return any(
-        isinstance(value, expression.VariableValue) and value.name in names
-        for value in (*expression.values_of(written), *targets)
-    )
+def rename(written: TransitionExpression, names: Renames) -> TransitionExpression:
+    """The expression with the keys of variables and the names of activities replaced as `names` says."""
+
+    def change(value: expression.Value) -> expression.Value:
+        match value:
+            case expression.VariableValue(name=name) if name in names.variables:
+                return replace(value, name=names.variables[name])
+            case expression.Outcome(activity=activity) if activity in names.activities:
+                return replace(value, activity=names.activities[activity])
+        return value
+
+    return expression.rewritten_expression(written, change) if names != _SAME else written
 
 
-def _renamed(value: expression.Value, names: Mapping[str, str]) -> expression.Value:
-    """Nesting of expressions is bounded (E103), so this may recurse."""
-    match value:
-        case expression.VariableValue(name=name):
-            return replace(value, name=names.get(name, name))
-        case expression.Call(arguments=arguments):
-            return replace(value, arguments=tuple(_renamed(item, names) for item in arguments))
-        case expression.Not(operand=operand) | expression.Negate(operand=operand):
-            return replace(value, operand=_renamed(operand, names))
-        case expression.Logic(operands=operands):
-            return replace(value, operands=tuple(_renamed(item, names) for item in operands))
-        case expression.Compare(left=left, right=right) | expression.Arithmetic(left=left, right=right):
-            return replace(value, left=_renamed(left, names), right=_renamed(right, names))
-        case expression.At(offset=offset):
-            return replace(value, offset=_renamed(offset, names))
-        case expression.Mean(window=window):
-            return replace(value, window=_renamed(window, names))
-        case expression.Named(expression=inner):
-            return replace(value, expression=_renamed(inner, names))
-    return value
-
-
-def _renamed_action(action: expression.Action, names: Mapping[str, str]) -> expression.Action:
-    match action:
-        case expression.Assign(target=target, value=value):
-            if isinstance(target, expression.VariableValue):
-                target = replace(target, name=names.get(target.name, target.name))
-            return replace(action, target=target, value=_renamed(value, names))
-        case expression.StartTimer(duration=duration):
-            return replace(action, duration=_renamed(duration, names))
-        case expression.Evaluate(value=value):
-            return replace(action, value=_renamed(value, names))
-    return action
+_SAME = Renames()
 
 
 # ---- lines that name labels ---------------------------------------------------------------------
@@ -388,6 +363,7 @@ __all__ = [
     "Line",
     "Lines",
     "Placed",
+    "Renames",
     "check_labels",
     "including_labels",
     "prioritised",

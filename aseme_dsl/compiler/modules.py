@@ -49,6 +49,13 @@ def read_modules(
                     hint="a module runs every so often: `every 33ms`",
                 )
             )
+        for word, place in (
+            ("within", item.activity.within),
+            ("ends", item.activity.ends[0] if item.activity.ends else None),
+        ):
+            if place is not None:
+                problem = f"the module `{name}` does not end: it has no `{word}`"
+                diagnostics.append(Diagnostic("E522", problem, place.span, hint="leave it out"))
         target = item.target.text if item.target is not None else ""
         if item.target is not None and not _TARGET.fullmatch(target):
             diagnostics.append(

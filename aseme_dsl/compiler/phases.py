@@ -35,6 +35,7 @@ from aseme_dsl.compiler.inclusion import Inclusion, errors_alone, include
 from aseme_dsl.compiler.load import Loaded, load
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.modules import also_activities, read_modules
+from aseme_dsl.compiler.outcomes import check_deadlines, check_outcomes
 from aseme_dsl.compiler.resolve import resolve
 from aseme_dsl.compiler.sag_to_suc import read_sag, sag_to_suc
 from aseme_dsl.compiler.scope import Scope
@@ -161,10 +162,11 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     iacs = {role.name: srm_to_iac(role, world) for role in roles.values()}
     iacs |= {item.name: build_statechart(item, world) for item in given}
     charts = [chart for chart in (*eacs.values(), *iacs.values()) if chart is not None]
-    prover = prover_of(symbols.enums, symbols.messages)
+    prover = prover_of(symbols)
     for chart in charts:
         found += check_flow(chart, contradiction(prover))
         found += check_reach(chart)
+    found += check_outcomes(charts, described)
 
     # What is used but not declared, described but not used, expected but not written.
     used = used_activities((*_built(iacs), *_built(eacs)))
@@ -198,6 +200,7 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     unchecked = 0
     if not has_errors(found):  # else the line that starts a timer may be what is missing
         found += [problem for chart in charts for problem in check_timers(chart)]
+        found += check_deadlines(charts, described)
         if symbols.system is not None and len(charts) == len(eacs) + len(iacs):
             found += check_use(_built(iacs), _built(eacs), described, list(_statements(blocks)), symbols)
         if symbols.system is not None:

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from aseme_dsl.amola.messages import Function, Type
 from aseme_dsl.amola.system import Agent, Team
+from aseme_dsl.compiler.activity_forms import activity_forms
 from aseme_dsl.compiler.builtins import FORMS, FUNCTIONS, reserved
 from aseme_dsl.compiler.collector import Collector, type_named
 from aseme_dsl.compiler.inclusion import includers
@@ -52,6 +53,7 @@ def resolve(loaded: Loaded) -> tuple[Symbols, tuple[Diagnostic, ...]]:
         topics=topics(collector, symbols),
         functions=_functions(collector, symbols),
         lets=_lets(collector),
+        activities=activity_forms(collector),
     )
     check_radio(collector, symbols)
     return replace(symbols, wrong=frozenset(collector.wrong)), tuple(collector.diagnostics)

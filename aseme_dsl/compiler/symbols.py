@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from aseme_dsl.amola.messages import (
@@ -24,6 +24,15 @@ from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
 
 
+@dataclass(frozen=True, slots=True)
+class ActivityForm:
+    """What expressions and formulas need to know of an activity that is described: how it may end."""
+
+    name: str
+    ends: tuple[str, ...]
+    span: Span
+
+
 @dataclass(frozen=True)
 class Symbols:
     """Everything that has a name in the whole system. Sequences are in document order, imports first."""
@@ -34,6 +43,8 @@ class Symbols:
     topics: tuple[Topic, ...] = ()
     functions: tuple[Function, ...] = ()  # the declared ones; built-in ones are in compiler/builtins.py
     lets: tuple[tree.Let, ...] = ()  # those of files; typed by scope.global_scope
+    activities: Mapping[str, ActivityForm] = field(default_factory=dict)
+    """The activities that some role describes."""
     teams: tuple[Team, ...] = ()
     protos: tuple[ProtoFile, ...] = ()
     wrong: frozenset[str] = frozenset()

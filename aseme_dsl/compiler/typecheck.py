@@ -21,6 +21,7 @@ from aseme_dsl.compiler.checker import Checker
 from aseme_dsl.compiler.constants import LARGEST_INT, NotConstant, fold
 from aseme_dsl.compiler.names import unknown, unknown_performative
 from aseme_dsl.compiler.operators import COMPARISONS, arithmetic, compare, is_condition, negate
+from aseme_dsl.compiler.outcome_values import alone, compare_outcome, is_about_outcome
 from aseme_dsl.compiler.paths import channel_of, member_of, through_optional, value_of_path
 from aseme_dsl.compiler.scope import Scope
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
@@ -131,6 +132,8 @@ def paths_in(written: tree.Expression) -> Iterator[tree.Path]:
         match item:
             case tree.Path():
                 yield item
+            case tree.Binary() if is_about_outcome(item):
+                pass  # it names an activity and an outcome
             case tree.Call(arguments=arguments):
                 if item.function.text in ("expired", "start_timer"):
                     arguments = arguments[1:]
@@ -188,6 +191,8 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
             return _call(checker, written, depth)
         case tree.Unary():
             return _unary(checker, written, depth)
+        case tree.Binary() if is_about_outcome(written):
+            return compare_outcome(checker, written)
         case tree.Binary():
             left = _value(checker, written.left, depth + 1)
             right = _value(checker, written.right, depth + 1)
@@ -228,6 +233,9 @@ def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
         return None if found is None else amola.Expired(found, written.span)
     if name == "start_timer":
         wrong_form(checker, name, written.span, "`start_timer` is an action, not a value")
+        return None
+    if name == "outcome":
+        alone(checker, written)
         return None
     if name is None and len(written.function.segments) == 1:
         near = closest(written.function.text, (*checker.scope.symbols.function_names, *FORMS))

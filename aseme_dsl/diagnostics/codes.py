@@ -142,6 +142,9 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E515": ("error", "a duration that is not a constant"),
     "E516": ("error", "a number that is too large"),
     "E517": ("error", "a condition without its brackets"),
+    "E520": ("error", "an outcome that there is not"),
+    "E521": ("error", "an outcome that is not compared"),
+    "E522": ("error", "a deadline or an outcome out of place"),
     "W500": ("warning", "an action that no one sees"),
     "W501": ("warning", "a timer that is never started"),
     "W520": ("warning", "a signal that nobody reads"),
@@ -169,6 +172,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W600": ("warning", "a state that cannot be reached"),
     "W601": ("warning", "a state that cannot be left"),
     "W602": ("warning", "an AND state with fewer than two regions"),
+    "W603": ("warning", "a deadline that is shorter than the activity"),
+    "W604": ("warning", "a deadline whose passing stops the agent"),
     # What the analyst has not said yet (N7xx)
     "N700": ("note", "a use case that nothing specifies"),
     "N701": ("note", "a protocol that is not written yet"),

@@ -90,13 +90,19 @@ def _activity(name: str, activity: Activity | None) -> list[list[str]]:
     if activity is None:
         return [[name], [], [], [], [], []]
     return [
-        [name],
+        [name, *_ends(activity)],
         [", ".join(activity.uses)] if activity.uses else [],
         [] if activity.every is None else [duration_text(activity.every)],
         [] if activity.takes is None else [duration_text(activity.takes)],
         [_subscription(item) for item in activity.reads],
         [*map(str, activity.writes), *(f"variable {name}" for name in activity.writes_variables)],
     ]
+
+
+def _ends(activity: Activity) -> list[str]:
+    """Its deadline and its outcomes, below its name."""
+    deadline = [f"within {duration_text(activity.within)}"] if activity.within is not None else []
+    return deadline + ([f"ends {', '.join(activity.ends)}"] if activity.ends else [])
 
 
 def _subscription(item: Subscription) -> str:

@@ -455,6 +455,7 @@ class _Builder:
         uses: tuple[tree.Name, ...] = ()
         durations: dict[str, tree.Duration | None] = {}
         kind: tree.Name | None = None
+        ends: tuple[tree.Name, ...] = ()
         reads: list[tree.ActivityRead] = []
         writes: list[tree.Path] = []
         said = _Once(self)
@@ -466,6 +467,11 @@ class _Builder:
                 case "Takes":
                     said.check("'takes'", self.span(clause))
                     durations["takes"] = self.duration(clause.duration)
+                case "Within":
+                    said.check("'within'", self.span(clause))
+                    durations["within"] = self.duration(clause.duration)
+                case "Ends":
+                    ends += self.names(clause.outcomes)
                 case "As":
                     said.check("'as'", self.span(clause))
                     kind = self.name(clause.kind)
@@ -484,6 +490,8 @@ class _Builder:
             tuple(reads),
             tuple(writes),
             self.span(node),
+            durations.get("within"),
+            ends,
         )
 
     def module(self, node: Any) -> tree.Module:

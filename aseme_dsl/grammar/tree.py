@@ -493,7 +493,10 @@ class ActivityRead:
 
 @dataclass(frozen=True, slots=True)
 class Activity:
-    """`Vision every 33ms takes 5ms as process uses camera reads … writes …`; clauses in any order."""
+    """`Vision every 33ms takes 5ms as process uses camera reads … writes …`; clauses in any order.
+
+    `within` is its deadline, `ends` are the names of its outcomes.
+    """
 
     name: Name
     uses: tuple[Name, ...]
@@ -503,6 +506,8 @@ class Activity:
     reads: tuple[ActivityRead, ...]
     writes: tuple[Path, ...]
     span: Span
+    within: Duration | None = None
+    ends: tuple[Name, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -158,7 +158,8 @@ def asks(branch: Transition) -> bool:
     """Whether it has a condition that reads something."""
     condition = branch.expression.condition
     return condition is not None and any(
-        isinstance(part, e.Member | e.VariableValue | e.Expired | e.Call) for part in e.walk(condition)
+        isinstance(part, e.Member | e.VariableValue | e.Expired | e.Outcome | e.Call)
+        for part in e.walk(condition)
     )
 
 
@@ -237,6 +238,8 @@ def _free_atom(value: e.Value, vocabulary: Vocabulary) -> e.Value | None:
         if not isinstance(other, constants) or kind in (Kind.STRING, Kind.BYTES):
             return None
         enum = vocabulary.enums.get(atom.type.name)
+        if kind is Kind.OUTCOME and len(vocabulary.outcomes[atom.type.name]) < 2:
+            return None
         if kind is Kind.ENUM and (enum is None or len({number for _, number in enum.constants}) < 2):
             return None
     while isinstance(atom, e.Named):
@@ -246,7 +249,7 @@ def _free_atom(value: e.Value, vocabulary: Vocabulary) -> e.Value | None:
             isinstance(part, e.Call | e.Member | e.VariableValue | e.Literal) for part in e.walk(atom)
         )
         return atom if is_unknown_function(atom) and plain else None
-    return atom if isinstance(atom, e.Member | e.VariableValue | e.Expired | e.Has) else None
+    return atom if isinstance(atom, e.Member | e.VariableValue | e.Expired | e.Outcome | e.Has) else None
 
 
 __all__ = [

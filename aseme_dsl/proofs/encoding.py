@@ -87,6 +87,9 @@ class Encoder:
             numbers = sorted({number for _, number in enum.constants}) if enum is not None else []
             if numbers:
                 self.facts.append(self._z3.Or([symbol == number for number in numbers]))
+        elif kind is Kind.OUTCOME:
+            last = len(self._vocabulary.outcomes[unknown.type.name]) - 1
+            self.facts.append(self._z3.And(symbol >= 0, symbol <= last))
         elif kind in _TEXTS or key[0] == AGE:
             self.facts.append(symbol >= 0)
         elif kind is Kind.INT and key[0] == VALUE:
@@ -268,6 +271,9 @@ class Encoder:
                 return self._real(Fraction(repr(constant)) if isinstance(constant, float) else constant)
             case Kind.STRING | Kind.BYTES:
                 return self._real(self.texts.index(constant))
+            case Kind.OUTCOME if isinstance(constant, str):
+                number = self._vocabulary.outcomes[kind.name].index(constant)
+                return self._z3.IntVal(number, self._context)
             case Kind.ENUM if isinstance(constant, str):
                 return self._z3.IntVal(self._vocabulary.enums[kind.name].number(constant), self._context)
         return self._z3.IntVal(int(constant), self._context)

@@ -108,7 +108,7 @@ def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
         case e.At() | e.Mean():
             key = identity(value)
             return _is_known_there(key, ((THERE, *key),), values)
-        case e.Literal() | e.EnumConstant() | e.VariableValue() | e.Expired() | e.Has():
+        case e.Literal() | e.EnumConstant() | e.VariableValue() | e.Expired() | e.Outcome() | e.Has():
             return True
         case e.Not() | e.Logic():
             yes = _is(True, value, values, vocabulary)
@@ -146,6 +146,8 @@ def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> Any:
         case e.Literal(value=constant, type=kind):
             if kind.kind is Kind.ENUM:
                 return vocabulary.enums[kind.name].number(str(constant))
+            if kind.kind is Kind.OUTCOME:
+                return vocabulary.outcomes[kind.name].index(str(constant))
             return constant
         case e.EnumConstant(number=number):
             return number

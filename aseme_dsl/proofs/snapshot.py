@@ -243,6 +243,8 @@ class Snapshot:
             case Kind.ENUM:
                 enum = self._vocabulary.enums.get(unknown.type.name)
                 return [number for _, number in enum.constants] if enum is not None else []
+            case Kind.OUTCOME:
+                return list(range(len(self._vocabulary.outcomes[unknown.type.name])))
             case Kind.STRING | Kind.BYTES:
                 return list(self._encoder.texts)
             case Kind.DURATION:
@@ -357,6 +359,8 @@ class Snapshot:
             case Kind.ENUM:
                 constants = self._vocabulary.enums[unknown.type.name].constants
                 return next(f"{unknown.type}.{name}" for name, number in constants if number == value)
+            case Kind.OUTCOME:
+                return str(self._vocabulary.outcomes[unknown.type.name][value])
             case Kind.DURATION:
                 return e.duration_text(value)
             case Kind.STRING | Kind.BYTES:

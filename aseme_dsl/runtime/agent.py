@@ -104,7 +104,6 @@ class Agent:
         self._inputs: list[Posted] | None = None
         self._due: Timer | None = None
         self._prepared: dict[tuple[str | None, str], Any] = {}
-        self._crashed: dict[str, str] = {}
         self._configuration: tuple[str, ...] = ()
         self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
         self._carried_out: dict[type[Any], Callable[[Any], None]] = {
@@ -237,9 +236,6 @@ class Agent:
             outcome,
             configuration if changed else None,
         )
-        for item in inputs:
-            if isinstance(item.input, Crashed):
-                self._crashed[item.input.label] = self.plan.by_label[item.input.label].at
         for effect in outcome.effects:
             self._carried_out[type(effect)](effect)
         if outcome.failure is not None:
@@ -281,7 +277,8 @@ class Agent:
 
     def _note_failure(self, now: int, outcome: Outcome) -> None:
         reason = outcome.failure or ""
-        at = next((at for label, at in self._crashed.items() if f"state {label} failed" in reason), "")
+        states = self.plan.states
+        at = next((state.at for state in states if f" of state {state.label} failed: " in reason), "")
         if not at and outcome.taken:
             at = self.plan.transitions[outcome.taken[-1][0]].at
         self.failed_at = at
@@ -393,7 +390,6 @@ class Agent:
         self.plan = chart.PLAN
         self.intake.queued = _queued(self.plan)
         self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
-        self._crashed.clear()
         self.recent.clear()
         self._configuration = chart.configuration() if chart.started and self.trace.active else ()
         if not self.driver.clock.virtual:

@@ -199,6 +199,7 @@ class _Carrying:
         self._set_boards(entered)
         self._variables()
         self._times()
+        self._outcomes()
         self._mail()
         for number in entered:
             getattr(new, f"_enter_{number}")(self.now)
@@ -382,6 +383,18 @@ class _Carrying:
             old = self.old.TIMES.get(before.get(label, ""))
             setattr(self.new, slot, self.now if old is None else getattr(self.old, old))
 
+    def _outcomes(self) -> None:
+        """How activities have ended, as far as they may still end so."""
+        infos = {info.name: info for info in self.new.PLAN.activities}
+        for label, outcome in self.old.outcomes.items():
+            new = self.labels.get(label)
+            info = infos.get(self.new.PLAN.by_label[new].activity or "") if new is not None else None
+            if new is not None and info is not None and info.ends:
+                known = outcome if outcome in info.ends else None
+                if known != outcome:
+                    self.lost.append(f"outcome of {info.name}")
+                self.new.outcomes[new] = known
+
     def _mail(self) -> None:
         for branch, waiting in self.old.mail.items():
             label = self.labels.get(branch)
@@ -402,13 +415,19 @@ class _Carrying:
         for label, token in self.running.items():
             activity = self.new.PLAN.by_label[label].activity or ""
             info = after.get(activity)
-            if before.get(activity) == info and self._same_messages(info):
+            if self._goes_on(before.get(activity), info):
                 continue
             restarted.append(label)
             self.new.effects.append(Cancel(label, activity, token))
             owner = self.new.RUNNING[label][1]
             setattr(self.new, owner, self.new.begin(label, activity))
         return tuple(restarted)
+
+    def _goes_on(self, before: ActivityInfo | None, info: ActivityInfo | None) -> bool:
+        """Whether an activity that runs may go on: another deadline is no reason to begin anew."""
+        if before is None or info is None:
+            return before is info
+        return replace(before, within=info.within) == info and self._same_messages(info)
 
     def _same_messages(self, info: ActivityInfo | None) -> bool:
         channels = (*info.reads, *info.writes) if info is not None else ()

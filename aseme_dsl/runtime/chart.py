@@ -11,6 +11,7 @@ from importlib import import_module
 from typing import Any, ClassVar
 
 from aseme_dsl.runtime.board import QUEUE, Board
+from aseme_dsl.runtime.clock import shown
 from aseme_dsl.runtime.inputs import (
     Arrived,
     Cancel,
@@ -92,6 +93,7 @@ class Chart:
         "mail",
         "now",
         "outcome",
+        "outcomes",
         "pending",
         "queue",
         "started",
@@ -112,6 +114,8 @@ class Chart:
     REGIONS: ClassVar[tuple[str, ...]] = ()
     TIMES: ClassVar[Mapping[str, str]] = {}
     """The slots that hold when a state was entered, for those states where it matters."""
+    WITHIN: ClassVar[Mapping[str, int]] = {}
+    """The deadlines of BASIC states: how long their activities have from the entry, in ns."""
     LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = ()
     """The labels of each region's leaves by their numbers."""
 
@@ -123,6 +127,8 @@ class Chart:
         self.failure: str | None = None
         self.tokens = 0
         self.failed: dict[str, str] = {}
+        self.outcomes: dict[str, str | None] = {}
+        """How the activities of states have ended, None for those that have not; the last is the newest."""
         self.events: set[str] = set()
         self._seen_events: set[tuple[int, str]] = set()
         self.mail: dict[str, list[Mail]] = {info.label: [] for info in self.PLAN.branches}
@@ -197,6 +203,8 @@ class Chart:
         self.now = now
         for item in inputs:
             self._receive(item)
+        if self.WITHIN:
+            self._fail_the_late()
         if not self.started:
             self.started = True
             self.enter()
@@ -221,11 +229,13 @@ class Chart:
                         board.ahead.discard(item.identity)
                     else:
                         self._put(region, board, item)
-            case Completed(label, token):
+            case Completed(label, token, outcome):
                 leaf, owner, number = self.RUNNING[label]
                 runs = getattr(self, leaf) == number and label not in self.failed
                 if runs and getattr(self, owner) == token:
                     setattr(self, leaf, number + 1)
+                    if outcome is not None:
+                        self._ended(label, outcome)
             case Crashed(label, token, reason):
                 leaf, owner, number = self.RUNNING[label]
                 if getattr(self, leaf) == number and getattr(self, owner) == token:
@@ -243,6 +253,21 @@ class Chart:
             self.effects.append(LeftOut(self.REGIONS[region], item.channel))
         else:
             board.put(item, self.now)
+
+    def _fail_the_late(self) -> None:
+        """Cancel the activities whose deadline has passed: their states have failed."""
+        for label, within in self.WITHIN.items():
+            leaf, owner, number = self.RUNNING[label]
+            if getattr(self, leaf) != number or label in self.failed:
+                continue
+            if self.now - getattr(self, self.TIMES[label]) >= within:
+                reason = self.failed[label] = f"not done within {shown(within)}"
+                activity = self.PLAN.by_label[label].activity or ""
+                self.effects.append(Cancel(label, activity, getattr(self, owner), reason))
+
+    def _ended(self, label: str, outcome: str | None) -> None:
+        self.outcomes.pop(label, None)
+        self.outcomes[label] = outcome
 
     def _end_step(self, outcome: Outcome) -> None:
         if self.writes:
@@ -282,6 +307,15 @@ class Chart:
         self.tokens += 1
         self.effects.append(Start(label, activity, self.tokens))
         return self.tokens
+
+    def await_outcome(self, label: str) -> None:
+        """A state whose activity ends with an outcome is entered: there is none until it has."""
+        self._ended(label, None)
+
+    def last_outcome(self, labels: tuple[str, ...]) -> str | None:
+        """The outcome of that of the states which ended or was entered last; None if it has not ended."""
+        last = next((label for label in reversed(self.outcomes) if label in labels), "")
+        return self.outcomes.get(last)
 
     def cancel(self, label: str, activity: str, token: int) -> None:
         """Leave a state whose activity runs, or has failed."""

@@ -69,6 +69,7 @@ class Execution:
         "number",
         "opens",
         "owner",
+        "result",
         "start",
         "started",
         "timer",
@@ -99,6 +100,8 @@ class Execution:
         self.cancelled: bool = False
         self.has_returned = False
         self.error: BaseException | None = None
+        self.result: str | None = None
+        """What the code has returned, see `as_outcome`."""
         self.opens: int | None = None
         """In virtual time, the moment from which what the activity does counts, until it has come."""
         self.held: list[c.Doing] = []
@@ -254,7 +257,7 @@ class Execution:
             context = self.context
             context.check()
             assert self.code is not None
-            self.code().execute(context)
+            self.result = as_outcome(self.code().execute(context))
         except BaseException as raised:  # whatever it is, the agent must hear of it
             return raised
         return None
@@ -337,7 +340,7 @@ class Executions:
         execution.cancelled = True
         execution.dropped += len(execution.held)
         execution.held.clear()
-        self._trace("cancel", cancel)
+        self._trace("cancel", cancel, **({"reason": cancel.reason} if cancel.reason is not None else {}))
         if execution.timer is not None:
             execution.timer.cancel()
         if execution.code is None or execution.has_returned:
@@ -529,12 +532,14 @@ class Executions:
                 assert execution.code is not None
                 made = execution.code().execute(execution.context)
                 if not isinstance(made, Generator):  # a plain function is one that never yields
+                    execution.result = as_outcome(made)
                     self.returned(execution, None)
                     return
                 execution.generator = made
             pause = next(execution.generator)
             delay = TICK if pause is None else nanoseconds(pause)
-        except StopIteration:
+        except StopIteration as end:
+            execution.result = as_outcome(end.value)
             self.returned(execution, None)
         except BaseException as error:
             if execution.generator is not None:
@@ -565,6 +570,8 @@ class Executions:
         if execution.has_returned:
             return
         execution.has_returned = True
+        if error is None and not execution.cancelled:
+            error = _wrong_outcome(execution)
         execution.error = error
         if execution.cancelled:
             if error is not None and is_cancellation(error):
@@ -593,8 +600,10 @@ class Executions:
         if execution.timer is not None:
             execution.timer.cancel()
         if execution.error is None:
-            self._trace("end", start, sequence=identity[1])
-            agent.post(identity, Completed(start.label, start.token))
+            outcome = _outcome(execution)
+            told = {} if outcome is None else {"outcome": outcome}
+            self._trace("end", start, sequence=identity[1], **told)
+            agent.post(identity, Completed(start.label, start.token, outcome))
         else:
             reason = reason_of(execution.error)
             self._trace(
@@ -675,6 +684,30 @@ def _fits(kind: str, value: Any) -> bool:
     if expected is None:
         return type(value).__name__ == kind
     return isinstance(value, expected) and (bool in expected or not isinstance(value, bool))
+
+
+def as_outcome(result: Any) -> str | None:
+    """What an activity has returned as the name of an outcome; of what is no text, its type: `<int>`."""
+    if result is None or isinstance(result, str):
+        return result if result is None else str.__str__(result)
+    return f"<{type(result).__name__}>"
+
+
+def _outcome(execution: Execution) -> str | None:
+    """How an activity has ended: one without code in the first of the ways in which it may."""
+    ends = execution.info.ends
+    if not ends:
+        return None
+    return ends[0] if execution.code is None else execution.result
+
+
+def _wrong_outcome(execution: Execution) -> ActivityError | None:
+    """An activity that ends in one of several ways has to say in which."""
+    ends = execution.info.ends
+    if not ends or execution.code is None or execution.result in ends:
+        return None
+    returned = "nothing" if execution.result is None else execution.result
+    return ActivityError(f"it returned {returned}: it ends {' or '.join(ends)}")
 
 
 def is_cancellation(error: BaseException) -> bool:

@@ -31,10 +31,14 @@ class Arrived:
 
 @dataclass(frozen=True, slots=True)
 class Completed:
-    """The activity that was started with `token` in the state `label` has returned."""
+    """The activity that was started with `token` in the state `label` has returned.
+
+    `outcome` is the way in which it has ended, if it has several.
+    """
 
     label: str
     token: int
+    outcome: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,11 +95,12 @@ class Start:
 
 @dataclass(frozen=True, slots=True)
 class Cancel:
-    """Tell the activity started with `token` that its state was left."""
+    """Tell the activity started with `token` that its state was left, or (`reason`) has failed."""
 
     label: str
     activity: str
     token: int
+    reason: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ Conditions and values are nested tuples whose first item says what they are:
     ("member", host or None, "vision.state.Ball", ("visible",))      (the message itself with an empty path)
     ("call", name, value, …)  ("builtin", name, value, …)
     ("has", member)  ("age", member)  ("at", member, value)  ("mean", member, value)  ("expired", timer)
+    ("outcome", activity)
     ("!", value)  ("&&", value, …)  ("||", value, …)  ("neg", value)
     ("==" | "!=" | "<" | "<=" | ">" | ">=", value, value)
     ("+" | "-" | "*" | "/" | "//" | "%", value, value)
@@ -81,7 +82,10 @@ class Region:
 
 @dataclass(frozen=True, slots=True)
 class ActivityInfo:
-    """What the document says of an activity: `every` and `takes` in ns, `kind`, what it reads and writes."""
+    """What the document says of an activity: `every` and `takes` in ns, `kind`, what it reads and writes.
+
+    `within` is its deadline in ns, from the entry of its state; `ends` are its outcomes.
+    """
 
     name: str
     kind: str = "thread"
@@ -90,6 +94,8 @@ class ActivityInfo:
     reads: tuple[str, ...] = ()
     writes: tuple[str, ...] = ()
     variables: tuple[str, ...] = ()
+    within: int | None = None
+    ends: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -136,7 +136,8 @@ class _Process:
             try:
                 kind, *rest = pickle.loads(data)
                 if kind == "end":
-                    return refused or _error_of(*rest)
+                    *raised, execution.result = rest
+                    return refused or _error_of(*raised)
                 if kind == "begun":
                     self.listens = True
                 elif refused is None:

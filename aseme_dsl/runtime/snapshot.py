@@ -276,6 +276,8 @@ def tell(execution: Execution, told: Told) -> None:
 
 def run_snapshot(execution: Execution) -> None:
     """Run a `process` activity in this thread, on a snapshot as if it were in another process."""
+    from aseme_dsl.runtime.execution import as_outcome  # which needs this module
+
     error: BaseException | None = None
     try:
         execution.context.check()
@@ -287,7 +289,7 @@ def run_snapshot(execution: Execution) -> None:
             lambda: execution.cancelled,
         )
         assert execution.code is not None
-        execution.code().execute(Context(port))
+        execution.result = as_outcome(execution.code().execute(Context(port)))
     except BaseException as raised:  # whatever it is, the agent must hear of it
         error = raised
     execution.returned(error)

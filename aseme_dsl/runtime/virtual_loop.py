@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.clock import nanoseconds
+from aseme_dsl.runtime.execution import as_outcome
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.execution import Execution
@@ -26,7 +27,7 @@ async def _error(execution: Execution) -> BaseException | None:
         context = execution.context
         context.check()
         assert execution.code is not None
-        await execution.code().execute(context)
+        execution.result = as_outcome(await execution.code().execute(context))
     except BaseException as raised:  # whatever it is, the agent must hear of it
         return raised
     return None

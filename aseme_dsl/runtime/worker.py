@@ -18,7 +18,7 @@ from typing import IO, Any
 
 from aseme_dsl.runtime.clock import SECOND
 from aseme_dsl.runtime.context import Cancelled, Context
-from aseme_dsl.runtime.execution import frames_of, reason_of
+from aseme_dsl.runtime.execution import as_outcome, frames_of, reason_of
 from aseme_dsl.runtime.processes import get, put
 from aseme_dsl.runtime.snapshot import Snapshot, SnapshotPort, Told
 
@@ -49,18 +49,18 @@ class _Worker:
         """Run jobs until there are no more."""
         while (data := self.jobs.get()) is not None:
             kind: str | None = None
-            reason, frames = "", None
+            reason, frames, result = "", None, None
             try:
                 _, module, file, name, keep, snapshot = pickle.loads(data)
                 code = self.kept.pop(keep, None) or _class(module, file, name)()
-                self._run(code, snapshot)
+                result = self._run(code, snapshot)
                 if keep:
                     self.kept = {keep: code}
             except BaseException as error:  # whatever it is, the agent must hear of it
                 kind, reason, frames = type(error).__name__, reason_of(error), frames_of(error)
-            put(self.answers, ("end", kind, reason, frames))
+            put(self.answers, ("end", kind, reason, frames, result))
 
-    def _run(self, code: Any, snapshot: Snapshot) -> None:
+    def _run(self, code: Any, snapshot: Snapshot) -> str | None:
         begun = time.monotonic_ns()
 
         def tell(told: Told) -> None:
@@ -77,7 +77,7 @@ class _Worker:
             wait,
             self.cancelled.is_set,
         )
-        code.execute(Context(port))
+        return as_outcome(code.execute(Context(port)))
 
 
 _ORPHAN = 2.0

@@ -17,9 +17,9 @@ DECLARATIONS = (
     "usecase var"
 ).split()
 CLAUSES = (
-    "above activity after and around as at before below by data depends else every for from in leads most "
-    "not on once one optional or persist queued radio reads realises repeated send signal state takes to "
-    "under uses when with within writes START END OR AND BASIC CONDITION"
+    "above activity after and around as at before below by data depends else ends every for from in leads "
+    "most not on once one optional or persist queued radio reads realises repeated send signal state takes "
+    "to under uses when with within writes START END OR AND BASIC CONDITION"
 ).split()
 TYPES = (
     "abstract bool bytes double duration external float human int int32 int64 legacy string uint32 uint64"

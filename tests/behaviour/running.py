@@ -69,10 +69,10 @@ class Run:
             self.tokens[start.label] = start.token
         return self
 
-    def done(self, activity: str, token: int | None = None) -> Completed:
+    def done(self, activity: str, token: int | None = None, outcome: str | None = None) -> Completed:
         """The activity has returned."""
         label = self.label(activity)
-        return Completed(label, self.tokens[label] if token is None else token)
+        return Completed(label, self.tokens[label] if token is None else token, outcome)
 
     def crashed(self, activity: str, reason: str = "no battery") -> Crashed:
         label = self.label(activity)

@@ -239,3 +239,38 @@ def test_a_message_that_the_system_does_not_have(tmp_path: Path) -> None:
     (found,) = say(tmp_path, "search.py", code)
     assert (found.code, found.hint) == ("W530", "did you mean `Ball`?")
     assert say(tmp_path, "search.py", "from monas.Team.messages import CHANNELS\n" + activity("pass")) == []
+
+
+ENDS = SYSTEM.replace("Legs    reads", "Walk    ends there, lost\n    Legs    reads")
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        'return "there"',
+        'return "lost" if context.cancelled else LOST',
+        "return how(context)",
+        "raise NotImplementedError",
+        "while True: context.wait(1)",
+        "pass",
+        "def inner():\n            return 3\n        return inner()",
+    ],
+)
+def test_outcomes_that_are_right_or_computed(tmp_path: Path, body: str) -> None:
+    code = 'LOST = "lost"\n' + activity(body, "Walk")
+    assert say(tmp_path, "walk.py", code, text=ENDS) == []
+
+
+@pytest.mark.parametrize(
+    ("body", "place", "hint"),
+    [
+        ('return "their"', '"their"', "did you mean `there`?"),
+        ('return "x" if context.cancelled else "there"', '"x"', "it ends `there` or `lost`"),
+        ("return", "return", 'return "there", say'),
+        ("context.wait(1)", "context.wait(1)", 'return "there", say'),
+        ("return None", "return None", 'return "there", say'),
+    ],
+)
+def test_an_outcome_that_the_activity_does_not_have(tmp_path: Path, body: str, place: str, hint: str) -> None:
+    found = say(tmp_path, "walk.py", activity(body, "Walk"), text=ENDS)
+    assert shown(found) == [("W530", place, hint)]

@@ -119,6 +119,25 @@ class TestGoingOn:
         ]
         assert told[:4] == ["100 start", "200 cancel", "200 start", "250 end"]
 
+    def test_an_outcome_is_still_known_and_a_new_deadline_counts_from_the_entry(self) -> None:
+        cell = """
+            system S
+            srm arm {
+              liveness { arm = Grasp . Carry . (Place | Open) . Rest }
+              activities { Grasp takes 100ms ends slipped, held  Carry takes 500ms within 2s  Place takes 100ms }
+              control arm { enter Open : [outcome(Grasp) == slipped]  enter Place : else }
+            }
+            team T { a : arm }
+        """
+        new = cell.replace("Grasp . Carry", "Look . Grasp . Carry").replace("2s", "300ms")
+        records = played(cell, lambda team: team.swap(version(new), at=200 * MS), until=2 * SECOND)
+        (cancel,) = (r for r in records if r.get("what") == "cancel")
+        assert cancel["activity"] == "Carry" and cancel["time"] == 400 * MS
+        longer = new.replace("300ms", "1s")
+        records = played(cell, lambda team: team.swap(version(longer), at=200 * MS), until=2 * SECOND)
+        assert starts(records, 300 * MS)[0] == "600 Open"
+        assert not any(line.get("restarted") for line in swaps(records))
+
     def test_the_trace_has_the_new_plan(self) -> None:
         new = version(ONE.replace("(Kick | Wait)", "Rest . (Kick | Wait)"))
         records = played(ONE, lambda team: team.swap(new, at=200 * MS), until=400 * MS)

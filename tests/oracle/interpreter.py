@@ -156,6 +156,10 @@ class Reference:
         self.token: dict[str, int] = {}
         """With which token the activity of a BASIC state was started last."""
         self.tokens = 0
+        self.ended: dict[str, str | Absent] = {}
+        """How the activity of each state that was ever entered has ended, in the order of these events."""
+        self.asking = ""
+        """The source of the transition whose condition or action is looked at."""
 
         self.regions: dict[str, Region] = {}
         """The active regions by label."""
@@ -255,6 +259,7 @@ class Reference:
         # "1. Inputs, in the order given"
         for item in inputs:
             self.take_in(item)
+        self.look_at_deadlines()
 
         # "2. Rounds until one moves nothing (bound: 1000 rounds, then the agent stops and the last
         # transitions are named)."
@@ -309,11 +314,13 @@ class Reference:
                         region.read_ahead.remove(item.identity)
                     elif region.label != item.written_by:
                         region.put(item, self.queued(item.channel))
-            case Completed(label, token):
+            case Completed(label, token, outcome):
                 # "a completed activity makes its state complete if that state is active with the same token
                 # (else dropped)"
                 if self.runs(label) and self.token[label] == token:
                     self.complete.add(label)
+                    if outcome is not None:
+                        self.note_end(label, outcome)
             case Crashed(label, token, reason):
                 # "a failed one marks it failed"
                 if self.runs(label) and self.token[label] == token:
@@ -329,6 +336,34 @@ class Reference:
             case Mail():
                 # "mail is put into the mailbox of the participation (protocol branch) it names"
                 self.mailbox[item.branch].append(item)
+
+    def note_end(self, label: str, outcome: str | Absent) -> None:
+        self.ended = {other: end for other, end in self.ended.items() if other != label} | {label: outcome}
+
+    def look_at_deadlines(self) -> None:
+        """ "Past its deadline an activity is cancelled and its state has failed." Inputs come first."""
+        for state in self.plan.states:
+            info = next((info for info in self.plan.activities if info.name == state.activity), None)
+            if info is None or info.within is None or not self.runs(state.label):
+                continue
+            if self.now >= self.entered[state.label] + info.within:
+                reason = f"not done within {info.within / 1e9:g} s"
+                self.failed[state.label] = reason
+                cancel = Cancel(state.label, info.name, self.token[state.label], reason)
+                self.outcome.effects.append(cancel)
+
+    def outcome_of(self, activity: str) -> str | Absent:
+        """ "The innermost state around the transition's source (the source included) that holds a state of
+        that name; of several inside it the one that ended or was entered last." """
+        for holder in [self.asking, *self.around(self.asking)]:
+            inside = [
+                state.label
+                for state in self.plan.states
+                if state.activity == activity and holder in (state.label, *self.around(state.label))
+            ]
+            if inside:
+                return next((end for label, end in reversed(self.ended.items()) if label in inside), ABSENT)
+        return ABSENT
 
     def reads(self, region: str, channel: str) -> bool:
         return any(r.label == region and channel in r.reads for r in self.plan.regions)
@@ -546,6 +581,8 @@ class Reference:
                 assert state.activity is not None
                 self.tokens += 1
                 self.token[label] = self.tokens
+                # "absent from the entry of such a state until it ends with an outcome"
+                self.note_end(label, ABSENT)
                 self.outcome.effects.append(Start(label, state.activity, self.tokens))
             case "OR":
                 # "OR: its START becomes active"
@@ -571,6 +608,7 @@ class Reference:
     # ---- actions ----------------------------------------------------------------------------
 
     def act(self, number: int, action: Term, region: Region) -> None:
+        self.asking = self.plan.transitions[number].source
         # "… or an action reads one, that channel is asked in that region."
         for channel, host in signals_of(action):
             region.look_at(channel, host)
@@ -641,6 +679,7 @@ class Reference:
 
     def condition_holds(self, number: int, transition: Transition) -> bool:
         region = self.regions[self.region_of(transition.source)]
+        self.asking = transition.source
         assert transition.condition is not None
         # "whenever a condition that names a signal channel is evaluated (whatever was short-circuited) …
         # that channel is "asked" in that region"
@@ -703,6 +742,8 @@ class Reference:
                 # "`expired(t)` is false before `start_timer`, true from the due time until it is started
                 # again"
                 return ("const", timer in region.timers and self.now >= region.timers[timer])
+            case ("outcome", activity):
+                found = self.outcome_of(activity)
             case ("has", ("member", host, channel, path)):
                 # "`has(x)` is never absent."
                 return ("const", self.read_member(host, channel, path, region) is not ABSENT)
@@ -776,6 +817,11 @@ class Reference:
         alone: `after`, a started timer named in its condition (or a branch's), `age(x)` crossing the constant
         duration it is compared with (time + c; + 1 ns for `>` and `<=`)." """
         moments = [moment for source in self.active for moment in self.moments(source, source)]
+        # … and the deadline of an activity that runs
+        for info in self.plan.activities:
+            for state in self.plan.states:
+                if info.within is not None and state.activity == info.name and self.runs(state.label):
+                    moments.append(self.entered[state.label] + info.within)
         return min((moment for moment in moments if moment > now), default=None)
 
     def moments(self, node: str, source: str) -> Iterator[int]:

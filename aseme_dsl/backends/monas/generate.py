@@ -43,6 +43,7 @@ def _environment(options: BackendOptions) -> Environment:
     environment.filters["quoted"] = repr
     environment.filters["in_docstring"] = in_docstring
     environment.filters["imports"] = _imports
+    environment.filters["duration"] = duration_text
     environment.filters["class_name"] = class_name
     environment.filters["module_name"] = module_name
     environment.filters["package"] = usable

@@ -65,7 +65,16 @@ class Part:
 Shape: TypeAlias = Line | Braces | Words | Part
 
 _USE_CASE = {"By": 1, "Includes": 1, "Realises": 1, "Requirements": 1}
-_ACTIVITY = {"Every": 1, "Takes": 1, "As": 1, "Uses": 2, "Reads": 3, "Writes": 3}
+_ACTIVITY = {
+    "Every": 1,
+    "Takes": 1,
+    "Within": 3,
+    "As": 1,
+    "Uses": 2,
+    "Reads": 3,
+    "Writes": 3,
+    "Ends": 4,
+}
 _MODULE = {**_ACTIVITY, "ModuleCode": 3}
 _GOAL = {"Depends": 1, "Requirements": 2}
 
@@ -129,11 +138,13 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "ModuleCode": Part(),
         "Every": Part(),
         "Takes": Part(),
+        "Within": Part(),
         "As": Part(),
         "Uses": Part(),
         "Reads": Part(),
         "Read": Part(),
         "Writes": Part(),
+        "Ends": Part(),
         "Functionality": Braces(),
         "FunctionalityText": Line({"text": 1}),
         # formulas.tx, expressions.tx

@@ -1,0 +1,118 @@
+"""Outcomes: whether the activities that conditions ask after are there, and whether deadlines can be kept."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from aseme_dsl.amola.expression import Compare, Failed, Literal, Outcome, Value, duration_text, values_of
+from aseme_dsl.amola.meant import states_meant
+from aseme_dsl.amola.messages import Kind
+from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.source import Span
+
+
+def check_outcomes(charts: Iterable[Statechart], activities: Mapping[str, Activity]) -> Iterator[Diagnostic]:
+    """E520 for `outcome(A)` where no `A` is, or where the role's own activity for it has other outcomes."""
+    told: set[Span] = set()
+    for chart in charts:
+        for transition in chart.transitions:
+            for value in values_of(transition.expression):
+                problem = _absent(chart, transition.source, value) or _otherwise(chart, value, activities)
+                if problem is not None and problem.span is not None and problem.span not in told:
+                    told.add(problem.span)
+                    yield problem
+
+
+def _absent(chart: Statechart, source: str, value: Value) -> Diagnostic | None:
+    if not isinstance(value, Outcome) or performing(chart, source, value.activity):
+        return None
+    return Diagnostic(
+        "E520",
+        f"nothing in {chart.name} performs `{value.activity}`, so it never ends there",
+        value.span,
+        hint="ask for the outcome of an activity of the same role or participant",
+    )
+
+
+def _otherwise(chart: Statechart, value: Value, activities: Mapping[str, Activity]) -> Diagnostic | None:
+    if not isinstance(value, Compare):
+        return None
+    sides = (value.left, value.right)
+    asked = next((side for side in sides if isinstance(side, Outcome)), None)
+    wanted = next((s for s in sides if isinstance(s, Literal) and s.type.kind is Kind.OUTCOME), None)
+    if asked is None or wanted is None or asked.activity == asked.type.name:
+        return None
+    own = activities.get(asked.activity)
+    if own is not None and wanted.value in own.ends:
+        return None
+    related = (Related(own.span, "what is said of it"),) if own is not None else ()
+    return Diagnostic(
+        "E520",
+        f"`{asked.activity}`, which stands for `{asked.type}` in {chart.name}, does not end `{wanted.value}`",
+        wanted.span,
+        related,
+        hint=f"say so among the activities: `{asked.activity} ends {wanted.value}, …`",
+    )
+
+
+def performing(chart: Statechart, source: str, activity: str) -> tuple[Node, ...]:
+    """The states whose activity `outcome(activity)` means in a transition out of `source`."""
+    return states_meant(
+        chart, source, activity, lambda node: node.type is NodeType.BASIC and node.activity == activity
+    )
+
+
+def check_deadlines(charts: Iterable[Statechart], activities: Mapping[str, Activity]) -> Iterator[Diagnostic]:
+    """W603 for a deadline that is shorter than what it takes, W604 for one whose passing stops the agent."""
+    for activity in activities.values():
+        if activity.within is not None and activity.takes is not None and activity.takes > activity.within:
+            yield Diagnostic(
+                "W603",
+                f"`{activity.name}` takes {duration_text(activity.takes)}, "
+                f"and is given {duration_text(activity.within)}",
+                activity.span,
+                hint="in simulation it always fails: give it more time",
+            )
+    told: set[str] = set()
+    for chart in charts:
+        if chart.kind != "IAC":
+            continue
+        caught = _where_errors_are_taken(chart)
+        for node in chart.nodes:
+            said = activities.get(node.activity) if node.activity is not None else None
+            if said is None or said.within is None or said.name in told:
+                continue
+            if caught.isdisjoint((node.label, *(around.label for around in chart.ancestors(node.label)))):
+                told.add(said.name)
+                yield Diagnostic(
+                    "W604",
+                    f"{chart.name} stops if `{said.name}` is not done within {duration_text(said.within)}",
+                    node.span,
+                    (Related(said.span, "the deadline"),),
+                    hint=f"let a transition take it: `enter … : error` after `{said.name}`, or further out",
+                )
+
+
+def _where_errors_are_taken(chart: Statechart) -> set[str]:
+    """The sources of `error` transitions; of one out of a choice, the states that lead there."""
+    leading: dict[str, list[str]] = {}
+    for transition in chart.transitions:
+        leading.setdefault(transition.target, []).append(transition.source)
+    found: set[str] = set()
+    waiting = [
+        transition.source
+        for transition in chart.transitions
+        if any(isinstance(event, Failed) for event in transition.expression.events)
+    ]
+    while waiting:
+        label = waiting.pop()
+        if label not in found:
+            found.add(label)
+            if chart.node(label).type is NodeType.CONDITION:
+                waiting += leading.get(label, ())
+    return found
+
+
+__all__ = ["check_deadlines", "check_outcomes", "performing"]
