@@ -124,7 +124,7 @@ class TestGoingOn:
             system S
             srm arm {
               liveness { arm = Grasp . Carry . (Place | Open) . Rest }
-              activities { Grasp takes 100ms ends slipped, held  Carry takes 500ms within 2s  Place takes 100ms }
+              activities { Grasp takes 100ms ends slipped, held  Carry takes 500ms within 2s }
               control arm { enter Open : [outcome(Grasp) == slipped]  enter Place : else }
             }
             team T { a : arm }

@@ -74,7 +74,10 @@ def nodes(value: Any) -> Iterator[Any]:
 
 
 def short(value: Any) -> Any:
-    """A tree without its spans: names and texts as `str`, formulas and expressions as they are spelled."""
+    """A tree without its spans: names and texts as `str`, formulas and expressions as they are spelled.
+
+    A field that has its default is left out.
+    """
     match value:
         case tree.Name():
             return value.text
@@ -103,6 +106,6 @@ def short(value: Any) -> Any:
         case tuple():
             return tuple(short(item) for item in value)
         case _ if is_dataclass(value):
-            parts = (getattr(value, field.name) for field in fields(value) if field.name != "span")
-            return (type(value).__name__, *(short(part) for part in parts))
+            parts = ((field, getattr(value, field.name)) for field in fields(value) if field.name != "span")
+            return (type(value).__name__, *(short(part) for field, part in parts if part != field.default))
     return value

@@ -271,7 +271,7 @@ def test_srm_activities() -> None:
         Backwards writes x reads around team uses b as step takes 1s every 2s
         Battery every 1s
       }
-      activities { More uses c }
+      activities { More uses c  Grasp ends held, slipped within 5s uses hand }
     }"""
     assert short(declared(text).activities) == (
         (
@@ -301,6 +301,7 @@ def test_srm_activities() -> None:
         ),
         ("Activity", "Battery", (), "1000000000ns", None, None, (), ()),
         ("Activity", "More", ("c",), None, None, None, (), ()),
+        ("Activity", "Grasp", ("hand",), None, None, None, (), (), "5000000000ns", ("held", "slipped")),
     )
 
 
