@@ -61,6 +61,11 @@ class System:
     def eac(self, protocol: str) -> Statechart | None:
         return next((chart for chart in self.eacs if chart.name == protocol), None)
 
+    def chart(self, name: str) -> Statechart | None:
+        """The statechart that is called `eac.<protocol>` or `iac.<role>`, as its file and its drawing are."""
+        kind, _, owner = name.partition(".")
+        return self.eac(owner) if kind == "eac" else self.iac(owner) if kind == "iac" else None
+
     def activity(self, name: str) -> Activity | None:
         return next((item for item in self.activities if item.name == name), None)
 

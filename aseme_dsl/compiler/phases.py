@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from aseme_dsl.amola.liveness import names
+from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Plays
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
@@ -74,6 +75,7 @@ class Inspection:
     symbols: Symbols
     blocks: Blocks
     top: Scope
+    sag: Sag
     suc: Suc
     participants: Mapping[str, Mapping[str, TypedParticipant]]
     protocols: Mapping[str, Protocol]
@@ -223,6 +225,7 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
             symbols,
             blocks,
             top,
+            sag,
             suc,
             participants,
             protocols,

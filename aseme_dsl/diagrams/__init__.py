@@ -5,8 +5,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
+from aseme_dsl.amola.aip import Aip
+from aseme_dsl.amola.srm import Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagrams import aip, division, sag, srm, statechart, suc, tree
@@ -34,6 +37,7 @@ __all__ = [
     "NoSuchState",
     "Options",
     "draw",
+    "draw_one",
     "draw_statechart",
     "drawings",
     "program",
@@ -53,16 +57,47 @@ def drawings(system: System, options: Options = DEFAULT) -> list[Drawing]:
         if not charts:
             raise NoSuchState(f"no statechart of {system.name} has a state {options.at}")
         return [drawing for chart in charts for drawing in draw_statechart(chart, options)]
-    made = []
-    if system.sag.actors:
-        made.append(of_sheet(sag.sheet(system.sag, "sag")))
-    if system.suc.roles or system.suc.usecases:
-        made.append(of_sheet(suc.sheet(system.suc, "suc")))
-    made += [of_sheet(aip.sheet(item, f"aip.{item.name}")) for item in system.aips]
-    made += [of_sheet(srm.sheet(system, item, f"srm.{item.name}")) for item in system.srms]
+    made = [draw() for draw in _sheets(system).values()]
     for chart in system.statecharts:
         made += draw_statechart(chart, options)
     return made
+
+
+def draw_one(system: System, name: str, options: Options = DEFAULT) -> Drawing | None:
+    """The drawing of one model: `sag`, `suc`, `aip.<protocol>`, `srm.<role>`, `eac.<protocol>`, `iac.<role>`.
+
+    Statecharts are drawn as `options` say, with both layouts as the nested one. None if the system has no
+    such model. Raises NoSuchState if the statechart has no state `options.at`.
+    """
+    chart = system.chart(name)
+    if chart is not None:
+        return draw_statechart(chart, options)[0]
+    draw = _sheets(system).get(name)
+    return draw() if draw is not None else None
+
+
+def _sheets(system: System) -> dict[str, Callable[[], Drawing]]:
+    """What draws each model that is no statechart, by name."""
+    made: dict[str, Callable[[], Drawing]] = {}
+    if system.sag.actors:
+        made["sag"] = lambda: of_sheet(sag.sheet(system.sag, "sag"))
+    if system.suc.roles or system.suc.usecases:
+        made["suc"] = lambda: of_sheet(suc.sheet(system.suc, "suc"))
+    for protocol in system.aips:
+        name = f"aip.{protocol.name}"
+        made[name] = partial(_protocol, protocol, name)
+    for role in system.srms:
+        name = f"srm.{role.name}"
+        made[name] = partial(_role, system, role, name)
+    return made
+
+
+def _protocol(protocol: Aip, name: str) -> Drawing:
+    return of_sheet(aip.sheet(protocol, name))
+
+
+def _role(system: System, role: Srm, name: str) -> Drawing:
+    return of_sheet(srm.sheet(system, role, name))
 
 
 def draw_statechart(chart: Statechart, options: Options = DEFAULT) -> list[Drawing]:
