@@ -11,18 +11,23 @@ from pathlib import Path
 from typing import Any
 
 from lsprotocol import types as lsp
-from pygls.exceptions import JsonRpcInvalidParams
+from pygls.exceptions import JsonRpcException, JsonRpcInvalidParams
 from pygls.lsp.server import LanguageServer
 from pygls.uris import from_fs_path, to_fs_path
 
 from aseme_dsl import diagnostics
 from aseme_dsl.diagnostics.pages import file_of
+from aseme_dsl.diagrams import GraphvizMissing
 from aseme_dsl.editor import calls, hints, hover, layout, navigation, outline, rename, tokens
+from aseme_dsl.editor.diagram import Diagrams
 from aseme_dsl.editor.index import Kind, Symbol, Use
 from aseme_dsl.editor.positions import Change, Lines, Position, changed
 from aseme_dsl.editor.view import View
 from aseme_dsl.editor.workspace import Project, Workspace
 from aseme_dsl.source import Source, Span
+
+DIAGRAM = "aseme/diagram"
+"""A request of ours: the drawing that belongs to a place in a file."""
 
 DEBOUNCE = 0.05
 """Seconds without a change after which there is something to say of a file."""
@@ -175,17 +180,8 @@ class Server(LanguageServer):
             return None
         changes: dict[str, list[Any]] = {}
         for edit in item.changes:
-            place = self.range(edit.span)
             uri = self.uri(view.program.path_of(edit.span.source))
-            changes.setdefault(uri, []).append(
-                {
-                    "range": {
-                        "start": {"line": place.start.line, "character": place.start.character},
-                        "end": {"line": place.end.line, "character": place.end.character},
-                    },
-                    "newText": edit.text,
-                }
-            )
+            changes.setdefault(uri, []).append({"range": _plain(self, edit.span), "newText": edit.text})
         return {"changes": changes}
 
     def text_edits(self, edits: Iterable[diagnostics.Edit]) -> list[lsp.TextEdit]:
@@ -215,6 +211,7 @@ def make_server(version: str, project: Project, folders: FoldersOf) -> Server:
     _changes(server)
     _structure(server)
     _hierarchy(server)
+    _drawings(server)
     return server
 
 
@@ -604,4 +601,50 @@ def _read(data: Any, name: str) -> Any:
     return data[name] if isinstance(data, dict) else getattr(data, name)
 
 
-__all__ = ["Server", "make_server"]
+# ---- drawings ---------------------------------------------------------------------------------------
+
+
+def _drawings(server: Server) -> None:
+    diagrams = Diagrams()
+    drawing = asyncio.Lock()
+
+    @server.feature(DIAGRAM)
+    async def diagram(params: Any) -> dict[str, Any] | None:
+        """The picture for a place, or null: what goes over the wire is said in docs/editor.md."""
+        place = _read(params, "position")
+        position = lsp.Position(int(_read(place, "line")), int(_read(place, "character")))
+        async with drawing:
+            view = server.view(str(_read(_read(params, "textDocument"), "uri")))
+            if view is None:
+                return None
+            offset = server.offset(view, position)
+            try:
+                # Graphviz is another program: what is typed meanwhile is not kept waiting.
+                found = await asyncio.to_thread(diagrams.at, view, offset)
+            except GraphvizMissing as missing:
+                raise JsonRpcException(str(missing), lsp.LSPErrorCodes.RequestFailed) from missing
+        if found is None:
+            return None
+        return {
+            "name": found.name,
+            "title": found.title,
+            "svg": found.svg,
+            "here": found.here,
+            "note": found.note,
+            "elements": {
+                name: {"uri": server.uri(view.program.path_of(span.source)), "range": _plain(server, span)}
+                for name, span in found.elements.items()
+            },
+        }
+
+
+def _plain(server: Server, span: Span) -> dict[str, dict[str, int]]:
+    """A range as it goes over the wire."""
+    place = server.range(span)
+    return {
+        "start": {"line": place.start.line, "character": place.start.character},
+        "end": {"line": place.end.line, "character": place.end.character},
+    }
+
+
+__all__ = ["DIAGRAM", "Server", "make_server"]

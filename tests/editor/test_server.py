@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import AsyncIterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 import pytest_lsp
@@ -547,3 +548,36 @@ async def test_without_pygls_the_command_says_what_to_install(tmp_path: Path) ->
     assert done.returncode == 1
     assert 'pip install "aseme-dsl[editor]"' in done.stderr
     assert "Traceback" not in done.stderr
+
+
+async def test_the_diagram_follows_the_cursor(project: Project, monkeypatch: pytest.MonkeyPatch) -> None:
+    # The ids of the picture are no names that an object could have: leave the result as it was sent.
+    monkeypatch.setattr("pygls.protocol._dict_to_object", lambda result: result)
+
+    async def asked(marked: str, text: str = TEAM) -> Any:
+        place = at(marked, text)
+        position = {"line": place.line, "character": place.character}
+        params = {"textDocument": {"uri": project.uri()}, "position": position}
+        return await project.client.protocol.send_request_async("aseme/diagram", params)
+
+    drawing = await asked("look = Sc^an . [Jump]")
+    assert drawing["name"] == "iac.keeper" and drawing["note"] == ""
+    assert drawing["title"].startswith("Statechart of the role keeper: ")
+    assert drawing["svg"].rstrip().endswith("</svg>")
+    assert f'id="{drawing["here"]}"' in drawing["svg"]
+    place = drawing["elements"][drawing["here"]]
+    assert place["uri"] == project.uri()
+    assert shown(TEAM, as_range(place["range"])) == "Scan"
+    control = drawing["elements"][(await asked("enter look    : [ne^ar]"))["here"]]
+    assert shown(TEAM, as_range(control["range"])) == "enter look    : [near]"
+    assert (await asked("process = Give . [mo^re]"))["name"] == "eac.swap"
+    assert await asked("system Te^am") is None
+    broken = TEAM.replace("look = Scan . [Jump]", "look = Scan . . [Jump]")
+    project.change("team.aseme", broken)
+    earlier = await asked("look = Sc^an", broken)
+    assert earlier["svg"] == drawing["svg"]
+    assert "before the mistakes" in earlier["note"] and earlier["here"] is None
+
+
+def as_range(value: dict[str, Any]) -> lsp.Range:
+    return lsp.Range(lsp.Position(**value["start"]), lsp.Position(**value["end"]))
