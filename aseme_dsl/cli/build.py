@@ -11,6 +11,7 @@ from aseme_dsl.cli.report import Report, form_of, print_report, report_options
 from aseme_dsl.cli.shared import (
     FILES_HELP,
     FilePath,
+    activities_option,
     check_backends,
     colour_option,
     count_lines,
@@ -50,9 +51,7 @@ if TYPE_CHECKING:
     metavar="NAME",
     help="The backend to generate code with. May be repeated.  [default: the project's, else monas]",
 )
-@folder_option(
-    "--activities", text="Where your activities are.  [default: the project's, else OUTPUT/monas/activities]"
-)
+@activities_option
 @folder_option("--templates", text="A folder of templates that replace the backend's own, by name.")
 @click.option(
     "--labels",

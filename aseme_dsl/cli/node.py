@@ -14,8 +14,26 @@ from typing import TYPE_CHECKING
 
 import click
 
-from aseme_dsl.cli.run import bodies_of, build_target, duration_of, refuse
-from aseme_dsl.cli.shared import FilePath, colour_option, folder_option, leave_at_once, wants_colour
+from aseme_dsl.cli.playing import (
+    INTERRUPTED,
+    body_option,
+    build_target,
+    duration_option,
+    input_option,
+    refuse,
+    seed_option,
+    state_option,
+    telling_options,
+    trace_option,
+)
+from aseme_dsl.cli.shared import (
+    FilePath,
+    activities_option,
+    colour_option,
+    folder_option,
+    leave_at_once,
+    wants_colour,
+)
 from aseme_dsl.diagnostics import has_errors
 
 if TYPE_CHECKING:
@@ -24,7 +42,6 @@ if TYPE_CHECKING:
     from aseme_dsl.build.configuration import Configuration
     from aseme_dsl.runtime.control import Changed
 
-INTERRUPTED = 130
 GRACE = 2.0
 """After so many seconds without its supervisor a robot ends, whatever it does."""
 
@@ -42,37 +59,14 @@ GRACE = 2.0
 @folder_option("--from", "source", text="The output folder of a build; nothing is built.")
 @folder_option("-o", "--output", text="Where to build.  [default: the project's, else out]")
 @click.option("--system", metavar="NAME", help="Which of the systems in the output folder.")
-@click.option(
-    "--for",
-    "duration",
-    metavar="DURATION",
-    callback=duration_of,
-    help="How long to play.  [default: no limit]",
-)
-@click.option("--seed", type=int, help="Where chance begins.  [default: the project's, else 1]")
-@click.option(
-    "--input", "script", type=FilePath(path_type=Path), metavar="FILE.jsonl", help="What to give the robot."
-)
-@click.option(
-    "--trace",
-    type=FilePath(path_type=Path),
-    metavar="FILE",
-    help="Where the trace goes.  [default: OUTPUT/trace.ROBOT.jsonl]",
-)
-@folder_option("--state", text="Where `persist` states are kept for the next run.  [default: the project's]")
-@folder_option(
-    "--activities", text="Where your activities are.  [default: the project's, else OUTPUT/monas/activities]"
-)
-@click.option(
-    "--body",
-    "bodies",
-    multiple=True,
-    metavar="[AGENT=]MODULE:FUNCTION",
-    callback=bodies_of,
-    help="Makes the robot's body.",
-)
-@click.option("-q", "--quiet", is_flag=True, help="Say nothing while it plays.")
-@click.option("-v", "--verbose", is_flag=True, help="Say every transition and activity while it plays.")
+@duration_option("How long to play.  [default: no limit]")
+@seed_option
+@input_option("What to give the robot.")
+@trace_option("Where the trace goes.  [default: OUTPUT/trace.ROBOT.jsonl]")
+@state_option
+@activities_option
+@body_option("Makes the robot's body.")
+@telling_options
 @click.option("--project", type=FilePath(path_type=Path), hidden=True)
 @click.option("--world-at", hidden=True)
 @click.option("--in-version", "version", type=FilePath(path_type=Path), hidden=True)

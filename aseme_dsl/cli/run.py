@@ -8,68 +8,47 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from aseme_dsl.cli.playing import (
+    INTERRUPTED,
+    body_option,
+    build_target,
+    duration_option,
+    input_option,
+    is_function,
+    refuse,
+    seed_option,
+    state_option,
+    telling_options,
+    trace_option,
+)
 from aseme_dsl.cli.shared import (
     FilePath,
-    check_backends,
+    activities_option,
     colour_option,
     count_lines,
     diagnostics_json,
     folder_option,
     json_option,
     leave_at_once,
-    one_system,
-    print_diagnostics,
     print_json,
     wants_colour,
-    written_summary,
 )
 from aseme_dsl.diagnostics import has_errors
-
-INTERRUPTED = 130
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from aseme_dsl.build.build import Choice, Report
+    from aseme_dsl.build.build import Report
     from aseme_dsl.build.configuration import Configuration
     from aseme_dsl.build.play import Played, Request
     from aseme_dsl.cli.telling import Telling
-    from aseme_dsl.diagnostics import Diagnostic
     from aseme_dsl.runtime.loading import Loaded
 
 
-def duration_of(context: click.Context, parameter: click.Parameter, value: str | None) -> int | None:
-    """A duration on the command line, in ns."""
-    from aseme_dsl.build.duration import duration
-
-    try:
-        return None if value is None else duration(value)
-    except ValueError as problem:
-        raise click.BadParameter(f"{problem}.") from problem
-
-
-def bodies_of(context: click.Context, parameter: click.Parameter, values: tuple[str, ...]) -> dict[str, str]:
-    """`[AGENT=]MODULE:FUNCTION` as functions by agent; "" is every agent."""
-    found: dict[str, str] = {}
-    for value in values:
-        agent, _, function = value.rpartition("=")
-        if not _is_function(function):
-            raise click.BadParameter(f"{value!r} is not [AGENT=]MODULE:FUNCTION.")
-        if agent in found:
-            raise click.BadParameter(f"two bodies for {agent or 'every agent'}.")
-        found[agent] = function
-    return found
-
-
 def _world(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
-    if value is not None and not _is_function(value):
+    if value is not None and not is_function(value):
         raise click.BadParameter(f"{value!r} is not MODULE:FUNCTION.")
     return value
-
-
-def _is_function(text: str) -> bool:
-    module, _, name = text.partition(":")
-    return name.isidentifier() and all(part.isidentifier() for part in module.split("."))
 
 
 @click.command(
@@ -84,51 +63,28 @@ def _is_function(text: str) -> bool:
 @click.option("--plan", metavar="ROLE", help="Play one plan alone: ROLE, or SYSTEM.ROLE.")
 @click.option("--agent", metavar="NAME", help="What the agent of --plan is called.")
 @click.option("--list", "list_", is_flag=True, help="Play nothing; list the plans that there are.")
-@click.option(
-    "--for",
-    "duration",
-    metavar="DURATION",
-    callback=duration_of,
-    help="How long to play, such as 90s or 2min.  [default: the project's, else 60s; with --real, no limit]",
+@duration_option(
+    "How long to play, such as 90s or 2min.  [default: the project's, else 60s; with --real, no limit]"
 )
-@click.option("--seed", type=int, help="Where chance begins.  [default: the project's, else 1]")
+@seed_option
 @click.option("--real", is_flag=True, help="Play in real time.")
 @click.option("--team", is_flag=True, help="Play the whole team, as is usual: not with --plan.")
 @click.option(
     "--process-per-robot", is_flag=True, help="Play in real time, with a process for each robot of the team."
 )
-@click.option(
-    "--input",
-    "script",
-    type=FilePath(path_type=Path),
-    metavar="FILE.jsonl",
-    help='What to give the agents, a line each: {"at": "1s", "channel": "vision.state.Ball", "message": {}}.',
+@input_option(
+    'What to give the agents, a line each: {"at": "1s", "channel": "vision.state.Ball", "message": {}}.'
 )
-@click.option(
-    "--trace",
-    type=FilePath(path_type=Path),
-    metavar="FILE",
-    help="Where the trace goes.  [default: the project's, else OUTPUT/trace.jsonl]",
-)
-@folder_option("--state", text="Where `persist` states are kept for the next run.  [default: the project's]")
-@folder_option(
-    "--activities", text="Where your activities are.  [default: the project's, else OUTPUT/monas/activities]"
-)
+@trace_option("Where the trace goes.  [default: the project's, else OUTPUT/trace.jsonl]")
+@state_option
+@activities_option
 @folder_option("--templates", text="A folder of templates that replace the backend's own, by name.")
 @click.option(
     "--world", metavar="MODULE:FUNCTION", callback=_world, help="Makes the simulated world to play in."
 )
-@click.option(
-    "--body",
-    "bodies",
-    multiple=True,
-    metavar="[AGENT=]MODULE:FUNCTION",
-    callback=bodies_of,
-    help="Makes the body of an agent, or of all. May be repeated.",
-)
+@body_option("Makes the body of an agent, or of all. May be repeated.")
 @click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
-@click.option("-q", "--quiet", is_flag=True, help="Say nothing while it plays.")
-@click.option("-v", "--verbose", is_flag=True, help="Say every transition and activity while it plays.")
+@telling_options
 @json_option
 @colour_option
 def command(
@@ -223,47 +179,6 @@ def command(
     if played.result.left:
         leave_at_once(code)
     return code
-
-
-def build_target(
-    target: str,
-    output: Path | None,
-    activities: Path | None,
-    templates: Path | None,
-    force: bool,
-    as_json: bool,
-    colour: str,
-) -> tuple[Report, Configuration, Choice] | int:
-    """Build the one system that the target means; or the exit code, after saying what is wrong."""
-    from aseme_dsl.build.build import build, choose
-    from aseme_dsl.build.configuration import OUTPUT
-    from aseme_dsl.diagnostics import Severity
-
-    compiled = one_system(target)
-    # Notes are about what is still to be written: `check` and `build` say them.
-    found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
-    if compiled.system is None:
-        return refuse(found, as_json, colour)
-    if not as_json:
-        print_diagnostics(found, colour)
-    choice = choose(compiled.configuration, activities=activities, templates=templates, force=force)
-    check_backends(choice.backends)
-    report = build(compiled.system, output or compiled.configuration.output or Path(OUTPUT), choice)
-    if has_errors(report.diagnostics):
-        return refuse(report.diagnostics, as_json, colour)
-    if not as_json:
-        print_diagnostics(report.diagnostics, colour)
-        click.echo(f"{report.system} -> {report.folder}: {written_summary(report.written)}")
-    return report, compiled.configuration, choice
-
-
-def refuse(found: Iterable[Diagnostic], as_json: bool, colour: str) -> int:
-    """Print what is wrong; the exit code."""
-    if as_json:
-        print_json({"result": None, **diagnostics_json(found)})
-    else:
-        print_diagnostics(found, colour)
-    return 1
 
 
 def _options_of_robots(

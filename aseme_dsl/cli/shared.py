@@ -58,6 +58,12 @@ def colour_option(command: CommandT) -> CommandT:
     )(command)
 
 
+def activities_option(command: CommandT) -> CommandT:
+    """`--activities DIR`."""
+    text = "Where your activities are.  [default: the project's, else OUTPUT/monas/activities]"
+    return folder_option("--activities", text=text)(command)
+
+
 def wants_colour(choice: str, stream: IO[str]) -> bool:
     """Whether to colour what goes to `stream`."""
     if choice != "auto":

@@ -533,13 +533,7 @@ class Conversations:
                 self._driver.clock.now(),
                 agent=acl.sender,
                 sequence=acl.identity[1],
-                performative=acl.performative,
-                message=acl.message,
-                content=to_json(acl.content),
-                protocol=acl.protocol,
-                conversation=acl.conversation,
-                participant=acl.participant,
-                receiver=acl.to,
+                **_said(acl),
                 to=list(acl.receivers),
             )
 
@@ -573,13 +567,7 @@ class Conversations:
                 self._driver.clock.now(),
                 agent=agent.name,
                 input=list(acl.identity),
-                performative=acl.performative,
-                message=acl.message,
-                content=to_json(acl.content),
-                protocol=acl.protocol,
-                conversation=acl.conversation,
-                participant=acl.participant,
-                receiver=acl.to,
+                **_said(acl),
             )
 
     def _told(
@@ -602,6 +590,19 @@ class Conversations:
             untaken=untaken,
             peer=peer,
         )
+
+
+def _said(acl: AclMessage) -> dict[str, Any]:
+    """An agent message as the trace tells it."""
+    return {
+        "performative": acl.performative,
+        "message": acl.message,
+        "content": to_json(acl.content),
+        "protocol": acl.protocol,
+        "conversation": acl.conversation,
+        "participant": acl.participant,
+        "receiver": acl.to,
+    }
 
 
 def _mails(items: Iterable[Mail], branch: str, messages: Messages) -> list[Mail]:

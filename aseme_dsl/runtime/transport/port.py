@@ -1,10 +1,10 @@
-"""The port between a team and its transport, and the transport of a team that is all in one process."""
+"""The port between a team and its transport; as it is, that of a team that is all in one process."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.inputs import Identity
 
@@ -49,35 +49,27 @@ class Peer:
     """By how many ns its times may be wrong here; 0 on one machine, None while its clock is not known."""
 
 
-class Transport(Protocol):
-    """What the bus, the conversations and the team need. All may be called from any thread."""
+class Transport:
+    """What the bus, the conversations and the team need; this one, of a team that is all in one process.
 
-    @property
-    def networked(self) -> bool:
-        """Whether some of the team run elsewhere."""
-        ...
+    All may be called from any thread.
+    """
 
-    @property
-    def life(self) -> str:
-        """What tells this process's conversations from those of an earlier life; empty without others."""
-        ...
-
-    @property
-    def behind(self) -> int:
-        """Behind this number the identities of agents begin: those of an earlier life are not used again."""
-        ...
+    networked = False
+    """Whether some of the team run elsewhere."""
+    life = ""
+    """What tells this process's conversations from those of an earlier life; empty without others."""
+    behind = 0
+    """Behind this number the identities of agents begin: those of an earlier life are not used again."""
 
     def begin(self, team: Team) -> None:
         """Connect. What comes waits for `go`. Raises TransportError if that cannot be."""
-        ...
 
     def go(self) -> None:
         """Hand on what comes: the agents have everything that is there from the beginning."""
-        ...
 
     def close(self) -> None:
         """Let what is on its way arrive, as far as that is quick, and disconnect."""
-        ...
 
     def publish(
         self,
@@ -90,22 +82,20 @@ class Transport(Protocol):
         host: str | None,
     ) -> None:
         """Carry a message to agents elsewhere; it was measured at `moment` of the run. Does not wait."""
-        ...
 
     def carry(self, message: AclMessage, to: str, members: Mapping[str, Sequence[str]]) -> None:
         """Carry an agent message to an agent elsewhere, with what is known of who takes part.
 
         Does not wait.
         """
-        ...
 
     def peers(self) -> dict[str, Peer]:
         """Everybody of the team who runs elsewhere."""
-        ...
+        return {}
 
     def is_there(self, name: str) -> bool:
         """Whether an agent that runs elsewhere is there just now."""
-        ...
+        return False
 
     def history(
         self, sender: str, channel: str, since: int, until: int, timeout: float = 1.0
@@ -114,75 +104,17 @@ class Transport(Protocol):
 
         Waits for the answer. Raises TransportError if none comes.
         """
-        ...
-
-    def ask(self, name: str, request: dict[str, Any], timeout: float = 1.0) -> dict[str, Any]:
-        """Put a control request to an agent elsewhere. Raises TransportError if no answer comes."""
-        ...
-
-    def renew(self, schema: Schema, model: str) -> None:
-        """The agents of this process go on under another version of the model."""
-        ...
-
-    def answer(self, answer: Answer) -> None:
-        """Have control requests from elsewhere answered by this."""
-        ...
-
-
-class Local:
-    """Everybody is in this process."""
-
-    networked = False
-    life = ""
-    behind = 0
-
-    def begin(self, team: Team) -> None:
-        """Nothing is to be connected."""
-
-    def go(self) -> None:
-        """Nothing comes."""
-
-    def close(self) -> None:
-        """Nothing is connected."""
-
-    def publish(
-        self,
-        identity: Identity,
-        rules: ChannelInfo | None,
-        channel: str,
-        message: Any,
-        to: Sequence[str],
-        moment: int,
-        host: str | None,
-    ) -> None:
-        """There is nobody elsewhere."""
-
-    def carry(self, message: AclMessage, to: str, members: Mapping[str, Sequence[str]]) -> None:
-        """There is nobody elsewhere."""
-
-    def peers(self) -> dict[str, Peer]:
-        """There is nobody elsewhere."""
-        return {}
-
-    def is_there(self, name: str) -> bool:
-        """There is nobody elsewhere."""
-        return False
-
-    def history(
-        self, sender: str, channel: str, since: int, until: int, timeout: float = 1.0
-    ) -> list[tuple[int, Any]]:
-        """There is nobody elsewhere."""
         raise TransportError(f"{sender} does not run in another process")
 
     def ask(self, name: str, request: dict[str, Any], timeout: float = 1.0) -> dict[str, Any]:
-        """There is nobody elsewhere."""
+        """Put a control request to an agent elsewhere. Raises TransportError if no answer comes."""
         raise TransportError(f"{name} does not run in another process")
 
     def renew(self, schema: Schema, model: str) -> None:
-        """Nothing: there is nobody to tell."""
+        """The agents of this process go on under another version of the model."""
 
     def answer(self, answer: Answer) -> None:
-        """Nobody elsewhere asks."""
+        """Have control requests from elsewhere answered by this."""
 
 
-LOCAL = Local()
+LOCAL = Transport()

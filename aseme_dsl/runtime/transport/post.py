@@ -33,7 +33,7 @@ from aseme_dsl.runtime.inputs import Identity
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
 from aseme_dsl.runtime.transport.link import Link
-from aseme_dsl.runtime.transport.port import Answer, Peer, TransportError
+from aseme_dsl.runtime.transport.port import Answer, Peer, Transport, TransportError
 from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing, Samples
 from aseme_dsl.runtime.wire import Schema, WireError
 
@@ -116,8 +116,8 @@ class _Kept:
     replaces: tuple[str, ...] | None
 
 
-class Post:
-    """The transport of one process. Used by one team, once."""
+class Post(Transport):
+    """The transport of one process of a team that runs in several. Used by one team, once."""
 
     networked = True
 
@@ -151,7 +151,6 @@ class Post:
     # ---- the transport -----------------------------------------------------------------------
 
     def begin(self, team: Team) -> None:
-        """Connect. What comes waits for `go`."""
         self._team = team
         self._here = {agent.name: agent for agent in team.agents}
         self._others = {name: _Other(name) for name in team.elsewhere}
@@ -167,11 +166,9 @@ class Post:
         self._thread.start()
 
     def go(self) -> None:
-        """Hand on what comes: the agents have everything that is there from the beginning."""
         self._gate.set()
 
     def close(self) -> None:
-        """Let what is on its way arrive, as far as that is quick, and disconnect."""
         if self._thread is None:
             return
         self._gate.set()
@@ -208,7 +205,6 @@ class Post:
         moment: int,
         host: str | None,
     ) -> None:
-        """Carry a message to agents elsewhere; it was measured at `moment` of the run."""
         sender, sequence = identity
         payload = self._encoded(sender, channel, message)
         if payload is None:
@@ -253,7 +249,6 @@ class Post:
         samples.append(kept)
 
     def carry(self, message: AclMessage, to: str, members: Mapping[str, Sequence[str]]) -> None:
-        """Carry an agent message to an agent elsewhere, with what is known of who takes part."""
         sender, sequence = message.identity
         payload = self._encoded(sender, f"{message.performative} {message.message}", message.content)
         if payload is None:
@@ -280,7 +275,6 @@ class Post:
             self._pump(way, other)
 
     def peers(self) -> dict[str, Peer]:
-        """Everybody of the team who runs elsewhere."""
         # Without the lock: who listens to the trace may ask, while the trace waits for nobody.
         found: dict[str, Peer] = {}
         for name, other in self._others.items():
@@ -299,14 +293,12 @@ class Post:
         return found
 
     def is_there(self, name: str) -> bool:
-        """Whether an agent that runs elsewhere is there just now."""
         other = self._others.get(name)
         return other is not None and other.alive
 
     def history(
         self, sender: str, channel: str, since: int, until: int, timeout: float = 1.0
     ) -> list[tuple[int, Any]]:
-        """The data that an agent elsewhere has published in a span of the run's time, as (time, message)."""
         other = self._others.get(sender)
         kind = self._schema.channels.get(channel)
         if other is None or kind is None:
@@ -330,7 +322,6 @@ class Post:
         return sorted(found, key=lambda item: item[0])
 
     def ask(self, name: str, request: dict[str, Any], timeout: float = 1.0) -> dict[str, Any]:
-        """Put a control request to an agent elsewhere."""
         for _, payload in self._link.ask(name, "control", json.dumps(request).encode(), timeout):
             with contextlib.suppress(ValueError):
                 answer = json.loads(payload)
@@ -347,7 +338,6 @@ class Post:
         self.model = model
 
     def answer(self, answer: Answer) -> None:
-        """Have control requests from elsewhere answered by this."""
         self._answer = answer
 
     # ---- sending -----------------------------------------------------------------------------

@@ -1,0 +1,145 @@
+"""Playing: what the commands `run` and `node` have in common: options, and building what is to be played."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from aseme_dsl.cli.shared import (
+    CommandT,
+    FilePath,
+    check_backends,
+    diagnostics_json,
+    folder_option,
+    one_system,
+    print_diagnostics,
+    print_json,
+    written_summary,
+)
+from aseme_dsl.diagnostics import has_errors
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from aseme_dsl.build.build import Choice, Report
+    from aseme_dsl.build.configuration import Configuration
+    from aseme_dsl.diagnostics import Diagnostic
+
+INTERRUPTED = 130
+"""The exit code of what was ended by a signal."""
+
+
+def duration_of(context: click.Context, parameter: click.Parameter, value: str | None) -> int | None:
+    """A duration on the command line, in ns."""
+    from aseme_dsl.build.duration import duration
+
+    try:
+        return None if value is None else duration(value)
+    except ValueError as problem:
+        raise click.BadParameter(f"{problem}.") from problem
+
+
+def bodies_of(context: click.Context, parameter: click.Parameter, values: tuple[str, ...]) -> dict[str, str]:
+    """`[AGENT=]MODULE:FUNCTION` as functions by agent; "" is every agent."""
+    found: dict[str, str] = {}
+    for value in values:
+        agent, _, function = value.rpartition("=")
+        if not is_function(function):
+            raise click.BadParameter(f"{value!r} is not [AGENT=]MODULE:FUNCTION.")
+        if agent in found:
+            raise click.BadParameter(f"two bodies for {agent or 'every agent'}.")
+        found[agent] = function
+    return found
+
+
+def is_function(text: str) -> bool:
+    """Whether a text is `MODULE:FUNCTION`."""
+    module, _, name = text.partition(":")
+    return name.isidentifier() and all(part.isidentifier() for part in module.split("."))
+
+
+def duration_option(text: str) -> Callable[[CommandT], CommandT]:
+    """`--for DURATION`."""
+    return click.option("--for", "duration", metavar="DURATION", callback=duration_of, help=text)
+
+
+def input_option(text: str) -> Callable[[CommandT], CommandT]:
+    """`--input FILE.jsonl`."""
+    return click.option("--input", "script", type=FilePath(path_type=Path), metavar="FILE.jsonl", help=text)
+
+
+def trace_option(text: str) -> Callable[[CommandT], CommandT]:
+    """`--trace FILE`."""
+    return click.option("--trace", type=FilePath(path_type=Path), metavar="FILE", help=text)
+
+
+def body_option(text: str) -> Callable[[CommandT], CommandT]:
+    """`--body [AGENT=]MODULE:FUNCTION`, which may be repeated."""
+    return click.option(
+        "--body", "bodies", multiple=True, metavar="[AGENT=]MODULE:FUNCTION", callback=bodies_of, help=text
+    )
+
+
+def seed_option(command: CommandT) -> CommandT:
+    """`--seed NUMBER`."""
+    text = "Where chance begins.  [default: the project's, else 1]"
+    return click.option("--seed", type=int, help=text)(command)
+
+
+def state_option(command: CommandT) -> CommandT:
+    """`--state DIR`."""
+    text = "Where `persist` states are kept for the next run.  [default: the project's]"
+    return folder_option("--state", text=text)(command)
+
+
+def telling_options(command: CommandT) -> CommandT:
+    """`--quiet` and `--verbose`."""
+    quiet = click.option("-q", "--quiet", is_flag=True, help="Say nothing while it plays.")
+    verbose = click.option(
+        "-v", "--verbose", is_flag=True, help="Say every transition and activity while it plays."
+    )
+    return quiet(verbose(command))
+
+
+def build_target(
+    target: str,
+    output: Path | None,
+    activities: Path | None,
+    templates: Path | None,
+    force: bool,
+    as_json: bool,
+    colour: str,
+) -> tuple[Report, Configuration, Choice] | int:
+    """Build the one system that the target means; or the exit code, after saying what is wrong."""
+    from aseme_dsl.build.build import build, choose
+    from aseme_dsl.build.configuration import OUTPUT
+    from aseme_dsl.diagnostics import Severity
+
+    compiled = one_system(target)
+    # Notes are about what is still to be written: `check` and `build` say them.
+    found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
+    if compiled.system is None:
+        return refuse(found, as_json, colour)
+    if not as_json:
+        print_diagnostics(found, colour)
+    choice = choose(compiled.configuration, activities=activities, templates=templates, force=force)
+    check_backends(choice.backends)
+    report = build(compiled.system, output or compiled.configuration.output or Path(OUTPUT), choice)
+    if has_errors(report.diagnostics):
+        return refuse(report.diagnostics, as_json, colour)
+    if not as_json:
+        print_diagnostics(report.diagnostics, colour)
+        click.echo(f"{report.system} -> {report.folder}: {written_summary(report.written)}")
+    return report, compiled.configuration, choice
+
+
+def refuse(found: Iterable[Diagnostic], as_json: bool, colour: str) -> int:
+    """Print what is wrong; the exit code."""
+    if as_json:
+        print_json({"result": None, **diagnostics_json(found)})
+    else:
+        print_diagnostics(found, colour)
+    return 1
