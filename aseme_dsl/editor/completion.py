@@ -20,7 +20,7 @@ from aseme_dsl.editor.names import PLACES, formula_names, performatives
 from aseme_dsl.editor.place import Place, place_at
 from aseme_dsl.editor.slots import Slot, SlotKind, formula_is_open, transition_slot, value_slot
 from aseme_dsl.editor.snippets import WHOLE, skeleton
-from aseme_dsl.editor.values import actions, members, topics, values
+from aseme_dsl.editor.values import actions, constants, members, topics, values
 from aseme_dsl.grammar.expected import Expected
 from aseme_dsl.grammar.token import Token
 from aseme_dsl.source import Source
@@ -147,9 +147,8 @@ def spelled(terms: Terms, term: Formula) -> str:
 
 
 def _formula(ask: Ask) -> Iterator[Item]:
-    tokens = ask.said
-    equals = next((index for index, item in enumerate(tokens) if item == "="), None)
-    if equals is not None and formula_is_open(tokens[equals + 1 :]):
+    tokens = _behind(ask.place, ask.expected, "=")
+    if tokens is not None and formula_is_open(tokens):
         yield from formula_names(ask)
 
 
@@ -157,29 +156,15 @@ def _formula(ask: Ask) -> Iterator[Item]:
 
 
 def _expression(ask: Ask) -> Iterator[Item]:
-    """An expression of a `let` or a `var`."""
-    tokens = ask.said
-    equals = next((index for index, item in enumerate(tokens) if item == "="), None)
-    if equals is None:
+    """An expression of a transition, a `let` or a `var`."""
+    slot = slot_of(ask)
+    if slot is None:
         return
-    slot = value_slot(tokens[equals + 1 :])
-    if ask.expected.place[0] == "Var" and len(tokens) > 3:
-        kind = ask.known.symbols.enum(str(tokens[3]))
-        if kind is not None and slot.kind is SlotKind.VALUE:
-            for name, _ in kind.constants:
-                yield Item(f"{kind.name}.{name}", ItemKind.CONSTANT, str(tokens[3]), rank=0)
-            return
+    enum = ask.known.symbols.enum(str(ask.said[3])) if ask.expected.place[0] == "Var" else None
+    if enum is not None and slot.kind is SlotKind.VALUE:
+        yield from constants(enum, ask.known, f"{enum.name}.", rank=0)
+        return
     yield from _in_slot(ask, slot)
-
-
-def _transition(ask: Ask) -> Iterator[Item]:
-    yield from _in_slot(ask, transition_slot(_behind_colon(ask)))
-
-
-def _behind_colon(ask: Ask) -> list[Token]:
-    tokens = ask.said
-    colon = next((index for index, item in enumerate(tokens) if item == ":"), None)
-    return tokens[colon + 1 :] if colon is not None else []
 
 
 def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
@@ -273,21 +258,40 @@ def _is_open(place: Place, expected: Expected) -> bool:
     """Whether an expression or a formula stops where it cannot end."""
     if expected.terminal == "TermToken":
         return True
-    tokens = place.tokens(expected.steps[-1])
-    sign = ":" if expected.terminal == "ControlToken" else "="
-    begin = next((index for index, item in enumerate(tokens) if item == sign), None)
-    if begin is None:
-        return False
-    tokens = tokens[begin + 1 :]
     if expected.terminal in ("FormulaToken", "ProcessToken"):
-        return formula_is_open(tokens)
-    slot = transition_slot(tokens) if sign == ":" else value_slot(tokens)
-    if slot.kind is SlotKind.COMPLETE:
+        tokens = _behind(place, expected, "=")
+        return tokens is not None and formula_is_open(tokens)
+    slot = _slot(place, expected)
+    if slot is None or slot.kind is SlotKind.COMPLETE:
         return False
-    if tokens or sign == "=":
-        return True
     # `enter A :` may end there; on the next line, another entry is likelier.
-    return "\n" not in place.read[len(place.read.rstrip()) :]
+    return (
+        slot.kind is not SlotKind.EVENT
+        or not slot.first
+        or "\n" not in place.read[len(place.read.rstrip()) :]
+    )
+
+
+def slot_of(ask: Ask) -> Slot | None:
+    """What may come next in the expression that the cursor is in; None outside of expressions."""
+    return _slot(ask.place, ask.expected)
+
+
+def _slot(place: Place, expected: Expected) -> Slot | None:
+    if expected.terminal not in ("ControlToken", "ExpressionToken"):
+        return None
+    is_transition = expected.terminal == "ControlToken"
+    tokens = _behind(place, expected, ":" if is_transition else "=")
+    if tokens is None:
+        return None
+    return transition_slot(tokens) if is_transition else value_slot(tokens)
+
+
+def _behind(place: Place, expected: Expected, sign: str) -> list[Token] | None:
+    """The tokens of the innermost rule behind the sign that ends its head; None before it."""
+    tokens = place.tokens(expected.steps[-1])
+    index = next((index for index, item in enumerate(tokens) if item == sign), None)
+    return None if index is None else tokens[index + 1 :]
 
 
 _FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
@@ -295,8 +299,8 @@ _FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
     "FormulaToken": _formula,
     "ProcessToken": _formula,
     "ExpressionToken": _expression,
-    "ControlToken": _transition,
+    "ControlToken": _expression,
 }
 """What is offered inside of what is a list of tokens for the grammar."""
 
-__all__ = ["Around", "complete", "spelled"]
+__all__ = ["Around", "complete", "slot_of", "spelled"]

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from itertools import pairwise
 
 from aseme_dsl.compiler.builtins import PERFORMATIVES
 from aseme_dsl.grammar.token import Token, token
@@ -35,10 +36,14 @@ class SlotKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A call whose parentheses are open: its function and the index of the argument that is being written."""
+    """A call whose parentheses are open: its function and the index of the argument that is being written.
+
+    `given` are the arguments before it.
+    """
 
     function: str
     argument: int
+    given: tuple[tuple[Token, ...], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,23 +137,26 @@ def _action_slot(tokens: Sequence[Token]) -> Slot:
 
 def value_slot(tokens: Sequence[Token]) -> Slot:
     """What may come next in an expression."""
-    frames: list[list[int]] = [[-1, 0, 0]]  # the index of the function's name, the argument, where it begins
+    frames: list[tuple[int, list[int]]] = [(-1, [0])]  # the index of a function's name, where arguments begin
     for index, item in enumerate(tokens):
         if item in ("(", "["):
             called = index > 0 and item == "(" and is_name(tokens[index - 1])
-            frames.append([index - 1 if called else -1, 0, index + 1])
+            frames.append((index - 1 if called else -1, [index + 1]))
         elif item in (")", "]"):
             if len(frames) > 1:
                 frames.pop()
         elif item == ",":
-            frames[-1][1] += 1
-            frames[-1][2] = index + 1
+            frames[-1][1].append(index + 1)
     calls = tuple(
-        Call(str(tokens[name]), argument)
-        for name, argument, _ in frames
+        Call(
+            str(tokens[name]),
+            len(begins) - 1,
+            tuple(tuple(tokens[begin : end - 1]) for begin, end in pairwise(begins)),
+        )
+        for name, begins in frames
         if name >= 0
-    )  # fmt: skip
-    argument = tokens[frames[-1][2] :]
+    )
+    argument = tokens[frames[-1][1][-1] :]
     segments, begin = path_before(argument)
     if segments:
         kind = SlotKind.MEMBER
