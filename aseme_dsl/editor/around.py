@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 from aseme_dsl.compiler import formulas as formula_tables
+from aseme_dsl.compiler.aip_to_eac import PROCESS
 from aseme_dsl.compiler.formula_to_statechart import Way
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.scope import Scope
@@ -78,7 +79,7 @@ class Around:
             case tree.Aip():
                 for part in self.declaration.participants:
                     table = formula_tables.table(
-                        f"{self.declaration.name}.{part.name}", part.formulas, "process"
+                        f"{self.declaration.name}.{part.name}", part.formulas, PROCESS
                     )[0]
                     if table is None:
                         continue
@@ -121,17 +122,40 @@ class Around:
 def around(place: Place, known: Known) -> Around:
     """The declaration around a place; reading it again costs nothing while only one entry changes."""
     end = end_of_declaration(place.text, max(place.first, place.start))
-    begin = _begin_of_entry(place)
-    line = place.text.find("\n", place.offset)
-    stop = min(line if line >= 0 else len(place.text), end)
     text = place.text[place.first : end]
-    if begin is not None and begin < stop:
-        text = (
-            text[: begin - place.first]
-            + re.sub(r"[^\n]", " ", text[begin - place.first : stop - place.first])
-            + text[stop - place.first :]
-        )
+    begin = _begin_of_entry(place)
+    if begin is not None:
+        stop = min(_end_of_entry(place, begin), end) - place.first
+        typed = text[begin - place.first : stop]
+        text = text[: begin - place.first] + re.sub(r"[^\n]", " ", typed) + text[stop:]
     return _around(text, known)
+
+
+_PIECE = re.compile(
+    r'"(?:[^"\\\n]|\\.)*"?|//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|[{}]|\n[ \t]*(?=[^\s])|[A-Za-z_]\w*\s*=(?!=)'
+)
+
+
+def _end_of_entry(place: Place, begin: int) -> int:
+    """Where the entry ends that is being typed: before the brace that closes its block, or the next entry.
+
+    The next one begins on a line that is not indented more; a formula also ends where the next has its name.
+    """
+    line = place.text.rfind("\n", 0, begin) + 1
+    margin = len(place.text[line:begin]) - len(place.text[line:begin].lstrip(" \t"))
+    is_formula = any(item.place in (("Formula", "tokens"), ("Process", "tokens")) for item in place.expected)
+    depth = 0
+    for found in _PIECE.finditer(place.text, place.end):
+        sign = found.group()
+        if sign == "{":
+            depth += 1
+        elif sign == "}":
+            depth -= 1
+            if depth < 0:
+                return found.start()
+        elif (sign[0] == "\n" and len(sign) - 1 <= margin) or (is_formula and sign[-1] == "="):
+            return found.start()
+    return len(place.text)
 
 
 @lru_cache(maxsize=4)
@@ -144,11 +168,14 @@ def _around(text: str, known: Known) -> Around:
 
 
 def _begin_of_entry(place: Place) -> int | None:
-    """Where the entry begins that is being typed; None in the head of a block."""
+    """Where the entry begins that is being typed; None in the head of a block, and where none is begun."""
     if place.block < 0:
         return None
-    entry = place.entry
-    return entry if entry is not None else place.text.rfind("\n", 0, place.start) + 1
+    if place.entry is not None:
+        return place.entry
+    if not place.expected:
+        return place.text.rfind("\n", 0, place.start) + 1
+    return place.start if place.start < place.end else None
 
 
 def name_of(place: Place, expected: Expected, rule: str) -> str | None:

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.messages import BYTES, Kind
+from aseme_dsl.compiler.aip_to_eac import PROCESS
 from aseme_dsl.compiler.builtins import PERFORMATIVES
 from aseme_dsl.editor.ask import Ask
 from aseme_dsl.editor.items import Item, ItemKind
@@ -251,14 +252,14 @@ def _place_owners(ask: Ask) -> Iterator[Item]:
 
 
 def _helpers(part: tree.Participant) -> list[str]:
-    return [item.name.text for item in part.formulas if item.name.text != "process"]
+    return [item.name.text for item in part.formulas if item.name.text != PROCESS]
 
 
 def _process_names(ask: Ask) -> Iterator[Item]:
     part = ask.around.participant(ask.name("Participant") or "")
     formulas = part.formulas if part is not None else ()
-    if not any(item.name.text == "process" for item in formulas):
-        yield Item("process", ItemKind.WORD, "what it does", "", "process = ", rank=2)
+    if not any(item.name.text == PROCESS for item in formulas):
+        yield Item(PROCESS, ItemKind.WORD, "what it does", "", f"{PROCESS} = ", rank=2)
     yield from _formulas_to_write(ask, formulas)
 
 
@@ -324,14 +325,24 @@ def formula_names(ask: Ask) -> Iterator[Item]:
         engage = " ".join(text.text for text in played.engage) if played is not None else ""
         yield Item(name, ItemKind.PARTICIPANT, engage, rank=3 if name in used else 1)
     written = {item.name.text for item in formulas}
-    for index, formula in enumerate(formulas):
-        if index > 0 and formula.name.text not in (own, "process"):
+    root = _root(ask, formulas)
+    for formula in formulas:
+        if formula is not root and formula.name.text not in (own, PROCESS):
             name = formula.name.text
             text = " ".join(formula.formula.span.text.split())
             yield Item(name, ItemKind.FORMULA, text, rank=3 if name in used else 1)
     for item in _activities(ask):
         if item.label not in written and item.label != own:
             yield replace(item, rank=2) if item.label in used else item
+
+
+def _root(ask: Ask, formulas: tuple[tree.NamedFormula, ...]) -> tree.NamedFormula | None:
+    """The formula that the others refine: the first of a role, unless it is the one that is being typed."""
+    if not formulas or not isinstance(ask.around.declaration, tree.Srm):
+        return None
+    typed = ask.place.entry
+    before = typed is not None and typed < ask.place.first + formulas[0].span.start
+    return None if before else formulas[0]
 
 
 def _formulas_to_write(ask: Ask, formulas: tuple[tree.NamedFormula, ...]) -> Iterator[Item]:
@@ -397,7 +408,7 @@ def _controls(ask: Ask) -> Iterator[Item]:
         found = []
         for part in declaration.participants:
             for item in part.formulas:
-                name = part.name.text if item.name.text == "process" else item.name.text
+                name = part.name.text if item.name.text == PROCESS else item.name.text
                 found.append((name, item))
     else:
         return

@@ -19,6 +19,7 @@ from aseme_dsl import diagnostics
 from aseme_dsl.diagnostics.pages import file_of
 from aseme_dsl.diagrams import GraphvizMissing
 from aseme_dsl.editor import calls, hints, hover, layout, navigation, outline, rename, tokens
+from aseme_dsl.editor.authoring import answer_authors
 from aseme_dsl.editor.diagram import Diagrams
 from aseme_dsl.editor.index import Kind, Symbol, Use
 from aseme_dsl.editor.positions import Change, Lines, Position, changed
@@ -117,7 +118,10 @@ class Server(LanguageServer):
         return self.files.view(self.path(uri))
 
     def offset(self, view: View, position: lsp.Position) -> int:
-        return self.lines(view.source).offset(Position(position.line, position.character))
+        return self.offset_in(view.source, position)
+
+    def offset_in(self, source: Source, position: lsp.Position) -> int:
+        return self.lines(source).offset(Position(position.line, position.character))
 
     def range(self, span: Span) -> lsp.Range:
         lines = self.lines(span.source)
@@ -212,6 +216,7 @@ def make_server(version: str, project: Project, folders: FoldersOf) -> Server:
     _structure(server)
     _hierarchy(server)
     _drawings(server)
+    answer_authors(server)
     return server
 
 

@@ -77,6 +77,7 @@ class Workspace:
     _programs: dict[str, Program] = field(default_factory=dict)
     _views: dict[str, View] = field(default_factory=dict)
     _good: dict[str, View] = field(default_factory=dict)
+    _recent: dict[str, View] = field(default_factory=dict)
     _headers: dict[str, tuple[object, Header]] = field(default_factory=dict)
 
     # ---- what the editor says ------------------------------------------------------------------
@@ -91,6 +92,7 @@ class Workspace:
         path = os.path.realpath(path)
         self.buffers.pop(path, None)
         self._good.pop(path, None)
+        self._recent.pop(path, None)
         self.forget()
 
     def forget(self) -> None:
@@ -107,8 +109,13 @@ class Workspace:
             text = self.text(path)
             if text is None:
                 return None
-            self._views[path] = self._viewed(path, text)
+            self._views[path] = self._recent[path] = self._viewed(path, text)
         return self._views[path]
+
+    def recent(self, path: str) -> View | None:
+        """The file as it was when it was last looked at, for what must not wait until all is compiled."""
+        path = os.path.realpath(path)
+        return self._recent.get(path) or self.view(path)
 
     def text(self, path: str) -> str | None:
         """The text of a file: as it is open, else as it is on disk."""

@@ -198,6 +198,13 @@ def test_a_formula_offers_what_is_not_used_yet_first() -> None:
     assert "initialize" not in labels(at(SOCCER, "initialize = Stand . Calib"))
 
 
+def test_a_formula_offers_the_others_whichever_is_typed() -> None:
+    text = "system T\nsrm r {\n liveness {\n  r = ‸\n  part = A . B\n }\n}\n"
+    assert labels(text)[0] == "part"
+    text = "system T\naip p { participant a { process = ‸ help = A . B } participant b { process = C } }\n"
+    assert labels(text)[0] == "help"
+
+
 def test_behind_an_operand_no_operand_is_offered() -> None:
     found = labels("system T\nsrm r { liveness { r = A ‸ } }")
     assert found == ["A"]  # the formula that comes next
