@@ -20,7 +20,7 @@ from aseme_dsl.editor.names import PLACES, formula_names, performatives
 from aseme_dsl.editor.place import Place, place_at
 from aseme_dsl.editor.slots import Slot, SlotKind, formula_is_open, transition_slot, value_slot
 from aseme_dsl.editor.snippets import WHOLE, skeleton
-from aseme_dsl.editor.values import actions, constants, members, topics, values
+from aseme_dsl.editor.values import actions, constants, members, outcomes, topics, values
 from aseme_dsl.grammar.expected import Expected
 from aseme_dsl.grammar.token import Token
 from aseme_dsl.source import Source
@@ -209,7 +209,8 @@ def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
                     for name in ask.around.timers:
                         yield Item(name, ItemKind.TIMER, "timer", rank=0)
                 return
-            yield from values(scope, ask.known, slot, ask.place.text)
+            named = tuple(outcomes(scope, slot))
+            yield from named or values(scope, ask.known, slot, ask.place.text)
 
 
 def _events(ask: Ask, party: Party | None, parties: Mapping[str, Party], first: bool) -> Iterator[Item]:

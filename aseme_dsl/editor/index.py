@@ -292,6 +292,7 @@ UNNAMED: frozenset[tuple[type, str]] = frozenset(
         (tree.Way, "verb"),  # a word of the language
         (tree.Roles, "type"),
         (tree.Activity, "kind"),
+        (tree.Activity, "ends"),  # what an outcome is compared with
         (tree.ChartNode, "type"),
         (tree.Scenario, "statements"),  # tokens, executed by the scenarios
         (tree.Property, "tokens"),

@@ -511,6 +511,7 @@ NEW = frozenset(
         ("Capability", "description"),
         ("ModuleCode", "target"),
         ("FunctionalityText", "text"),
+        ("Ends", "outcomes"),
         ("ChartNode", "label"),
         ("Team", "name"),
         ("AgentName", "name"),

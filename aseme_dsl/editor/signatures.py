@@ -14,7 +14,7 @@ from aseme_dsl.editor.completion import slot_of
 from aseme_dsl.editor.known import Known
 from aseme_dsl.editor.place import place_at
 from aseme_dsl.editor.slots import Call
-from aseme_dsl.editor.values import signature, type_of
+from aseme_dsl.editor.values import form_parameters, signature, type_of
 from aseme_dsl.source import Source
 
 
@@ -53,8 +53,7 @@ def signatures(source: Source, offset: int, known: Known) -> Signatures | None:
 def _of_call(call: Call, scope: Scope, known: Known, text: str) -> Signatures | None:
     if call.function in FORMS:
         example = FORMS[call.function]
-        parts = example.removeprefix(f"{call.function}(").removesuffix(")").split(", ")
-        return Signatures((_made(example, parts, ""),), 0, call.argument)
+        return Signatures((_made(example, form_parameters(call.function), ""),), 0, call.argument)
     overloads = scope.symbols.overloads(call.function)
     if not overloads:
         return None

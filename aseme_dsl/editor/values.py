@@ -107,9 +107,26 @@ def functions(scope: Scope, known: Known, wanted: Type | None) -> Iterator[Item]
 def form(name: str, rank: int) -> Item:
     """What looks like a function and is part of the language."""
     example = FORMS[name]
-    arguments = example.removeprefix(f"{name}(").removesuffix(")").split(", ")
+    arguments = form_parameters(name)
     places = ", ".join(f"${{{number}:{escaped(item)}}}" for number, item in enumerate(arguments, 1))
     return Item(name, ItemKind.FUNCTION, example, "", f"{name}({places})", is_snippet=True, rank=rank)
+
+
+def form_parameters(name: str) -> list[str]:
+    """What stands between the parentheses in the example of a form."""
+    return FORMS[name].removeprefix(f"{name}(").partition(")")[0].split(", ")
+
+
+def outcomes(scope: Scope, slot: Slot) -> Iterator[Item]:
+    """Activities that have outcomes, in `outcome(`; and behind `outcome(A) ==` those of one."""
+    if slot.calls and slot.calls[-1].function == "outcome":
+        for activity in scope.symbols.activities.values():
+            if activity.ends:
+                yield Item(activity.name, ItemKind.ACTIVITY, "ends " + ", ".join(activity.ends), rank=0)
+    elif slot.left[:2] == ("outcome", "("):
+        found = scope.symbols.activities.get(str(slot.left[2]))
+        for name in found.ends if found is not None else ():
+            yield Item(name, ItemKind.CONSTANT, f"outcome of {slot.left[2]}", rank=0)
 
 
 def signature(function: Function) -> str:
@@ -244,4 +261,16 @@ def type_of(scope: Scope, tokens: Sequence[Token], text: str) -> Type | None:
     return value.type if value is not None else None
 
 
-__all__ = ["actions", "agents", "form", "functions", "members", "signature", "topics", "type_of", "values"]
+__all__ = [
+    "actions",
+    "agents",
+    "form",
+    "form_parameters",
+    "functions",
+    "members",
+    "outcomes",
+    "signature",
+    "topics",
+    "type_of",
+    "values",
+]
