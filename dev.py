@@ -229,7 +229,13 @@ def long(further: list[str]) -> int:
     return 0
 
 
-COMMANDS = {"play": play, "test": test, "long": long}
+def syntax(further: list[str]) -> int:
+    """Set up what a developer needs, and make the colours of all editors from the grammar."""
+    set_up("dev")
+    return in_environment(["-m", "aseme_dsl.grammar.syntax", *further])
+
+
+COMMANDS = {"play": play, "test": test, "long": long, "syntax": syntax}
 
 
 def say(text: str, to: TextIO | None = None) -> None:
@@ -247,7 +253,8 @@ def main(arguments: list[str]) -> int:
     parser.add_argument(
         "command",
         choices=list(COMMANDS),
-        help="play the example; run every check; run benchmarks and long random tests",
+        help="play the example; run every check; run benchmarks and long random tests; "
+        "make the colours of all editors from the grammar",
     )
     parser.add_argument(
         "further", nargs=argparse.REMAINDER, help="more arguments for asemec run (play) or pytest (test)"

@@ -19,7 +19,6 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
     "aseme_dsl.documents.sphinx",
-    "aseme_lexer",
     "diagnostic_codes",
     "file_names",
     "trace_lines",

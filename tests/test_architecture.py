@@ -29,6 +29,7 @@ FLOORS = {
     "diagnostics": 1,
     "source": 0,
     "standard_library": 0,
+    "pygments_lexer": 0,
 }
 """Each room of the package and its floor; a new room is entered here."""
 

@@ -1,0 +1,24 @@
+"""Colours for editors and documents, made from the grammar: TextMate, Pygments and Vim.
+
+`files` gives the text of every file; `python -m aseme_dsl.grammar.syntax` writes them.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from aseme_dsl.grammar.syntax.contexts import outline
+from aseme_dsl.grammar.syntax.pygments import pygments_lexer
+from aseme_dsl.grammar.syntax.textmate import textmate_grammar
+from aseme_dsl.grammar.syntax.vim import vim_files
+
+
+@lru_cache(maxsize=1)
+def files() -> dict[str, str]:
+    """The text of every file that follows from the grammar, by its path from the root of the project."""
+    made = outline()
+    return {
+        "editors/vscode/syntaxes/aseme.tmLanguage.json": textmate_grammar(made),
+        "aseme_dsl/pygments_lexer.py": pygments_lexer(made),
+        **{f"editors/vim/{name}": text for name, text in vim_files(made).items()},
+    }

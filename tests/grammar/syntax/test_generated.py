@@ -1,0 +1,53 @@
+"""What is committed is what the grammar gives."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import re
+
+import pytest
+
+from aseme_dsl.grammar import expression
+from aseme_dsl.grammar.formula import RESERVED
+from aseme_dsl.grammar.syntax import files
+from aseme_dsl.grammar.syntax.contexts import EXPRESSION_WORDS
+from tests.grammar.syntax.programs import ROOT, words
+
+
+@pytest.mark.parametrize("name", files())
+def test_the_files_are_those_of_this_grammar(name: str) -> None:
+    path = ROOT / name
+    assert path.exists() and path.read_text("utf-8") == files()[name], (
+        f"{name} is not what the grammar gives now: run python3 dev.py syntax, and commit it"
+    )
+
+
+def test_every_word_of_the_grammar_is_in_every_file() -> None:
+    for name, made in files().items():
+        text = re.sub(r"\\+[vb]", " ", made)  # not the letters of \v and \b
+        missing = [word for word in words() if not re.search(rf"(?<![A-Za-z_]){word}(?![A-Za-z_])", text)]
+        assert not missing, name
+
+
+NO_WORDS = {"if"}
+"""What expression.py compares with because people write it by mistake."""
+
+
+def test_the_words_of_expressions_are_those_that_the_parser_asks_for() -> None:
+    """Expressions are read by hand, so their words stand in a table of their own."""
+    tree = ast.parse(inspect.getsource(expression))
+    asked: set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef) and node.name.startswith("_"):
+            continue  # what is wrong, and how it is said
+        for part in ast.iter_child_nodes(node) if isinstance(node, ast.FunctionDef) else ():
+            for compared in ast.walk(part):
+                if isinstance(compared, ast.Compare):
+                    asked |= {
+                        item.value
+                        for item in ast.walk(compared)
+                        if isinstance(item, ast.Constant) and isinstance(item.value, str)
+                    }
+    found = {word for word in asked if re.fullmatch(r"[a-z][a-z_]+", word)} - NO_WORDS
+    assert found - set(EXPRESSION_WORDS) - set(RESERVED) == set(), "enter the new word in EXPRESSION_WORDS"

@@ -1,0 +1,110 @@
+"""Vim and Neovim show every character as the lexer for Pygments does, and indent as `asemec fmt` does."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.grammar.syntax.contexts import Kind
+from aseme_dsl.grammar.syntax.vim import camel
+from tests.grammar.syntax.kinds import differences, same
+from tests.grammar.syntax.programs import ACCEPTANCE, EVERYTHING, ROOT
+
+KINDS = {f"aseme{camel(kind)}": same(kind) for kind in Kind} | {"asemeComment": "comment"}
+PROGRAMS = [*ACCEPTANCE, EVERYTHING]
+
+SETTINGS = """
+set nocompatible encoding=utf-8 nomodeline
+set runtimepath^={folder}
+filetype plugin indent on
+syntax on
+"""
+
+DUMP = """
+let s:files = []
+for s:number in range(1, argc())
+  execute 'argument' s:number
+  let s:rows = []
+  for s:line in range(1, line('$'))
+    let s:row = []
+    for s:column in range(1, strlen(getline(s:line)))
+      call add(s:row, synIDattr(synID(s:line, s:column, 1), 'name'))
+    endfor
+    call add(s:rows, s:row)
+  endfor
+  call add(s:files, s:rows)
+endfor
+call writefile([json_encode(s:files)], $VIM_RESULT)
+qall!
+"""
+
+INDENT = """
+setlocal shiftwidth=2
+normal! gg=G
+execute 'write!' fnameescape($VIM_RESULT)
+qall!
+"""
+
+
+def editors() -> list[str]:
+    """The editors of this machine that have syntax highlighting."""
+    found = []
+    for name in ("nvim", "vim"):
+        if shutil.which(name):
+            version = subprocess.run([name, "--version"], capture_output=True, text=True).stdout
+            if name == "nvim" or "+syntax" in version:
+                found.append(name)
+    return found
+
+
+def run(editor: str, folder: Path, script: str, files: list[Path]) -> str:
+    """Run a script over files and return what it has written."""
+    settings, commands, result = (folder / name for name in ("settings.vim", "script.vim", "result"))
+    settings.write_text(SETTINGS.format(folder=ROOT / "editors/vim"), "utf-8")
+    commands.write_text(script, "utf-8")
+    quiet = ["--headless"] if editor == "nvim" else ["-N", "-es"]
+    command = [editor, *quiet, "-i", "NONE", "-n", "-u", str(settings), "-S", str(commands), *map(str, files)]
+    environment = {**os.environ, "VIM_RESULT": str(result), "LC_ALL": "C.UTF-8"}
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, stdin=subprocess.DEVNULL)
+    assert done.returncode == 0 and result.exists(), done.stdout + done.stderr
+    return result.read_text("utf-8")
+
+
+@pytest.fixture(params=["nvim", "vim"])
+def editor(request: pytest.FixtureRequest) -> str:
+    name: str = request.param
+    if name not in editors():
+        pytest.skip(
+            f"NOT TRIED, for there is no {name} here: apt install {'neovim' if name == 'nvim' else name}"
+        )
+    return name
+
+
+def test_the_groups_are_those_of_the_lexer(editor: str, tmp_path: Path) -> None:
+    found = json.loads(run(editor, tmp_path, DUMP, PROGRAMS))
+    wrong = {}
+    for path, rows in zip(PROGRAMS, found, strict=True):
+        text = path.read_text("utf-8")
+        kinds: list[str] = []
+        for line, row in zip(text.removesuffix("\n").split("\n"), rows, strict=True):
+            column = 0
+            for character in line:
+                group = row[column].partition("_")[0]
+                kinds.append("" if character.isspace() else KINDS.get(group, f"group {group}"))
+                column += len(character.encode())
+            kinds.append("")
+        wrong[path.name] = differences(text, kinds[: len(text)])
+    assert wrong == {path.name: [] for path in PROGRAMS}
+
+
+def test_the_indentation_is_that_of_fmt(editor: str, tmp_path: Path) -> None:
+    """Of lines that are not continued; how those are aligned is for `asemec fmt` to say."""
+    text = (ROOT / "tests/acceptance/contract_net.aseme").read_text("utf-8")
+    flat = tmp_path / "flat.aseme"
+    flat.write_text("".join(line.lstrip(" ") for line in text.splitlines(keepends=True)), "utf-8")
+    assert run(editor, tmp_path, INDENT, [flat]) == text
