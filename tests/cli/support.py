@@ -35,6 +35,9 @@ BAD = GOOD.replace("eyes.state.Seen.ball]\n    enter Stand", "eyes.state.Sen.bal
 )
 """The same with two mistakes."""
 
+WARNED = GOOD[: GOOD.index("  control")].replace("(Walk | Stand)+", "Walk . Stand || Walk") + "}\n"
+"""A system with a warning (W300)."""
+
 
 @dataclass(frozen=True)
 class Done:

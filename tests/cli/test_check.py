@@ -14,11 +14,8 @@ from urllib.parse import urlparse
 
 import pytest
 
-from tests.cli.support import BAD, GOOD, Here, asemec, command
+from tests.cli.support import BAD, GOOD, WARNED, Here, asemec, command
 from tests.conftest import Snapshot
-
-WARNED = GOOD[: GOOD.index("  control")].replace("(Walk | Stand)+", "Walk . Stand || Walk") + "}\n"
-"""A system with a warning (W300)."""
 
 
 def test_a_good_file(here: Here, folder: Path) -> None:
