@@ -1,4 +1,4 @@
-"""Activity code: whether the Python of the activities keeps to what the system says of them.
+"""Activity code: whether the Python of the activities and modules keeps to what the system says of them.
 
 The code is parsed, never imported. What is looked at are calls on the activity's context whose channel,
 variable or event is written there as a text, or is a constant of the same module.
@@ -9,7 +9,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +17,7 @@ from aseme_dsl.amola.expression import Raised
 from aseme_dsl.amola.messages import Channel, Comm
 from aseme_dsl.amola.statechart import NodeType
 from aseme_dsl.build.activity_ends import wrong_outcomes
+from aseme_dsl.build.activity_messages import unfit_messages
 from aseme_dsl.build.activity_words import unknown_messages, unknown_methods
 from aseme_dsl.diagnostics import Diagnostic, Related, Suppressed, closest
 from aseme_dsl.runtime.naming import class_name, module_name
@@ -30,18 +31,21 @@ _ALLOW = re.compile(r"(?:#|//)\s*asemec\s*:\s*allow\s*\((?P<codes>[^()]*)\)\s*(?
 _HISTORIES = ("history", "at", "interpolated", "mean")
 _READS = ("read", "state", "latest", "age", "take", *_HISTORIES)
 _VARIABLES = ("set", "variable")
+_BLOCKS = {"activity": "activities", "module": "modules"}
+"""Where the description of each stands."""
 _METHODS = (*_READS, *_VARIABLES, "publish", "raise_event")
 
 
 def check_code(
-    system: System, folder: Path, *, alone: bool = True
+    system: System, folder: Path, *, alone: bool = True, project: Path | None = None
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
-    """What the modules in `folder` get wrong of the system: W530 to W533, N726.
+    """What the Python in `folder` gets wrong of the system: W530 to W533, W540, N726.
 
-    A module that is not there is not asked for. Second comes what a comment on the line allows:
+    What is not there is not asked for. Second comes what a comment on the line allows:
     `# asemec: allow(CODE) reason`.
     `alone`: the folder belongs to this system only. If other systems share it, a name that nothing here is
-    like may be one of theirs.
+    like may be one of theirs. `project` is the folder from which the code of modules is imported that is not
+    found by their names.
     """
     if not folder.is_dir():
         return (), ()
@@ -49,22 +53,31 @@ def check_code(
     found: list[Diagnostic] = []
     known: set[str] = set()
     modules: list[_Module] = []
-    for activity in system.activities:
-        path = folder / f"{module_name(activity.name)}.py"
-        known.add(path.name)
-        module = _module(path, found)
+    pieces = _pieces(system, folder, project)
+    for piece in pieces:
+        if piece.path is None:
+            continue
+        known.add(str(piece.path))
+        module = _module(piece.path, found)
         if module is not None:
             modules.append(module)
-            found += _of_activity(module, activity, world)
+            found += _of_piece(module, piece, world)
             found += unknown_methods(module.tree, module.span)
             found += unknown_messages(module.tree, system, module.span)
+            found += unfit_messages(module.tree, system, _published(module, world), module.span)
+        elif piece.is_missing:
+            message = f"the code of the module `{piece.said.name}` cannot be found"
+            message += f": there is no `{piece.target.partition(':')[0]}`"
+            found.append(Diagnostic("W533", message, piece.said.span))
     for path in sorted(folder.glob("*.py")):
-        if path.name not in known:
+        if str(path) not in known:
             helper = _module(path, [])
             if helper is not None:
                 modules.append(helper)
                 found += (problem for call in _calls(helper) for problem in _unknown(call, None, world))
-    if len(known) == sum(name in known for name in (Path(item.source.path).name for item in modules)):
+                found += unfit_messages(helper.tree, system, _published(helper, world), helper.span)
+    read = {item.source.path for item in modules}
+    if all(piece.path is not None and str(piece.path) in read for piece in pieces):
         found += _never_raised(modules, world)
     kept = [item for item in found if _allowed(item) is None]
     return tuple(kept), tuple(allowed for item in found if (allowed := _allowed(item)) is not None)
@@ -83,6 +96,52 @@ def _allowed(item: Diagnostic) -> Suppressed | None:
 
 
 @dataclass(frozen=True, slots=True)
+class _Piece:
+    """An activity or a module: what is said of it, the file of its code (None: somewhere else), its class."""
+
+    said: Activity
+    path: Path | None
+    wanted: str
+    what: str = "activity"
+    target: str = ""
+    is_missing: bool = False
+    """Whether its file should be there: the folder around it is one of the project."""
+
+
+def _pieces(system: System, folder: Path, project: Path | None) -> list[_Piece]:
+    """What there may be code of: the activities, then the modules, one that several roles have once."""
+    pieces = [
+        _Piece(item, folder / f"{module_name(item.name)}.py", class_name(item.name))
+        for item in system.activities
+    ]
+    modules: dict[tuple[str, str], Activity] = {}
+    for chart in system.iacs:
+        for module in chart.modules:
+            key, said = (module.name, module.target), module.statement
+            other = modules.get(key)
+            if other is not None:
+                said = replace(
+                    said,
+                    reads=(*other.reads, *said.reads),
+                    writes=(*other.writes, *said.writes),
+                    writes_variables=(*other.writes_variables, *said.writes_variables),
+                )
+            modules[key] = said
+    for (name, target), said in modules.items():
+        if not target:
+            path: Path | None = folder / f"{module_name(name)}.py"
+            pieces.append(_Piece(said, path, class_name(name), "module"))
+            continue
+        place, _, wanted = target.partition(":")
+        path = None if project is None else project.joinpath(*place.split(".")).with_suffix(".py")
+        if path is not None and not path.is_file() and (path.with_suffix("") / "__init__.py").is_file():
+            path = path.with_suffix("") / "__init__.py"
+        missing = path is not None and path.parent != project and path.parent.is_dir() and not path.is_file()
+        pieces.append(_Piece(said, path, wanted, "module", target, missing))
+    return pieces
+
+
+@dataclass(frozen=True, slots=True)
 class _World:
     """What code may name."""
 
@@ -90,7 +149,7 @@ class _World:
     topics: frozenset[str]
     agents: frozenset[str]
     variables: Mapping[str, frozenset[str]]
-    """Of each activity: those of the roles and participants that perform it."""
+    """Of each activity and module: those of the roles and participants that perform it."""
     events: Mapping[str, Span]
     alone: bool
 
@@ -104,6 +163,9 @@ class _World:
             for node in chart.nodes:
                 if node.type is NodeType.BASIC and node.activity is not None:
                     variables.setdefault(node.activity, set()).update(own)
+            for module in chart.modules:  # a participant's variables are not its own
+                mine = (item.name for item in chart.variables if "@" not in item.name)
+                variables.setdefault(module.name, set()).update(mine)
             for transition in chart.transitions:
                 for event in transition.expression.events:
                     if isinstance(event, Raised):
@@ -141,12 +203,13 @@ class _Module:
 
 @dataclass(frozen=True, slots=True)
 class _Call:
-    """`context.method("name", host="…")`, with the name's place; `host` is the sender's or None."""
+    """`context.method("name", value, host="…")`, with the name's place; `host` is the sender's or None."""
 
     method: str
     name: str
     span: Span
     host: tuple[str, Span] | None
+    value: ast.expr | None = None
 
 
 def _module(path: Path, found: list[Diagnostic]) -> _Module | None:
@@ -197,8 +260,16 @@ def _calls(module: _Module) -> list[_Call]:
         host = named.get("host")
         sender = _text(module, host)
         from_host = (sender, module.span(host)) if host is not None and sender is not None else None
-        found.append(_Call(node.func.attr, said, module.span(first), from_host))
+        value = node.args[1] if len(node.args) > 1 else named.get("message")
+        found.append(_Call(node.func.attr, said, module.span(first), from_host, value))
     return sorted(found, key=lambda call: call.span.start)
+
+
+def _published(module: _Module, world: _World) -> Iterator[tuple[str, ast.expr]]:
+    """What the code publishes on channels that there are."""
+    for call in _calls(module):
+        if call.method == "publish" and call.name in world.channels and call.value is not None:
+            yield call.name, call.value
 
 
 def _last(node: ast.expr) -> str | None:
@@ -221,27 +292,28 @@ def _text(module: _Module, node: ast.expr | None) -> str | None:
 # ---- what they say -------------------------------------------------------------------------------
 
 
-def _of_activity(module: _Module, activity: Activity, world: _World) -> Iterator[Diagnostic]:
+def _of_piece(module: _Module, piece: _Piece, world: _World) -> Iterator[Diagnostic]:
+    activity, wanted, what = piece.said, piece.wanted, piece.what
     classes = [node for node in module.tree.body if isinstance(node, ast.ClassDef)]
-    wanted = class_name(activity.name)
     if not any(node.name == wanted for node in classes) and not _brings(module.tree, wanted):
         start = Span(module.source, 0, 0)
         near = closest(wanted, [node.name for node in classes])
         yield Diagnostic(
             "W533",
-            f"the code of the activity `{activity.name}` has no class `{wanted}`",
+            f"the code of the {what} `{activity.name}` has no class `{wanted}`",
             next((_named(module, node) for node in classes if node.name == near), start),
-            (Related(activity.span, "the activity"),),
+            (Related(activity.span, f"the {what}"),),
             hint=f"did you mean `{wanted}`?" if near else f"write `class {wanted}:`",
         )
     for node in classes:
         methods = [item for item in node.body if isinstance(item, (ast.FunctionDef, ast.AsyncFunctionDef))]
         named = [item.name for item in methods if not item.name.startswith("_")]
         if node.name == wanted and named and not node.bases and not _defines(node, "execute"):
-            hint = f"is it `{named[0]}`?" if len(named) == 1 else "`execute` is what an activity does"
-            message = f"the class `{wanted}` has no method `execute`, so the activity does nothing"
+            article = "an" if what == "activity" else "a"
+            hint = f"is it `{named[0]}`?" if len(named) == 1 else f"`execute` is what {article} {what} does"
+            message = f"the class `{wanted}` has no method `execute`, so the {what} does nothing"
             yield Diagnostic(
-                "W533", message, _named(module, node), (Related(activity.span, "the activity"),), hint=hint
+                "W533", message, _named(module, node), (Related(activity.span, f"the {what}"),), hint=hint
             )
         execute = next((item for item in methods if item.name == "execute"), None)
         if node.name == wanted and execute is not None:
@@ -251,9 +323,9 @@ def _of_activity(module: _Module, activity: Activity, world: _World) -> Iterator
         problems = list(_unknown(call, activity, world))
         yield from problems
         if not problems:
-            what = _missing(call, activity) if _is_known(call, activity, world) else None
-            if what is not None:
-                undeclared.setdefault(what, call)
+            lacks = _missing(call, activity) if _is_known(call, activity, world) else None
+            if lacks is not None:
+                undeclared.setdefault(lacks, call)
     for (clause, name), call in undeclared.items():
         message = f"`{activity.name}` {clause} `{name}`, which it does not say"
         if name.endswith(" for …"):
@@ -262,8 +334,8 @@ def _of_activity(module: _Module, activity: Activity, world: _World) -> Iterator
             "W531",
             message,
             call.span,
-            (Related(activity.span, "what is said of it" if _is_described(activity) else "the activity"),),
-            hint=f"add `{clause} {name}` to it among the `activities` of the role",
+            (Related(activity.span, "what is said of it" if _is_described(activity) else f"the {what}"),),
+            hint=f"add `{clause} {name}` to it among the `{_BLOCKS[what]}` of the role",
         )
 
 

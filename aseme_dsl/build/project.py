@@ -134,7 +134,8 @@ def code_problems(
     from aseme_dsl.build.build import activities_folder, choose
 
     folder = activities_folder(output, choose(configuration, activities=activities))
-    return check_code(system, folder, alone=len(configuration.files) < 2)
+    alone = len(configuration.files) < 2
+    return check_code(system, folder, alone=alone, project=configuration.folder)
 
 
 def check(inputs: Inputs, sources: Mapping[str, str] | None = None) -> Checked:

@@ -152,11 +152,12 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W522": ("warning", "a message that nothing publishes"),
     "W523": ("warning", "a history that its source cannot fill"),
     "W524": ("warning", "an agent message that nobody sends or nobody receives"),
-    # The Python of the activities (W53x)
+    # The Python of the activities and modules (W53x, W54x)
     "W530": ("warning", "code that names what is not there"),
     "W531": ("warning", "an activity that does what it does not say"),
     "W532": ("warning", "an event that nothing waits for"),
-    "W533": ("warning", "an activity whose code cannot be found"),
+    "W533": ("warning", "an activity or a module whose code cannot be found"),
+    "W540": ("warning", "a message that does not fit its channel"),
     # Roles and agent messages (W55x)
     "W550": ("warning", "an abstract role that no role includes"),
     # Statecharts (E6xx): the structural rules of the papers' tools

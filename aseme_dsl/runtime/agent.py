@@ -84,6 +84,8 @@ class Agent:
         self.body = body
         self.messages: Messages = {}
         """The message classes of the agent's plan, from when messages of other versions may come."""
+        self.kinds: Messages = {}
+        """The message classes of the agent's plan, as far as they are known."""
         self.chosen: Callable[[Agent, str, str], None] = _not_here
         """Is told of a message that says which plan is to run, and by whom it is."""
         self.executions = Executions(self, find)
@@ -543,13 +545,6 @@ class Agent:
         return None
 
     # ---- questions ---------------------------------------------------------------------------
-
-    def message_of(self, channel: str) -> str:
-        """The type of a channel's messages. Raises LookupError for what is no channel."""
-        parts = channel.split(".")
-        if len(parts) != 3 or parts[1] not in ("signal", "state", "data"):
-            raise LookupError(f"{channel!r} is no channel: it is written like vision.state.Ball")
-        return parts[2]
 
     def branch_of(self, label: str) -> str | None:
         """The label of the innermost protocol branch around a state, or None."""

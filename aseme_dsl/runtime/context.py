@@ -318,6 +318,20 @@ class Context:
         return None
 
 
+def check_message(channel: str, message: Any) -> None:
+    """Whether a message is of the type that a channel carries, by its name.
+
+    Raises:
+        LookupError: what is no channel.
+        TypeError: it is of another type.
+    """
+    parts = channel.split(".")
+    if len(parts) != 3 or parts[1] not in ("signal", "state", "data"):
+        raise LookupError(f"{channel!r} is no channel: it is written like vision.state.Ball")
+    if type(message).__name__ != parts[2]:
+        raise TypeError(f"{channel} carries {parts[2]}, not {type(message).__name__}")
+
+
 def matches(mail: Mail, performative: str | None, message: str | None, sender: str | None) -> bool:
     """Whether an agent message is of a kind and from a sender, where they are given."""
     return (

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 import traceback
 from collections.abc import Callable, Generator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, is_dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
@@ -15,6 +15,7 @@ from aseme_dsl.runtime.activities import ActivityError, ActivityFinder, has_code
 from aseme_dsl.runtime.board import Board
 from aseme_dsl.runtime.body import Body
 from aseme_dsl.runtime.clock import MILLISECOND, nanoseconds, shown
+from aseme_dsl.runtime.convert import same_shape
 from aseme_dsl.runtime.inputs import Arrived, Cancel, Completed, Crashed, Mail, Start
 from aseme_dsl.runtime.plan import ActivityInfo
 from aseme_dsl.runtime.timers import Timer
@@ -638,9 +639,8 @@ class Executions:
         """
         match doing:
             case c.Publish(channel, message):
-                expected = self.agent.message_of(channel)
-                if type(message).__name__ != expected:
-                    raise TypeError(f"{channel} carries {expected}, not {type(message).__name__}")
+                c.check_message(channel, message)
+                self._check_kind(channel, message)
                 if channel not in execution.info.writes:
                     self.undeclared(execution, f"writes {channel}")
             case c.SetVariable(name, value):
@@ -651,6 +651,18 @@ class Executions:
                     self.undeclared(execution, f"writes variable {name}")
             case c.Send(performative, message, to):
                 self.agent.check_send(execution.branch, performative, type(message).__name__, to)
+
+    def _check_kind(self, channel: str, message: Any) -> None:
+        """Refuse a class that has only the name of a message; one of another version may be another class."""
+        agent, found = self.agent, type(message)
+        kind = agent.kinds.get(found.__name__)
+        if found is kind or kind is None:
+            return
+        if not is_dataclass(found) or not (agent.messages or same_shape(found, kind)):
+            text = (
+                f"{channel} carries {agent.plan.system}'s {found.__name__}, not the one of {found.__module__}"
+            )
+            raise TypeError(text)
 
     def undeclared(self, execution: Execution, what: str) -> None:
         """Note, once in a run, that an activity does what it does not declare."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.board import Board
 from aseme_dsl.runtime.body import Body
-from aseme_dsl.runtime.context import Context, Doing, Port, matches
+from aseme_dsl.runtime.context import Context, Doing, Port, Publish, check_message, matches
 from aseme_dsl.runtime.inputs import Arrived, Identity, Mail
 
 if TYPE_CHECKING:
@@ -192,6 +192,8 @@ class SnapshotPort:
         return tuple(self._received)
 
     def do(self, doing: Doing) -> None:
+        if isinstance(doing, Publish):  # here, so that the error has the place in the code
+            check_message(doing.channel, doing.message)
         self._tell(doing)
 
     def _declared(self, channel: str) -> None:

@@ -214,6 +214,7 @@ class Team:
             self.bus.join(agent, radio)
             self.conversations.join(agent)
             agent.chosen = self._chosen
+            agent.kinds = self.version.messages
         self.driver.bring(self.agents)
         if faults is not None:
             self._make_faulty(faults)
@@ -404,6 +405,7 @@ class Team:
 
     def renew(self, agent: Agent, version: Version) -> None:
         """An agent follows another plan: the bus and its radio go by that."""
+        agent.kinds = version.messages
         plans = {agent.name: agent.plan}
         self.bus.renew(plans)
         self.conversations.renew(plans)

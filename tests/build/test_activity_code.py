@@ -274,3 +274,133 @@ def test_outcomes_that_are_right_or_computed(tmp_path: Path, body: str) -> None:
 def test_an_outcome_that_the_activity_does_not_have(tmp_path: Path, body: str, place: str, hint: str) -> None:
     found = say(tmp_path, "walk.py", activity(body, "Walk"), text=ENDS)
     assert shown(found) == [("W530", place, hint)]
+
+
+MODULES = SYSTEM.replace(
+    "  activities {",
+    """  modules {
+    Vision every 33ms reads vision.state.Ball writes vision.data.Ball, tired
+    Sight  every 1s writes vision.data.Ball = "seeing.eyes:Eyes"
+  }
+  activities {""",
+    1,
+)
+
+
+class TestModules:
+    def test_what_is_right_is_not_reported(self, tmp_path: Path) -> None:
+        for code in (
+            'context.publish("vision.data.Ball", context.read("vision.state.Ball"))',
+            'context.set("tired", not context.variable("tired"))',
+        ):
+            assert say(tmp_path, "vision.py", activity(code, "Vision"), text=MODULES) == []
+
+    @pytest.mark.parametrize(
+        "body, code, place, hint",
+        [
+            (
+                'context.publish("motion.signal.Ball", ball)',
+                "W531",
+                '"motion.signal.Ball"',
+                "add `writes motion.signal.Ball` to it among the `modules` of the role",
+            ),
+            (
+                'context.read("vision.state.Bal")',
+                "W530",
+                '"vision.state.Bal"',
+                "did you mean `vision.state.Ball`?",
+            ),
+            ('context.set("tyred", True)', "W530", '"tyred"', "did you mean `tired`?"),
+            ('context.set("bids", 1)', "W530", '"bids"', "declare it: `var bids : …`"),  # a participant's
+            ('context.raise_event("sen")', "W532", '"sen"', "did you mean `seen`?"),
+        ],
+    )
+    def test_what_is_wrong(self, tmp_path: Path, body: str, code: str, place: str, hint: str) -> None:
+        found = say(tmp_path, "vision.py", activity(body, "Vision"), text=MODULES)
+        assert shown(found) == [(code, place, hint)]
+
+    def test_a_class_that_is_missing(self, tmp_path: Path) -> None:
+        found = say(tmp_path, "vision.py", "class Vison:\n    pass\n", text=MODULES)
+        assert [item.message for item in found] == ["the code of the module `Vision` has no class `Vision`"]
+        assert shown(found) == [("W533", "Vison", "did you mean `Vision`?")]
+
+    def test_a_class_elsewhere_in_the_project_is_read_there(self, tmp_path: Path) -> None:
+        (tmp_path / "activities").mkdir()
+        (tmp_path / "seeing").mkdir()
+        eyes = tmp_path / "seeing" / "eyes.py"
+
+        def found(code: str) -> list[Diagnostic]:
+            eyes.write_text(code)
+            return list(check_code(system(MODULES), tmp_path / "activities", project=tmp_path)[0])
+
+        assert found(activity('context.publish("vision.data.Ball", x)', "Eyes")) == []
+        wrong = found(activity('context.publish("vision.data.Bal", x)', "Eyes"))
+        assert shown(wrong) == [("W530", '"vision.data.Bal"', "did you mean `vision.data.Ball`?")]
+        assert [item.message for item in found("class Ears:\n    pass\n")] == [
+            "the code of the module `Sight` has no class `Eyes`"
+        ]
+        eyes.unlink()
+        (gone,) = check_code(system(MODULES), tmp_path / "activities", project=tmp_path)[0]
+        assert gone.message == "the code of the module `Sight` cannot be found: there is no `seeing.eyes`"
+        assert gone.span is not None and gone.span.text.startswith("Sight")
+
+    def test_an_event_that_only_a_module_raises_is_raised(self, tmp_path: Path) -> None:
+        text = MODULES.replace('    Sight  every 1s writes vision.data.Ball = "seeing.eyes:Eyes"\n', "")
+        for name in ("Look", "Search", "Walk", "Legs", "Collect", "Pay", "Offer"):
+            (tmp_path / f"{name.lower()}.py").write_text(activity("pass", name))
+        assert shown(say(tmp_path, "vision.py", activity("pass", "Vision"), text=text)) == [
+            ("N726", "seen", 'raise it in an activity: `context.raise_event("seen")`')
+        ]
+        assert say(tmp_path, "vision.py", activity('context.raise_event("seen")', "Vision"), text=text) == []
+
+
+IMPORTS = "from monas.Team.messages import Ball, Pose as P\n\n\nclass Point:\n    pass\n\n\n"
+
+
+class TestMessagesThatDoNotFit:
+    TEXT = SYSTEM.replace("topic vision", "message Pose { double x }\ntopic vision")
+
+    @pytest.mark.parametrize(
+        "body",
+        [
+            'context.publish("motion.signal.Ball", Ball(True))',
+            'context.publish("motion.signal.Ball", message=ball)',
+            'context.publish("motion.signal.Ball", make())',
+            'x = Ball()\n        context.publish("motion.signal.Ball", x)',
+            'x = P()\n        x = Ball()\n        context.publish("motion.signal.Ball", x)',
+            'x = P()\n        for x in balls:\n            context.publish("motion.signal.Ball", x)',
+            'context.publish("motion.signal.Ball", Unknown())',
+            'context.publish("motion.signal.Ball", Ball() if a else b)',
+        ],
+    )
+    def test_what_fits_or_cannot_be_known(self, tmp_path: Path, body: str) -> None:
+        assert say(tmp_path, "search.py", IMPORTS + activity(body), text=self.TEXT) == []
+
+    @pytest.mark.parametrize(
+        "body, place, message",
+        [
+            ('context.publish("motion.signal.Ball", P(1.0))', "P(1.0)", "a `Pose`"),
+            ('context.publish("motion.signal.Ball", message=P())', "P()", "a `Pose`"),
+            ('context.publish("motion.signal.Ball", True)', "True", "what is no message"),
+            (
+                'context.publish("motion.signal.Ball", {"visible": True})',
+                '{"visible": True}',
+                "what is no message",
+            ),
+            ('context.publish("motion.signal.Ball", Point())', "Point()", "a `Point`, which is no message"),
+            ('context.publish("motion.signal.Ball", Ball)', "Ball", "the class `Ball` itself"),
+            ('x = P()\n        context.publish("motion.signal.Ball", x)', "x", "a `Pose`"),
+        ],
+    )
+    def test_what_does_not_fit(self, tmp_path: Path, body: str, place: str, message: str) -> None:
+        (found,) = say(tmp_path, "search.py", IMPORTS + activity(body), text=self.TEXT)
+        assert (found.code, found.span.text if found.span else "") == ("W540", place)
+        assert found.message == f"`motion.signal.Ball` carries `Ball`, and this is {message}"
+
+    def test_in_a_module_and_in_a_helper_too(self, tmp_path: Path) -> None:
+        text = MODULES.replace("topic vision", "message Pose { double x }\ntopic vision")
+        code = IMPORTS + activity('context.publish("vision.data.Ball", P())', "Vision")
+        assert [item.code for item in say(tmp_path, "vision.py", code, text=text)] == ["W540"]
+        (tmp_path / "vision.py").unlink()
+        helper = IMPORTS + 'def tell(context):\n    context.publish("vision.data.Ball", P())\n'
+        assert [item.code for item in say(tmp_path, "helper.py", helper, text=text)] == ["W540"]
