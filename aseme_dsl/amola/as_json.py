@@ -176,7 +176,9 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
     for item in chart.transitions:
         expression = item.expression
         condition = expression.condition
-        marks = {"first": True} if item.first else {}
+        marks: Json = {"first": True} if item.first else {}
+        if not item.is_way:
+            marks["kind"] = item.kind.value
         transitions.append(
             {
                 "name": item.name,

@@ -50,7 +50,8 @@ def labels_as_original(chart: Statechart) -> Statechart:
         for node in chart.nodes
     )
     transitions = tuple(
-        replace(item, name=f"{names[item.source]}TO{names[item.target]}") for item in chart.transitions
+        replace(item, name=f"{names[item.source]}TO{names[item.target]}") if item.is_way else item
+        for item in chart.transitions
     )
     return replace(chart, nodes=nodes, transitions=transitions)
 

@@ -57,6 +57,17 @@ class Node:
     span: Span
 
 
+class TransitionKind(StrEnum):
+    """Whether a transition leads somewhere (WAY), or belongs to its source, which is its target, too.
+
+    ON does its actions without leaving the source; EXIT does them whenever the source is left.
+    """
+
+    WAY = "way"
+    ON = "on"
+    EXIT = "exit"
+
+
 @dataclass(frozen=True, slots=True)
 class Transition:
     """A transition between two labels. `priority` is its place among those of its source, 0 is tried first.
@@ -73,11 +84,19 @@ class Transition:
     origin: Origin
     span: Span
     first: bool = False
+    kind: TransitionKind = TransitionKind.WAY
+
+    @property
+    def is_way(self) -> bool:
+        """Whether it leads somewhere: something is left and entered."""
+        return self.kind is TransitionKind.WAY
 
 
 def transition_text(transition: Transition) -> str:
-    """What people read on a transition: its expression, after `[>` where it cuts its source short."""
-    return " ".join(filter(None, ("[>" if transition.first else "", expression_text(transition.expression))))
+    """What people read on a transition: its expression, after `[>` where it cuts its source short, after `on`
+    or `exit` where it stays."""
+    word = "[>" if transition.first else "" if transition.is_way else transition.kind.value
+    return " ".join(filter(None, (word, expression_text(transition.expression))))
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,7 +173,8 @@ class Statechart:
     def _outgoing(self) -> dict[str, tuple[Transition, ...]]:
         found: dict[str, list[Transition]] = {}
         for transition in self.transitions:
-            found.setdefault(transition.source, []).append(transition)
+            if transition.kind is not TransitionKind.EXIT:
+                found.setdefault(transition.source, []).append(transition)
         return {
             label: tuple(sorted(items, key=lambda transition: transition.priority))
             for label, items in found.items()
@@ -175,9 +195,25 @@ class Statechart:
         """The states that are called `name`, or whose activity is, in document order."""
         return self._called.get(name, ())
 
+    @cached_property
+    def _exits(self) -> dict[str, tuple[Transition, ...]]:
+        found: dict[str, tuple[Transition, ...]] = {}
+        for transition in self.transitions:
+            if transition.kind is TransitionKind.EXIT:
+                found[transition.source] = (*found.get(transition.source, ()), transition)
+        return found
+
     def outgoing(self, label: str) -> tuple[Transition, ...]:
-        """The transitions of a source in the order in which they are tried."""
+        """The transitions of a source in the order in which they are tried, with those that stay in it."""
         return self._outgoing.get(label, ())
+
+    def ways_from(self, label: str) -> tuple[Transition, ...]:
+        """The transitions that lead out of a source, or to itself, in the order in which they are tried."""
+        return tuple(item for item in self.outgoing(label) if item.is_way)
+
+    def exits_of(self, label: str) -> tuple[Transition, ...]:
+        """What is done when a state is left, in that order."""
+        return self._exits.get(label, ())
 
     def ancestors(self, label: str) -> Iterator[Node]:
         """The states around `label`, from its parent to the root."""
@@ -229,6 +265,7 @@ __all__ = [
     "Region",
     "Statechart",
     "Transition",
+    "TransitionKind",
     "Variable",
     "label_key",
     "transition_text",

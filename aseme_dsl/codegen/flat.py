@@ -6,7 +6,7 @@ is active. The leaves of a composite have consecutive numbers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -33,7 +33,14 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.meant import states_meant
 from aseme_dsl.amola.messages import DURATION, Comm
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition
+from aseme_dsl.amola.statechart import (
+    Node,
+    NodeType,
+    OriginKind,
+    Statechart,
+    Transition,
+    TransitionKind,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,6 +157,24 @@ class FlatChart:
             return False
         parent = None if node.parent is None else self.chart.node(node.parent)
         return parent is not None and parent.origin != node.origin
+
+    @cached_property
+    def leaving(self) -> tuple[Node, ...]:
+        """The composites with something to do when they are left: branches, and what has an `exit`."""
+        return tuple(
+            node
+            for node in self.chart.nodes
+            if node.type is NodeType.OR and (self.is_branch(node) or self.chart.exits_of(node.label))
+        )
+
+    @cached_property
+    def staying(self) -> Mapping[str, tuple[int, ...]]:
+        """The numbers of the `on` transitions of each state that has some."""
+        found: dict[str, tuple[int, ...]] = {}
+        for number, transition in enumerate(self.chart.transitions):
+            if transition.kind is TransitionKind.ON:
+                found[transition.source] = (*found.get(transition.source, ()), number)
+        return found
 
     def branch_of(self, label: str) -> str | None:
         """The label of the innermost protocol branch around a state, or of the state itself."""

@@ -139,6 +139,7 @@ def _transition(transition: Transition, placed: bool = True) -> str:
             ("condition", condition, None),
             ("actions", tuple(action_term(action) for action in expression.actions), ()),
             ("first", transition.first, False),
+            ("kind", transition.kind.value, "way"),
             ("text", transition_text(transition), ""),
             ("at", place(transition.span) if placed else "", ""),
         ],

@@ -8,6 +8,8 @@ what a careful person writes by hand. Methods of the class, for region 3:
     _first_…    the transitions of a composite that are tried before anything inside it
     _enter_3    the region's AND is entered;  _leave_3: it is left
     _holds_12   the condition of transition 12, where evaluating it may raise
+    _seen_12    what the condition of the `on` transition 12 reads
+    _exit_…     what is done when a state is left
 """
 
 from __future__ import annotations
@@ -23,8 +25,10 @@ from aseme_dsl.amola.expression import (
     Assign,
     Evaluate,
     Event,
+    Expired,
     Failed,
     Member,
+    Outcome,
     Publish,
     Raised,
     ReadMessages,
@@ -38,7 +42,15 @@ from aseme_dsl.amola.expression import (
     walk,
 )
 from aseme_dsl.amola.messages import Comm, Kind, Type
-from aseme_dsl.amola.statechart import Node, NodeType, Region, Statechart, Variable, transition_text
+from aseme_dsl.amola.statechart import (
+    Node,
+    NodeType,
+    Region,
+    Statechart,
+    TransitionKind,
+    Variable,
+    transition_text,
+)
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.expressions import Names, Piece, converted, enum_name, evaluate, holds
 from aseme_dsl.codegen.flat import FlatChart, Wait, Way, signals
@@ -164,6 +176,22 @@ class _Generator:
     def _time(self, label: str) -> str:
         return self.identifiers.name(("time", label), f"t_{label}")
 
+    def _mark(self, number: int) -> str:
+        """What an `on` transition has seen when it was taken last."""
+        return self.identifiers.name(("mark", number), f"o_{number}")
+
+    def _past(self, number: int) -> str:
+        """The longest `after` by which an `on` transition was taken."""
+        return self.identifiers.name(("past", number), f"a_{number}")
+
+    def _has_mark(self, number: int) -> bool:
+        """Whether a transition may be taken without an event, and must know what it has seen."""
+        expression = self.chart.transitions[number].expression
+        return expression.when or not expression.events
+
+    def _has_time(self, number: int) -> bool:
+        return any(isinstance(event, After) for event in self.chart.transitions[number].expression.events)
+
     def _names(self, region: int, prefix: str = "") -> Names:
         variables = {name: self._variable(name, region) for name in self.variables}
         return Names(self.slots[region], variables, self.fields, self.enums, prefix=prefix)
@@ -184,6 +212,13 @@ class _Generator:
             self._leave(region.number)
             if region.number:
                 self._enter_region(region.number)
+        for node in self.chart.nodes:
+            if self.chart.exits_of(node.label):
+                self._exit(node)
+        for numbers in self.flat.staying.values():
+            for number in numbers:
+                if self._has_mark(number):
+                    self._seen(number)
         self._enter_root()
         self._frame()
         boards = [line for region in self.flat.regions for line in self._board(region.number)]
@@ -218,6 +253,11 @@ class _Generator:
                 (f"b{region.number}", f"Board{region.number}", f"Board{region.number}()"),
             ]
         attributes += [(self._time(label), "int", "0") for label in sorted(self.flat.timed)]
+        for number in (n for numbers in self.flat.staying.values() for n in numbers):
+            if self._has_mark(number):
+                attributes.append((self._mark(number), "Seen | None", "None"))
+            if self._has_time(number):
+                attributes.append((self._past(number), "int", "-1"))
         for variable in self.chart.variables:
             attributes += [
                 (copy, self._python(variable.type), self._initial(variable))
@@ -246,6 +286,7 @@ class _Generator:
             f"    MESSAGES: ClassVar[Mapping[str, Any]] = {self._message_classes()}",
             f"    TIMES: ClassVar[Mapping[str, str]] = {times!r}",
             *self._deadlines(),
+            *self._marks(),
             "    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = (",
             *(f"        {labels!r}," for labels in self._leaf_labels()),
             "    )",
@@ -258,6 +299,19 @@ class _Generator:
     def _deadlines(self) -> list[str]:
         found = self.flat.deadlines
         return [f"    WITHIN: ClassVar[Mapping[str, int]] = {found!r}"] if found else []
+
+    def _marks(self) -> list[str]:
+        """The slots of what the `on` transitions remember, by number, where there are any."""
+        marks = {
+            number: (
+                self._mark(number) if self._has_mark(number) else "",
+                self._past(number) if self._has_time(number) else "",
+            )
+            for numbers in self.flat.staying.values()
+            for number in numbers
+            if self._has_mark(number) or self._has_time(number)
+        }
+        return [f"    MARKS: ClassVar[Mapping[int, tuple[str, str]]] = {marks!r}"] if marks else []
 
     def _python(self, kind: Type) -> str:
         if kind.kind in (Kind.ENUM, Kind.MESSAGE):
@@ -502,6 +556,9 @@ class _Generator:
         before: tuple[int, ...],
     ) -> bool:
         """The tests of a way around what taking it does; whether it is always taken."""
+        if self.flat.transition(way.number).kind is TransitionKind.ON:
+            self._on(method, depth, region, way.number, complete)
+            return False
         expression = self.flat.transition(way.number).expression
         tests: list[str] = []
         if expression.events and not expression.when:
@@ -599,6 +656,16 @@ class _Generator:
             other = self.chart.scope_of(transition)
             scope = min(scope, other, key=len)
         self._leave_leaf(method, depth, region, scope, leaf, complete is not False)
+        looked_at = self._actions(method, depth, region, source, taken)
+        self._enter(method, depth, region, scope, target)
+        for channel, host in looked_at:
+            method.add(depth, f"b.spend({channel!r}, {host!r})")
+
+    def _actions(
+        self, method: _Method, depth: int, region: int, source: str, taken: tuple[int, ...]
+    ) -> list[tuple[str, str | None]]:
+        """The actions of the segments in order; the signals that these and their conditions look at."""
+        transitions = [self.flat.transition(number) for number in taken]
         conditions = [t.expression.condition for t in transitions if t.expression.condition is not None]
         looked_at = dict.fromkeys(found for item in conditions for found in signals(walk(item)))
         still_seen = set(looked_at)  # until an action puts messages on the board
@@ -614,9 +681,111 @@ class _Generator:
                     still_seen.clear()
                 elif isinstance(action, Publish):
                     still_seen = {seen for seen in still_seen if seen[0] != str(action.channel)}
-        self._enter(method, depth, region, scope, target)
-        for channel, host in looked_at:
+        return list(looked_at)
+
+    # ---- staying in a state ----------------------------------------------------------------
+
+    def _on(self, method: _Method, depth: int, region: int, number: int, complete: str | bool) -> None:
+        """The tests of a transition that stays, around what it does.
+
+        Without an event it is taken once for what it sees: again when something of that is news, or when its
+        condition has not held in between.
+        """
+        transition = self.flat.transition(number)
+        expression, source = transition.expression, transition.source
+        if not expression.events and not expression.when and complete is False:
+            return
+        method.add(depth, f"# {self._place(number)}")
+        if not expression.events and not expression.when and isinstance(complete, str):
+            method.add(depth, f"if {complete}:")
+            depth += 1
+        there = [
+            f"self.{self._past(number)} < {event.duration} <= now - self.{self._time(source)}"
+            if isinstance(event, After)
+            else self._there(region, source, event)
+            for event in expression.events
+        ]
+        if there and not expression.when:
+            method.add(depth, f"if {' or '.join(there)}:")
+            depth += 1
+        outside = depth
+        asked = [] if expression.condition is None else signals(walk(expression.condition))
+        for channel, host in asked:
+            method.add(depth, f"b.ask({channel!r}, {host!r})")
+        guard = "True"
+        if expression.condition is not None:
+            guard = self._guard(method, region, number, expression.condition)
+        if guard != "True":
+            method.add(depth, f"if {guard}:")
+            depth += 1
+        if self._has_mark(number):
+            slots = self.slots[region]
+            news = [*there, *(f"b.{slots[signal]} is not None" for signal in asked)]
+            news.append(f"self.is_news(self.{self._mark(number)}, self._seen_{number}())")
+            method.add(depth, f"if {' or '.join(news)}:")
+            depth += 1
+        method.add(depth, f"self.taken.append(({number},))")
+        spent = [
+            f"self.{self._past(number)} = {event.duration}"
+            if isinstance(event, After)
+            else self._spent(region, source, event)
+            for event in expression.events
+        ]
+        for index, (test, action) in enumerate(zip(there, spent, strict=True)):
+            if len(spent) == 1 and not expression.when:
+                method.add(depth, action)
+            else:
+                method.add(depth, f"{'elif' if index else 'if'} {test}:", f"    {action}")
+        for channel, host in self._actions(method, depth, region, source, (number,)):
             method.add(depth, f"b.spend({channel!r}, {host!r})")
+        if self._has_mark(number):
+            method.add(depth, f"self.{self._mark(number)} = self._seen_{number}()")
+        method.add(depth, "return True")
+        if self._has_mark(number) and guard != "True":
+            method.add(outside, "else:", f"    self.{self._mark(number)} = None")
+
+    def _seen(self, number: int) -> None:
+        """A method with what the condition of a transition reads: messages, and values."""
+        transition = self.flat.transition(number)
+        region = self.flat.region_number[transition.source]
+        condition = transition.expression.condition
+        messages: dict[str, None] = {}
+        values: dict[str, None] = {}
+        for value in walk(condition) if condition is not None else ():
+            match value:
+                case Member(channel=channel, host=host) if channel.comm is not Comm.SIGNAL:
+                    messages.setdefault(f"b.{self.slots[region][str(channel), host]}")
+                case VariableValue(name=name):
+                    values.setdefault(f"self.{self._variable(name, region)}")
+                case Expired(timer=timer):
+                    values.setdefault(f"b.timers.get({timer!r})")
+                case Outcome(activity=activity):
+                    labels = self.flat.asked_of(transition.source, activity)
+                    values.setdefault(f"self.last_outcome({labels!r})")
+        method = _Method(self._names(region))
+        parts = ["(" + "".join(f"{code}, " for code in found).strip() + ")" for found in (messages, values)]
+        method.add(2, f"return {parts[0]}, {parts[1]}")
+        place = _docstring(self._place(number))
+        self._method(f"_seen_{number}(self) -> Seen", f"What {place} reads.", method)
+
+    def _exit(self, node: Node) -> None:
+        """A method with what is done when a state is left."""
+        region = self.flat.region_number[node.label]
+        method = _Method(self._names(region))
+        for transition in self.chart.exits_of(node.label):
+            number = self.flat.transition_number[id(transition)]
+            method.add(2, f"# {self._place(number)}", f"self.taken.append(({number},))")
+            for channel, host in self._actions(method, 2, region, node.label, (number,)):
+                method.add(2, f"b.spend({channel!r}, {host!r})")
+        if any(re.search(r"\bnow\b", line) for line in method.lines):
+            method.lines.insert(0, "        now = self.now")
+        name = f"_exit_{self._key(node.label)}(self) -> None"
+        self._method(name, f"What is done when {node.label} {_docstring(node.name)} is left.", method)
+
+    def _left(self, node: Node) -> list[str]:
+        """What is done when a state is left, after what is inside it."""
+        lines = [f"self._exit_{self._key(node.label)}()"] if self.chart.exits_of(node.label) else []
+        return [*lines, f"self.part({node.label!r})"] if self.flat.is_branch(node) else lines
 
     def _spend_events(
         self, method: _Method, depth: int, region: int, source: str, segments: list[TransitionExpression]
@@ -662,25 +831,28 @@ class _Generator:
     ) -> None:
         if leaf is None:
             method.add(depth, f"self._leave_leaf_{region}()")
-            for branch in reversed(self.flat.branches):
-                if self.flat.region_number[branch.label] == region and branch.label.startswith(scope + "."):
-                    first, last = self.flat.range[branch.label]
+            for node in reversed(self.flat.leaving):
+                if self.flat.region_number[node.label] == region and node.label.startswith(scope + "."):
+                    first, last = self.flat.range[node.label]
                     method.add(depth, f"if {first} <= self.r{region} <= {last}:")
-                    method.add(depth + 1, f"self.part({branch.label!r})")
+                    method.add(depth + 1, *self._left(node))
             return
         if leaf.type is NodeType.BASIC and not complete:
             method.add(depth, f"self.cancel({leaf.label!r}, {leaf.activity!r}, self.k{region})")
         elif leaf.type is NodeType.AND:
             for inner in self.flat.regions_of(leaf.label):
                 method.add(depth, f"self._leave_{inner.number}()")
+        if leaf.type is NodeType.BASIC:
+            method.add(depth, *self._left(leaf))
         for around in self.flat.around(leaf.label):
-            if len(around.label) > len(scope) and self.flat.is_branch(around):
-                method.add(depth, f"self.part({around.label!r})")
+            if len(around.label) > len(scope):
+                method.add(depth, *self._left(around))
 
     def _leave(self, region: int) -> None:
         """Methods that leave whatever is active in a region."""
         running = [n for n in self.flat.leaves(region) if n.type is NodeType.BASIC]
         ands = [n for n in self.flat.leaves(region) if n.type is NodeType.AND]
+        left = [n for n in running if self._left(n)]
         method = _Method(self._names(region))
         if running or ands:
             method.add(2, f"r = self.r{region}")
@@ -689,6 +861,9 @@ class _Generator:
             method.add(2, "if running is not None:", f"    self.cancel(*running, self.k{region})")
             table = {self.flat.leaf[n.label]: (n.label, n.activity) for n in running}
             self.tables += ["", f"_RUNNING_{region}: dict[int, tuple[str, str]] = {table!r}"]
+        for node in left:
+            first = self.flat.leaf[node.label]
+            method.add(2, f"if {first} <= r <= {first + 1}:", *(f"    {line}" for line in self._left(node)))
         for node in ands:
             method.add(2, f"if r == {self.flat.leaf[node.label]}:")
             for inner in self.flat.regions_of(node.label):
@@ -701,10 +876,11 @@ class _Generator:
         )
         whole = _Method(self._names(region))
         whole.add(2, f"self._leave_leaf_{region}()")
-        for branch in reversed(self.flat.branches):
-            if self.flat.region_number[branch.label] == region:
-                first, last = self.flat.range[branch.label]
-                whole.add(2, f"if {first} <= self.r{region} <= {last}:", f"    self.part({branch.label!r})")
+        for node in reversed(self.flat.leaving):
+            if self.flat.region_number[node.label] == region:
+                first, last = self.flat.range[node.label]
+                whole.add(2, f"if {first} <= self.r{region} <= {last}:")
+                whole.add(3, *self._left(node))
         whole.add(2, f"self.r{region} = INACTIVE")
         self._method(f"_leave_{region}(self) -> None", f"Leave region {label}.", whole)
 
@@ -745,6 +921,11 @@ class _Generator:
                 self._write(method, depth, region, variable.name, self._initial(variable))
         if node.label in self.flat.timed:
             method.add(depth, f"self.{self._time(node.label)} = now")
+        for number in self.flat.staying.get(node.label, ()):
+            if self._has_mark(number):
+                method.add(depth, f"self.{self._mark(number)} = None")
+            if self._has_time(number):
+                method.add(depth, f"self.{self._past(number)} = -1")
 
     def _activate_start(self, method: _Method, depth: int, region: int, label: str) -> None:
         start = self.chart.start_of(label)

@@ -12,6 +12,7 @@ from aseme_dsl.compiler.control import Line, Lines
 from aseme_dsl.compiler.formula_to_statechart import Way
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.missing import Missing
+from aseme_dsl.compiler.staying import STAYING
 from aseme_dsl.compiler.terms import Terms, listed, spelling, terms_of
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar import tree
@@ -130,7 +131,7 @@ def _alternatives(
     others = [
         [Alternative(f"{verb} {spelling(terms, term)}", own, term.span)]
         for (verb, term), own in lines.by_way.items()
-        if len(own) > 1 and term in terms.parents and (verb, term) not in grouped
+        if len(own) > 1 and verb not in STAYING and term in terms.parents and (verb, term) not in grouped
     ]
     return choices, loops, others
 

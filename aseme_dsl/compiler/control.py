@@ -11,10 +11,11 @@ from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola import expression
 from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression
-from aseme_dsl.amola.statechart import Node, NodeType, Origin, Transition
-from aseme_dsl.compiler.formula_to_statechart import Arrow, Outline, Way
+from aseme_dsl.amola.statechart import Node, NodeType, Origin, Transition, TransitionKind
+from aseme_dsl.compiler.formula_to_statechart import Arrow, Outline, Standing, Way
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.scope import Scope
+from aseme_dsl.compiler.staying import STAYING, check_staying
 from aseme_dsl.compiler.terms import Played, terms_of, way
 from aseme_dsl.compiler.typecheck import type_expression
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -97,6 +98,8 @@ def read_lines(
                 labelled.append(LabelledLine(entry.source, entry.target, line))
                 continue
             key, problem = way(terms, entry.verb, entry.term)
+            if entry.verb.text in STAYING:
+                found += check_staying(entry)
             if problem is not None:
                 found.append(problem)
                 unsure.add(name)
@@ -138,12 +141,14 @@ def transitions(
     drafts: list[Transition] = []
     positions: list[int | None] = []
 
+    def typed(line: Line, branch: str | None) -> TransitionExpression:
+        return rename(line.expression, renamed.get(branch, _SAME) if branch is not None else _SAME)
+
     def add(arrow: Arrow | Placed, name: str, line: Line | None, span: Span) -> None:
         cuts_short = isinstance(arrow, Arrow) and arrow.first
         expression = NEVER if cuts_short else EMPTY
         if line is not None:
-            names = renamed.get(arrow.branch, _SAME) if arrow.branch is not None else _SAME
-            expression = rename(line.expression, names)
+            expression = typed(line, arrow.branch)
         first = cuts_short and not expression.is_for_errors
         drafts.append(Transition(name, arrow.source, arrow.target, expression, 0, arrow.origin, span, first))
         positions.append(line.position if line is not None else None)
@@ -161,7 +166,23 @@ def transitions(
     for items in by_ends.values():
         for item in items:
             add(item, f"{names_of[item.source]}TO{names_of[item.target]}", item.line, item.line.span)
+    for state, kind, line in _staying(outline.standing, lines):
+        expression, name = typed(line, state.branch), f"{state.name}{kind.name}"
+        ends = state.label, state.label
+        drafts.append(Transition(name, *ends, expression, 0, state.origin, line.span, kind=kind))
+        positions.append(line.position)
     return prioritised(drafts, positions)
+
+
+def _staying(
+    standing: Iterable[Standing], lines: Mapping[Way, tuple[Line, ...]]
+) -> Iterable[tuple[Standing, TransitionKind, Line]]:
+    """The `on` and `exit` lines of each state, by state."""
+    if any(verb in STAYING for verb, _ in lines):
+        for state in standing:
+            for verb, kind in STAYING.items():
+                for line in lines.get((verb, state.term), ()):
+                    yield state, kind, line
 
 
 def prioritised(drafts: Sequence[Transition], positions: Sequence[int | None]) -> tuple[Transition, ...]:
@@ -173,7 +194,8 @@ def prioritised(drafts: Sequence[Transition], positions: Sequence[int | None]) -
     """
     by_source: dict[str, list[int]] = {}
     for index, draft in enumerate(drafts):
-        by_source.setdefault(draft.source, []).append(index)
+        if draft.kind is not TransitionKind.EXIT:
+            by_source.setdefault(draft.source, []).append(index)
 
     def order(index: int) -> tuple[int, bool, int]:
         expression, position = drafts[index].expression, positions[index]

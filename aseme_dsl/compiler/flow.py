@@ -23,7 +23,7 @@ from aseme_dsl.amola.expression import (
     walk,
 )
 from aseme_dsl.amola.messages import Comm
-from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition
+from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition, TransitionKind
 from aseme_dsl.compiler.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
 from aseme_dsl.source import Span
@@ -59,7 +59,7 @@ def check_flow(chart: Statechart, contradict: Contradict = lambda _, __: False) 
 def check_reach(chart: Statechart) -> Iterator[Diagnostic]:
     """States that nothing leads to (W600) and states that nothing leads out of (W601)."""
     edges = _edges(chart)
-    left = {transition.source for transition in chart.transitions}
+    left = {transition.source for transition in chart.transitions if transition.is_way}
     for node in chart.nodes:
         if node.type is not NodeType.OR:
             continue
@@ -139,7 +139,7 @@ def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
     for node in chart.nodes:
         if node.type not in (NodeType.BASIC, NodeType.OR) or not completes[node.label]:
             continue
-        ways = chart.outgoing(node.label)
+        ways = chart.ways_from(node.label)
         if node.origin.kind is OriginKind.STATECHART:
             continue  # there is no template whose way out was replaced
         if not ways or not all(_is_limit(item.expression) for item in ways):
@@ -178,10 +178,12 @@ def _called(node: Node) -> str:
 
 
 def _edges(chart: Statechart) -> dict[str, list[_Edge]]:
-    """The transitions of each OR state, between its children."""
+    """The transitions of each OR state, between its children; what stays in a state is none."""
     found: dict[str, list[_Edge]] = {}
     nodes = chart.by_label
     for transition in chart.transitions:
+        if not transition.is_way:
+            continue
         source, target = nodes[transition.source], nodes[transition.target]
         if source.parent is not None and source.parent == target.parent:
             found.setdefault(source.parent, []).append(_Edge(source.label, target.label, transition))
@@ -212,8 +214,13 @@ def _endless_waits(chart: Statechart, edges: dict[str, list[_Edge]]) -> Iterator
     The way to an END that nobody wrote a line for is not reported: endless processes are meant to be endless.
     What follows from a reported wait is not reported again.
     """
-    for transition, target in _completions(chart, edges)[1]:
+    completes, in_vain = _completions(chart, edges)
+    for transition, target in in_vain:
         yield _endless_wait(chart, transition, target)
+    for transition in chart.transitions:
+        is_on = transition.kind is TransitionKind.ON
+        if is_on and _needs_completion(transition.expression) and not completes[transition.source]:
+            yield _endless_wait(chart, transition, chart.node(transition.source))
 
 
 def _completions(
@@ -259,7 +266,9 @@ def _completions(
 def _endless_wait(chart: Statechart, transition: Transition, target: Node) -> Diagnostic:
     source = chart.by_label[transition.source]
     name = cut(source.name)
-    if transition.source == transition.target:
+    if not transition.is_way:
+        what = "this is never done"
+    elif transition.source == transition.target:
         what = "it is never repeated"
     elif target.type is NodeType.END:
         what = "this is never taken"
@@ -459,7 +468,7 @@ def _before_else(chart: Statechart, transition: Transition) -> Iterator[Value]:
     """What does not hold where an `else` is taken; a way to another choice may be shut further on."""
     if not transition.expression.otherwise:
         return
-    for other in chart.outgoing(transition.source):
+    for other in chart.ways_from(transition.source):
         expression = other.expression
         if (
             expression.condition is not None

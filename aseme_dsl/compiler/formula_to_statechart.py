@@ -57,12 +57,27 @@ class Branch:
 
 
 @dataclass(frozen=True, slots=True)
+class Standing:
+    """A state that stands for a term (without parentheses); `branch` is the protocol branch that it is in."""
+
+    label: str
+    name: str
+    term: Formula
+    branch: str | None
+    origin: Origin
+
+
+@dataclass(frozen=True, slots=True)
 class Outline:
-    """States in document order, arrows in the template's order, and the protocol branches by label."""
+    """States in document order, arrows in the template's order, and the protocol branches by label.
+
+    `standing` are the states of terms: all but the points, the regions and what is around them.
+    """
 
     nodes: tuple[Node, ...]
     arrows: tuple[Arrow, ...]
     branches: Mapping[str, Branch]
+    standing: tuple[Standing, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,10 +163,11 @@ class _Builder:
         self.nodes: list[Node] = []
         self.arrows: list[Arrow] = []
         self.branches: dict[str, Branch] = {}
+        self.standing: list[Standing] = []
         self._spellings: dict[tuple[Formula, int], str] = {}
 
     def finish(self) -> Outline:
-        return Outline(tuple(self.nodes), tuple(self.arrows), self.branches)
+        return Outline(tuple(self.nodes), tuple(self.arrows), self.branches, tuple(self.standing))
 
     def arrow(
         self,
@@ -182,6 +198,7 @@ class _Builder:
         """Add the node of a term; what is to stand inside it."""
         label, parent, term, context = place.label, place.parent, ungrouped(place.term), place.context
         name = self.name_of(place.term, context)
+        self.standing.append(Standing(label, name, term, context.branch, context.origin))
         inside: Formula | None = term
         kind, activity = NodeType.OR, None
         if term.operator is Operator.NAME:
@@ -419,6 +436,7 @@ __all__ = [
     "Arrow",
     "Branch",
     "Outline",
+    "Standing",
     "Way",
     "expand_protocol",
     "expand_role",

@@ -20,7 +20,7 @@ from aseme_dsl.amola.expression import (
 )
 from aseme_dsl.amola.messages import Channel, Comm
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
 from aseme_dsl.compiler.message_use import members_in
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.source import Span
@@ -140,7 +140,8 @@ def _in_actions(
 def _after(source: Node, transition: Transition, activities: Mapping[str, Activity]) -> Channels:
     """What the activity of the source has published if the transition waits for its completion."""
     said = activities.get(source.activity) if source.activity is not None else None
-    if said is None or transition.expression.events or transition.expression.when:
+    is_exit = transition.kind is TransitionKind.EXIT  # it may be left while its activity runs
+    if said is None or transition.expression.events or transition.expression.when or is_exit:
         return NONE
     return frozenset(said.writes)
 
@@ -159,7 +160,8 @@ def _known(
     known[chart.root.label] = NONE
     incoming: dict[str, list[Transition]] = {}
     for transition in chart.transitions:
-        incoming.setdefault(transition.target, []).append(transition)
+        if transition.is_way:
+            incoming.setdefault(transition.target, []).append(transition)
     ends = {node.parent: node.label for node in chart.nodes if node.type is NodeType.END}
 
     def left(transition: Transition) -> Channels:
@@ -209,7 +211,7 @@ def _beside_else(chart: Statechart, activities: Mapping[str, Activity]) -> Itera
     if not groups:
         return
     for transition in chart.transitions:
-        if transition.source in groups:
+        if transition.source in groups and transition.is_way:
             groups[transition.source].append(transition)
     own: set[Channel] = set()
     for node in chart.nodes:

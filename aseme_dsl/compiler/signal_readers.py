@@ -31,6 +31,8 @@ def check_signals(
         return
     incoming: dict[str, list[tuple[Transition, Asked]]] = {}
     for item in chart.transitions:
+        if not item.is_way:
+            continue
         incoming.setdefault(item.target, []).append((item, _signals(item, symbols)))
     for transition, signals in asking:
         yield from _taken_on_the_way(chart, transition, signals, incoming)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, term_key, ungrouped
 from aseme_dsl.compiler.formula_to_statechart import Way
 from aseme_dsl.compiler.formulas import QUOTED, Formulas, cut
+from aseme_dsl.compiler.staying import STAYING
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
 
@@ -93,6 +94,8 @@ def ways(terms: Terms, term: Formula) -> dict[str, Way]:
             found = {"enter": ("enter", term), "leave": ("leave", term)}
     elif term.operator in _WITH_BODY:
         found["enter"] = ("start", term)
+    if parent is not None or "leave" in found:  # there is a state of it
+        found |= {verb: (verb, term) for verb in STAYING}
     if term.operator in _WITH_BODY or term.operator is Operator.CHOICE:
         found["start"] = ("start", term)
     elif term.operator in (Operator.PARALLEL, Operator.INSTANCES):
@@ -208,9 +211,11 @@ def _spelt(term: Formula, key: str) -> bool:
 
 def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Term) -> Diagnostic:
     text = _named(term)
-    has = list(ways(terms, term))
+    has = [name for name in ways(terms, term) if name not in STAYING]
     parent = terms.parents[term]
-    if (
+    if verb.text in STAYING:
+        hint = f"say it where `{terms.title}` stands in another formula, or of the terms of this one"
+    elif (
         verb.text in ("start", "finish")
         and term.operator is Operator.NAME
         and terms.formulas.formula(term.name)

@@ -90,6 +90,8 @@ def _ends(view: View, way: Way) -> str:
     source, target = chart.node(way.transition.source), chart.node(way.transition.target)
     around = next((node for node in chart.ancestors(source.label) if node.name != node.label), None)
     scope = "" if around is None else f"{short(around.name, 24)}: "
+    if not way.transition.is_way:
+        return f"{scope}{_end(source)}"
     if source is target:
         return f"{scope}{_end(source)} again"
     return f"{scope}{_end(source)} to {_end(target)}"

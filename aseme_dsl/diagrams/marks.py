@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from aseme_dsl.amola.statechart import Node, NodeType, transition_text
 from aseme_dsl.diagrams import style
@@ -94,6 +94,32 @@ def way_label(numbers: Mapping[int, int], way: Way, inline_width: int | None) ->
 def way_look(way: Way) -> dict[str, str]:
     """How the line of a transition looks: thick where it cuts its source short."""
     return {"penwidth": "2.2"} if way.transition.first else {}
+
+
+Staying = Mapping[str, Sequence[tuple[str, ...]]]
+"""For each state the lines of text of what is done in it, and when it is left."""
+
+
+def staying(view: View, numbers: Mapping[int, int], inline_width: int | None) -> Staying:
+    """What states say of the transitions that lead nowhere: the word and the number, or all of it."""
+    found: dict[str, list[tuple[str, ...]]] = {}
+    for way in view.ways:
+        if not way.transition.is_way:
+            if way.place in numbers:
+                lines: tuple[str, ...] = (f"{way.transition.kind.value} {numbers[way.place]}",)
+            elif inline_width is not None:
+                lines = wrapped(transition_text(way.transition), inline_width)
+            else:
+                lines = (way.transition.kind.value,)
+            found.setdefault(way.source, []).append(lines)
+    return found
+
+
+def staying_marks(node: Node, staying: Staying) -> list[Cell]:
+    """The cells of a state for what is done in it, and when it is left."""
+    return [
+        Cell(lines, size=style.SMALL_SIZE, ink=style.NUMBER_COLOUR) for lines in staying.get(node.label, ())
+    ]
 
 
 def number_label(number: int) -> Html:

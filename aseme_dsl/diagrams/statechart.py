@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -16,6 +16,7 @@ from aseme_dsl.diagrams.marks import (
     FILLS,
     NAME_WIDTH,
     Label,
+    Staying,
     branch_mark,
     cells_label,
     class_of,
@@ -25,6 +26,8 @@ from aseme_dsl.diagrams.marks import (
     protocol_border,
     small,
     state_id,
+    staying,
+    staying_marks,
     way_label,
     way_look,
 )
@@ -43,16 +46,18 @@ def sheet(
     """The drawing of a view. `links` are the files that closed states lead to."""
     numbers = legend.numbers(view) if expressions is Expressions.NUMBERED else {}
     inline_width = _INLINE_WIDTH if expressions is Expressions.INLINE else None
-    labels = {way.place: way_label(numbers, way, inline_width) for way in view.ways}
+    ways = [way for way in view.ways if way.transition.is_way]
+    stays = staying(view, numbers, inline_width)
+    labels = {way.place: way_label(numbers, way, inline_width) for way in ways}
     # An arrow needs room above a composite, whose header would take it. As soon as one line has a label,
     # Graphviz makes such room everywhere by itself.
-    labelled = any(labels[way.place][1] for way in view.ways if _outer(view, way) is None)
+    labelled = any(labels[way.place][1] for way in ways if _outer(view, way) is None)
     arrangement = arranged(view, step=1 if labelled else 2)
     lines = _stacking(arrangement)
-    for way in view.ways:
+    for way in ways:
         lines += _lines(view, arrangement, way, labels[way.place])
     graph = style.GRAPH | {"compound": "true", "nodesep": "0.25", "ranksep": "0.34"}
-    items = _items(view, labels, links or {})
+    items = _items(view, ways, labels, stays, links or {})
     drawn = Sheet(name, items, tuple(lines), graph, style.NODE, style.EDGE)
     return legend.below(drawn, legend.rows(view, expressions), arrangement.width)
 
@@ -71,10 +76,12 @@ def _stacking(arrangement: Arrangement) -> list[Line]:
 # ---- states ---------------------------------------------------------------------------------------
 
 
-def _items(view: View, labels: Mapping[int, Label], links: Mapping[str, str]) -> tuple[Box | Group, ...]:
+def _items(
+    view: View, ways: Sequence[Way], labels: Mapping[int, Label], stays: Staying, links: Mapping[str, str]
+) -> tuple[Box | Group, ...]:
     """The drawn states, each with the turning points of transitions that belong into it."""
     beside: dict[str | None, list[Box]] = {}
-    for way in view.ways:
+    for way in ways:
         if way.source_outside or way.target_outside:
             beside.setdefault(None, []).append(Box(*outside_mark(view, way, _turn(way))))
         elif outer := _outer(view, way):
@@ -87,13 +94,13 @@ def _items(view: View, labels: Mapping[int, Label], links: Mapping[str, str]) ->
     for node in reversed(view.states):
         if inside := view.inside(node.label):
             children = (*(made[child.label] for child in inside), *beside.get(node.label, ()))
-            made[node.label] = _group(view, node, children)
+            made[node.label] = _group(view, node, children, stays)
         else:
-            made[node.label] = _leaf(view, node, links)
+            made[node.label] = _leaf(view, node, stays, links)
     return (made[view.top], *beside.get(None, ()))
 
 
-def _leaf(view: View, node: Node, links: Mapping[str, str]) -> Box:
+def _leaf(view: View, node: Node, stays: Staying, links: Mapping[str, str]) -> Box:
     common = class_of(node) | {"tooltip": state_tip(view, node)}
     match node.type:
         case NodeType.START:
@@ -107,15 +114,15 @@ def _leaf(view: View, node: Node, links: Mapping[str, str]) -> Box:
     closed, look = closed_marks(view, node, links)
     if closed and node.name != node.label:
         cells.append(small(node.label))
-    label, lines = cells_label([*cells, *branch_mark(view, node), *closed])
+    label, lines = cells_label([*cells, *branch_mark(view, node), *staying_marks(node, stays), *closed])
     fill = {"fillcolor": FILLS[node.type]}
     return Box(state_id(node.label), common | fill | label | protocol_border(view, node) | look, lines)
 
 
-def _group(view: View, node: Node, children: tuple[Box | Group, ...]) -> Group:
+def _group(view: View, node: Node, children: tuple[Box | Group, ...], stays: Staying) -> Group:
     is_region = node.label != view.top and view.chart.is_region(node.label)
     name, place = Cell(name_lines(node), align="CENTER"), small(node.label)
-    marks = branch_mark(view, node)
+    marks = [*branch_mark(view, node), *staying_marks(node, stays)]
     fill = FILLS[node.type]
     if node.name == node.label:
         rows, fill = [[place]], ""

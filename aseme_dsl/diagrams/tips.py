@@ -16,7 +16,9 @@ def state_tip(view: View, node: Node) -> str:
         lines.append(f"from {node.origin}")
     if node.label in view.closed:
         lines.append(inside_text(view.closed[node.label]))
-    for transition in view.chart.outgoing(node.label):
+    stays = [*(item for item in view.chart.outgoing(node.label) if not item.is_way)]
+    lines += [transition_text(item) for item in (*stays, *view.chart.exits_of(node.label))]
+    for transition in view.chart.ways_from(node.label):
         target = view.chart.node(transition.target)
         lines.append(f"to {_title(target)}: {transition_text(transition) or 'when complete'}")
     return "\n".join(lines)
@@ -25,10 +27,11 @@ def state_tip(view: View, node: Node) -> str:
 def way_tip(view: View, way: Way) -> str:
     """Both ends, the whole expression, and when it is tried among those of its source."""
     transition = way.transition
-    ends = " to ".join(_title(view.chart.node(label)) for label in (transition.source, transition.target))
+    labels = (transition.source, transition.target) if transition.is_way else (transition.source,)
+    ends = " to ".join(_title(view.chart.node(label)) for label in labels)
     lines = [ends, transition_text(transition) or "when complete"]
     rivals = view.chart.outgoing(transition.source)
-    if len(rivals) > 1:
+    if len(rivals) > 1 and transition in rivals:
         lines.append(f"tried as number {rivals.index(transition) + 1} of {len(rivals)}")
     return "\n".join(lines)
 

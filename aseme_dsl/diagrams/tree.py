@@ -11,6 +11,7 @@ from aseme_dsl.diagrams.drawing import Expressions
 from aseme_dsl.diagrams.labels import Cell, short, wrapped
 from aseme_dsl.diagrams.marks import (
     FILLS,
+    Staying,
     branch_mark,
     cells_label,
     class_of,
@@ -21,6 +22,8 @@ from aseme_dsl.diagrams.marks import (
     protocol_border,
     small,
     state_id,
+    staying,
+    staying_marks,
     way_look,
 )
 from aseme_dsl.diagrams.tips import state_tip, way_tip
@@ -39,14 +42,15 @@ def sheet(
     """The drawing of a view. `links` are the files that closed states lead to."""
     numbers = legend.numbers(view) if expressions is Expressions.NUMBERED else {}
     inline = expressions is Expressions.INLINE
-    boxes = [_box(view, node, links or {}, inline=inline) for node in view.states]
+    stays = {} if inline else staying(view, numbers, None)
+    boxes = [_box(view, node, stays, links or {}, inline=inline) for node in view.states]
     boxes += [
         Box(*outside_mark(view, way, _outside_id(way)))
         for way in view.ways
         if way.source_outside or way.target_outside
     ]
     parents = [_parent_line(node) for node in view.states if node.label != view.top]
-    ways = [_way_line(view, way, numbers.get(way.place)) for way in view.ways]
+    ways = [_way_line(view, way, numbers.get(way.place)) for way in view.ways if way.transition.is_way]
     leaves = sum(not view.is_group(node.label) for node in view.states)
     downwards = leaves <= _FEW_LEAVES
     graph = style.GRAPH | {
@@ -60,7 +64,7 @@ def sheet(
     return legend.below(drawn, rows, width=90.0 * (leaves if downwards else view.chart.levels))
 
 
-def _box(view: View, node: Node, links: Mapping[str, str], *, inline: bool) -> Box:
+def _box(view: View, node: Node, stays: Staying, links: Mapping[str, str], *, inline: bool) -> Box:
     closed, look = closed_marks(view, node, links)
     if node.name == node.label:
         cells = [Cell((node.label,), size=10, align="CENTER"), small(node.type.value)]
@@ -70,7 +74,9 @@ def _box(view: View, node: Node, links: Mapping[str, str], *, inline: bool) -> B
             small(f"{node.type.value} {node.label}"),
         ]
     expressions = _expressions(view, node) if inline else []
-    label, lines = cells_label([*cells, *branch_mark(view, node), *closed, *expressions])
+    label, lines = cells_label(
+        [*cells, *branch_mark(view, node), *staying_marks(node, stays), *closed, *expressions]
+    )
     fill = {"fillcolor": FILLS.get(node.type, style.PAPER), "margin": "0.05,0.02"}
     tip = {"tooltip": state_tip(view, node)}
     return Box(
@@ -81,10 +87,11 @@ def _box(view: View, node: Node, links: Mapping[str, str], *, inline: bool) -> B
 def _expressions(view: View, node: Node) -> list[Cell]:
     """The expressions of a state's transitions: between the boxes there is no room for them."""
     cells = []
-    for transition in view.chart.outgoing(node.label):
+    for transition in (*view.chart.outgoing(node.label), *view.chart.exits_of(node.label)):
         if text := transition_text(transition):
             target = view.chart.node(transition.target)
-            lines = wrapped(f"to {short(target.name, _NAME_WIDTH)}: {text}", _INLINE_WIDTH)
+            where = f"to {short(target.name, _NAME_WIDTH)}: " if transition.is_way else ""
+            lines = wrapped(f"{where}{text}", _INLINE_WIDTH)
             cells.append(Cell(lines, size=style.SMALL_SIZE))
     return cells
 

@@ -213,7 +213,7 @@ class Term:
 
 @dataclass(frozen=True, slots=True)
 class Way:
-    """`enter T : …` and its like; `verb` is enter, skip, repeat, leave, start or finish."""
+    """`enter T : …` and its like; `verb` is enter, skip, repeat, leave, start, finish, on or exit."""
 
     verb: Name
     term: Term

@@ -59,14 +59,14 @@ MOST = 200
 def paths(chart: Statechart, source: str) -> tuple[Path, ...]:
     """The compound transitions out of a state, in the order in which they are tried: the first MOST."""
     found: list[Path] = []
-    stack: list[tuple[Transition, ...]] = [(item,) for item in reversed(chart.outgoing(source))]
+    stack: list[tuple[Transition, ...]] = [(item,) for item in reversed(chart.ways_from(source))]
     while stack and len(found) < MOST:
         segments = stack.pop()
         target = segments[-1].target
         if chart.node(target).type is not NodeType.CONDITION:
             found.append(Path(segments))
         elif target not in [segment.source for segment in segments]:
-            stack += [(*segments, following) for following in reversed(chart.outgoing(target))]
+            stack += [(*segments, following) for following in reversed(chart.ways_from(target))]
     return tuple(found)
 
 
@@ -91,6 +91,10 @@ def forks(chart: Statechart) -> Iterator[Fork]:
             groups: dict[frozenset[str], list[Transition]] = {}
             for transition in chart.outgoing(label):
                 if transition.expression is e.NEVER:
+                    continue
+                if not transition.is_way:  # it takes nothing from the others, nor they from it
+                    number += 1
+                    yield Fork(node.label, label, before, trigger_of(transition, at_once), (transition,))
                     continue
                 groups.setdefault(trigger_of(transition, at_once), []).append(transition)
                 if chart.node(transition.target).type is NodeType.CONDITION:

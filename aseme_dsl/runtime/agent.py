@@ -24,6 +24,7 @@ from aseme_dsl.runtime.inputs import (
     Cancel,
     Completed,
     Crashed,
+    Effect,
     Fault,
     FunctionResult,
     Happened,
@@ -343,13 +344,17 @@ class Agent:
         if carried.chart.started:
             self._sleep(self.driver.clock.now())
 
-    def begin_as(self, chart: Chart, find: ActivityFinder, messages: Messages) -> None:
-        """Leave the present plan, and enter another. Called while the agent is guarded, between two steps."""
+    def begin_as(self, chart: Chart, find: ActivityFinder, messages: Messages, *, dead: bool = False) -> None:
+        """Leave the present plan, and enter another. Called while the agent is guarded, between two steps.
+
+        One that is `dead` says nothing any more when it leaves.
+        """
         old = self.chart
         if old.started:
             old.effects.clear()
             old.leave()
-            for effect in old.effects:
+            effects = old.effects if not dead else [item for item in old.effects if not _is_said(item)]
+            for effect in effects:
                 self._carried_out[type(effect)](effect)
         with self.conversations.still():
             self.conversations.gone(self, f"{self.name} has left its plan")
@@ -368,7 +373,7 @@ class Agent:
     def crash(self) -> None:
         """Stop dead, as a robot does that is switched off; what it knew is gone. Between two steps."""
         if not self.over:
-            self.begin_as(type(self.chart)(self.name), self.executions.find, self.messages)
+            self.begin_as(type(self.chart)(self.name), self.executions.find, self.messages, dead=True)
             self.down = True
 
     def restart(self) -> None:
@@ -585,6 +590,11 @@ def _identities(inputs: Iterable[Posted]) -> list[Identity]:
 def _is_for_any_plan(item: Posted | Errand) -> bool:
     """Whether what has come in means something to another plan than the one that it came for."""
     return not isinstance(item, Posted) or isinstance(item.input, Arrived | Happened)
+
+
+def _is_said(effect: Effect) -> bool:
+    """Whether somebody else would hear of an effect."""
+    return isinstance(effect, Publication | Sending)
 
 
 def _not_here(agent: Agent, plan: str, by: str) -> None:

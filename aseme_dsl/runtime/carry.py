@@ -23,7 +23,7 @@ from aseme_dsl.runtime.chart import INACTIVE, Chart
 from aseme_dsl.runtime.convert import Messages, arrived, converted, like, mailed, same_shape
 from aseme_dsl.runtime.history import History
 from aseme_dsl.runtime.inputs import Arrived, Cancel, Effect
-from aseme_dsl.runtime.plan import ActivityInfo, Plan, State
+from aseme_dsl.runtime.plan import ActivityInfo, Plan, State, Transition
 
 _NAME = re.compile(r"[A-Za-z_]\w*")
 
@@ -200,6 +200,7 @@ class _Carrying:
         self._variables()
         self._times()
         self._outcomes()
+        self._marks()
         self._mail()
         for number in entered:
             getattr(new, f"_enter_{number}")(self.now)
@@ -394,6 +395,27 @@ class _Carrying:
                 if known != outcome:
                     self.lost.append(f"outcome of {info.name}")
                 self.new.outcomes[new] = known
+
+    def _marks(self) -> None:
+        """What the `on` transitions of both versions remember: one that was taken for what is there is not
+        taken for it again."""
+        known = {
+            self._key(self.old.PLAN.transitions[number], self.labels): number for number in self.old.MARKS
+        }
+        same = {label: label for label in self.parents}
+        for number, (slot, past) in self.new.MARKS.items():
+            before = known.get(self._key(self.new.PLAN.transitions[number], same))
+            if before is None:
+                continue
+            old_slot, old_past = self.old.MARKS[before]
+            if slot and old_slot and getattr(self.old, old_slot) is not None:
+                setattr(self.new, slot, getattr(self.new, f"_seen_{number}")())
+            if past and old_past:
+                setattr(self.new, past, getattr(self.old, old_past))
+
+    @staticmethod
+    def _key(transition: Transition, labels: Mapping[str, str]) -> tuple[str | None, str]:
+        return labels.get(transition.source), transition.text
 
     def _mail(self) -> None:
         for branch, waiting in self.old.mail.items():

@@ -53,6 +53,10 @@ _RESULTS: dict[str, tuple[type, ...]] = {
 }
 
 
+Seen = tuple[tuple[object, ...], tuple[object, ...]]
+"""What a condition reads: messages, and the values of variables and timers."""
+
+
 class FunctionError(Exception):
     """A function of the document cannot be found, or gives something else than it declares."""
 
@@ -116,6 +120,8 @@ class Chart:
     """The slots that hold when a state was entered, for those states where it matters."""
     WITHIN: ClassVar[Mapping[str, int]] = {}
     """The deadlines of BASIC states: how long their activities have from the entry, in ns."""
+    MARKS: ClassVar[Mapping[int, tuple[str, str]]] = {}
+    """For each `on` transition the slots of what it saw when it was taken last, and of the time it waited."""
     LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = ()
     """The labels of each region's leaves by their numbers."""
 
@@ -270,10 +276,7 @@ class Chart:
         self.outcomes[label] = outcome
 
     def _end_step(self, outcome: Outcome) -> None:
-        if self.writes:
-            for _, name, value in sorted(self.writes, key=lambda write: write[0]):
-                self.set_variable(name, value)
-            self.writes.clear()
+        self._spread_writes()
         for board in self.boards():
             if board is not None and board.end_step():
                 outcome.again = True
@@ -288,9 +291,16 @@ class Chart:
         outcome.finished = self.finished
         outcome.failure = self.failure
 
+    def _spread_writes(self) -> None:
+        if self.writes:
+            for _, name, value in sorted(self.writes, key=lambda write: write[0]):
+                self.set_variable(name, value)
+            self.writes.clear()
+
     def _stop(self, reason: str) -> None:
         self.failure = reason
         self.leave()
+        self._spread_writes()
 
     def _unsettled(self) -> str:
         recent = self.taken[-8:]
@@ -368,6 +378,14 @@ class Chart:
     def spend_event(self, region: int, name: str) -> None:
         """An event has been taken by a transition of the region."""
         self._seen_events.add((region, name))
+
+    @staticmethod
+    def is_news(mark: Seen | None, seen: Seen) -> bool:
+        """Whether there is another message or another value than when an `on` transition was taken last."""
+        if mark is None:
+            return True
+        other = any(one is not new for one, new in zip(mark[0], seen[0], strict=True))
+        return other or mark[1] != seen[1]
 
     def failed_inside(self, label: str) -> bool:
         """Whether an activity of the state or inside it has failed."""

@@ -57,6 +57,8 @@ class Transition:
     actions: tuple[Term, ...] = ()
     first: bool = False
     """Whether it cuts its source short: it is tried before anything inside."""
+    kind: str = "way"
+    """`on` and `exit` lead nowhere: they are done while the source is active, or when it is left."""
     text: str = ""
     at: str = ""
 
@@ -174,7 +176,7 @@ class Plan:
 
     def outgoing(self, label: str) -> tuple[tuple[int, Transition], ...]:
         """The transitions of a source with their numbers, in the order in which they are tried."""
-        found = [(n, t) for n, t in enumerate(self.transitions) if t.source == label]
+        found = [(n, t) for n, t in enumerate(self.transitions) if t.source == label and t.kind != "exit"]
         return tuple(sorted(found, key=lambda item: item[1].priority))
 
 

@@ -189,6 +189,8 @@ class Line:
     """Lines with one number start at one state: at most one is `else`."""
     cuts: bool = False
     """Whether it cuts its source short: it must have an event or `when`."""
+    stays: str = ""
+    """`on` or `exit` for a line that leads nowhere."""
 
 
 def lines(of: Formula, name: str) -> Iterator[Line]:
@@ -201,6 +203,10 @@ def lines(of: Formula, name: str) -> Iterator[Line]:
     while stack:
         node = stack.pop()
         stack += reversed(node.operands)
+        if node is not of or (of.operator == "name" and not of.name.startswith(HELPERS)):
+            state = f"({node.text()})" if node.operator in INFIX else node.text()
+            for verb in ("on", "exit"):
+                yield Line(f"{verb} {state}", source=next(numbers), stays=verb)
         texts = [f"({o.text()})" if o.operator in INFIX else o.text() for o in node.operands]
         own = name if node is of else f"({node.text()})" if node.operator in ("alt", "par") else node.text()
         here = next(numbers)
@@ -451,9 +457,26 @@ class Words:
             text += " / " + "; ".join(self._action() for _ in range(pick.number(1, 3)))
         return text, kind == "otherwise"
 
-    def _event(self) -> str:
+    def staying(self, verb: str) -> str:
+        """What stands on an `on` or `exit` line."""
         pick = self.choices
-        match pick.weighted(raised=4, after=3, error=2, received=8 if self.is_participant else 0):
+        text = ""
+        if verb == "on":
+            match pick.weighted(nothing=1, condition=3, event=4, when=6):
+                case "condition":
+                    text = f"[{self.value('bool', 2)}] "
+                case "when":
+                    text = f"when [{self.value('bool', 2)}] "
+                case "event":
+                    text = " or ".join(self._event(error=False) for _ in range(pick.number(1, 2))) + " "
+                    if pick.one_in(3):
+                        text += ("or when " if pick.one_in(3) else "") + f"[{self.value('bool', 2)}] "
+        return f"{text}/ " + "; ".join(self._action() for _ in range(pick.number(1, 3)))
+
+    def _event(self, *, error: bool = True) -> str:
+        pick = self.choices
+        received = 8 if self.is_participant else 0
+        match pick.weighted(raised=4, after=3, error=2 if error else 0, received=received):
             case "raised":
                 return pick.one_of(EVENTS)
             case "after":
@@ -517,7 +540,10 @@ def control(words: Words, of: Formula, name: str, extra: Sequence[str] = ()) -> 
     written: list[str] = []
     for way in ways:
         must = way.choice > 0 or way.cuts or (way.loop > 0 and way.written in deciding)
-        if not must and not pick.one_in(3):
+        if not must and not pick.one_in(6 if way.stays else 3):
+            continue
+        if way.stays:
+            written.append(f"    {way.written} : {words.staying(way.stays)}")
             continue
         for _ in range(2 if pick.one_in(5) else 1):
             text, is_else = words.transition(

@@ -172,6 +172,10 @@ class Reference:
         """(region, event): what a region has spent in this step."""
         self.faulty: set[int] = set()
         """Transitions of which a fault was recorded in this step."""
+        self.noticed: dict[int, list[Any]] = {}
+        """What each `on` transition has seen when it was taken last, since its state was entered."""
+        self.waited: dict[int, int] = {}
+        """The longest `after` by which an `on` transition was taken, since its state was entered."""
         self.outcome = Outcome()
 
     # ---- what the plan says -----------------------------------------------------------------
@@ -271,10 +275,7 @@ class Reference:
 
         # "3. At the end: variable writes of the step become visible everywhere (of two writers the region
         # later in document order wins);"
-        for _, name, value in sorted(self.writes, key=lambda write: self.place(write[0])):
-            for region in self.regions.values():
-                region.variables[name] = value
-        self.writes = []
+        self.spread_writes()
 
         # "signals that were looked at in this step are dropped in the region where they were;" and "`again` =
         # some region still has a signal waiting behind one that was dropped."
@@ -383,6 +384,13 @@ class Reference:
         """The agent stops: "its running activities are cancelled"."""
         self.failure = reason
         self.leave(self.root())
+        self.spread_writes()  # of what was done on leaving
+
+    def spread_writes(self) -> None:
+        for _, name, value in sorted(self.writes, key=lambda write: self.place(write[0])):
+            for region in self.regions.values():
+                region.variables[name] = value
+        self.writes = []
 
     # ---- rounds -----------------------------------------------------------------------------
 
@@ -425,6 +433,10 @@ class Reference:
         for number, transition in self.plan.outgoing(node):
             if transition.first is not first:
                 continue
+            if transition.kind == "on":
+                if self.is_on(number, transition, source, complete):
+                    return [number]
+                continue
             # "`else`: source complete and no other outgoing transition (or branch) of the same source
             # enabled". `else` is tried last, so that here no other one is.
             if not self.is_enabled(number, transition, source, complete):
@@ -453,6 +465,47 @@ class Reference:
         # "And the condition, if any, holds."
         return transition.condition is None or self.condition_holds(number, transition)
 
+    def is_on(self, number: int, transition: Transition, source: str, complete: bool) -> bool:
+        """Whether an `on` transition is to be taken.
+
+        "Without an event it is taken when its condition holds, and again each time it holds and has not held
+        in between, or something it reads has been written or has arrived since."
+        """
+        if not transition.when and not transition.events and not complete:
+            return False
+        there = any(self.is_there(event, source, number) for event in transition.events)
+        if not transition.when and transition.events:
+            return there and (transition.condition is None or self.condition_holds(number, transition))
+        if transition.condition is not None and not self.condition_holds(number, transition):
+            self.noticed.pop(number, None)
+            return False
+        if there or number not in self.noticed:
+            return True
+        # "A signal that is there always counts."
+        region = self.regions[self.region_of(source)]
+        if any(region.sees(channel, host) is not None for channel, host in signals_of(transition.condition)):
+            return True
+        before, now = self.noticed[number], self.what_is_read(transition)
+        return any(not is_same(one, other) for one, other in zip(before, now, strict=True))
+
+    def what_is_read(self, transition: Transition) -> list[Any]:
+        """The messages, variables and timers that the condition of an `on` transition reads."""
+        region = self.regions[self.region_of(transition.source)]
+        found: list[Any] = []
+        for term in parts(transition.condition):
+            match term:
+                case ("member", host, channel, _) if channel.split(".")[1] != "signal":
+                    message = region.sees(channel, host)
+                    found.append(None if message is None else message.message)
+                case ("variable", name):
+                    found.append((region.variables[name],))
+                case ("expired", timer):
+                    found.append((region.timers.get(timer),))
+                case ("outcome", activity):
+                    self.asking = transition.source
+                    found.append((self.outcome_of(activity),))
+        return found
+
     def is_complete(self, label: str) -> bool:
         """ "Complete: BASIC when its activity completed; OR when its END is active; AND when every region's
         END is active; START always." """
@@ -467,8 +520,12 @@ class Reference:
                 return True
         return False
 
-    def is_there(self, event: Term, source: str) -> bool:
+    def is_there(self, event: Term, source: str, on: int | None = None) -> bool:
+        """Whether an event is there for a transition of `source`; `on` is its number if it stays there."""
         match event:
+            case ("after", duration) if on is not None and duration <= self.waited.get(on, -1):
+                # "`after` once an entry"
+                return False
             case ("after", duration):
                 # "once `d` has passed since the source was entered"; "`after` on a branch counts from the
                 # entry of the waiting source"
@@ -495,6 +552,9 @@ class Reference:
         transitions = [self.plan.transitions[number] for number in way]
         source, target = transitions[0].source, transitions[-1].target
         board = self.regions[region]
+        if transitions[0].kind == "on":
+            self.take_on(way[0], board)
+            return
 
         # "the first listed that is there is the one spent"; "An event is spent by what takes it."
         there = [[e for e in transition.events if self.is_there(e, source)] for transition in transitions]
@@ -524,6 +584,29 @@ class Reference:
         path = [target, *self.around(target)]
         self.enter_along(list(reversed(path[: path.index(scope)])))
 
+    def take_on(self, number: int, board: Region) -> None:
+        """ "Nothing is left or entered." """
+        transition = self.plan.transitions[number]
+        there = [event for event in transition.events if self.is_there(event, transition.source, number)]
+        for event in there[:1]:
+            if event[0] == "after":
+                self.waited[number] = event[1]
+            else:
+                self.spend(event, transition.source)
+        self.do(number, board)
+        # "What its own actions write does not count."
+        self.noticed[number] = self.what_is_read(transition)
+
+    def do(self, number: int, board: Region) -> None:
+        """The actions of a transition that stays; the signals that it names are consumed after them."""
+        transition = self.plan.transitions[number]
+        for action in transition.actions:
+            self.act(number, action, board)
+        for channel, host in signals_of(transition.condition, *transition.actions):
+            message = board.seen.get((channel, host))
+            if message is not None:
+                board.drop(message)
+
     def spend(self, event: Term, source: str) -> None:
         match event:
             case ("received", performative, message, participant):
@@ -548,6 +631,11 @@ class Reference:
                 self.outcome.effects.append(Cancel(label, state.activity, self.token[label]))
             self.complete.discard(label)
             self.failed.pop(label, None)
+        # "`exit`: innermost first, after the Cancel of the activity, before the transition's own actions"
+        for number, transition in enumerate(self.plan.transitions):
+            if transition.kind == "exit" and transition.source == label:
+                self.outcome.taken.append((number,))
+                self.do(number, self.regions[self.region_of(label)])
         if label in self.mailbox:
             # "entering/leaving a participation gives Joined/Left"; what waits in its conversation is given up
             self.mailbox[label].clear()
@@ -564,6 +652,11 @@ class Reference:
         state = self.plan.by_label[label]
         self.active.add(label)
         self.entered[label] = self.now
+        # What an `on` transition has seen is "forgotten when its state is entered".
+        for number, transition in enumerate(self.plan.transitions):
+            if transition.source == label:
+                self.noticed.pop(number, None)
+                self.waited.pop(number, None)
 
         # "Entering a node that is the scope of variables (a protocol branch) sets them to their initial
         # values": they start anew, whatever was written to them in this step.
@@ -876,6 +969,11 @@ MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "==": "==", "!=": "!="}
 """`c < age(x)` says `age(x) > c`."""
 
 BUILT_IN: dict[str, Callable[..., Any]] = {"abs": abs, "min": min, "max": max}
+
+
+def is_same(one: Any, other: Any) -> bool:
+    """Whether a message is the same one, or a value (in a tuple of one) has stayed."""
+    return one == other if isinstance(one, tuple) and isinstance(other, tuple) else one is other
 
 
 def is_constant(term: Term) -> bool:
