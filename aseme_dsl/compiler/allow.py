@@ -17,6 +17,7 @@ from dataclasses import dataclass, fields, is_dataclass
 
 from aseme_dsl.diagnostics import CODES, Diagnostic, Edit, Severity, Suppressed, closest, has_errors, in_order
 from aseme_dsl.grammar import tree
+from aseme_dsl.grammar.parts import NO_PARTS, Layout
 from aseme_dsl.source import Source, Span
 
 _ADDRESSED = re.compile(r"(?://|/\*)\s*asemec\s*:\s*(.*)", re.DOTALL)
@@ -42,7 +43,10 @@ class _Allow:
 
 
 def allow(
-    files: Iterable[tree.File], diagnostics: Sequence[Diagnostic], unchecked: frozenset[str] = frozenset()
+    files: Iterable[tree.File],
+    diagnostics: Sequence[Diagnostic],
+    unchecked: frozenset[str] = frozenset(),
+    layout: Layout = NO_PARTS,
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """The diagnostics that no comment allows, with what is wrong with the comments; and those that one does.
 
@@ -54,7 +58,7 @@ def allow(
     for file in files:
         comments = [item for item in file.comments if _ADDRESSED.match(item.text)]
         if comments:
-            read = _read(file, comments, [item.code for item in diagnostics], found)
+            read = _read(file, layout, comments, [item.code for item in diagnostics], found)
             allows[file.source] = list(read)
     if not allows:
         return tuple(diagnostics), ()
@@ -87,10 +91,14 @@ def _fitting(item: Diagnostic, allows: dict[Source, list[_Allow]]) -> _Allow | N
 
 
 def _read(
-    file: tree.File, comments: Sequence[tree.Comment], present: Sequence[str], found: list[Diagnostic]
+    file: tree.File,
+    layout: Layout,
+    comments: Sequence[tree.Comment],
+    present: Sequence[str],
+    found: list[Diagnostic],
 ) -> Iterator[_Allow]:
     """Every code that the comments name and that can be allowed; `found` gets what is wrong with them."""
-    lines = _Lines(file)
+    lines = _Lines(file, layout)
     for comment in comments:
         written = _ALLOW.fullmatch(comment.text)
         if written is None:
@@ -192,10 +200,11 @@ def _without_code(comment: tree.Comment, place: Span) -> Edit:
 class _Lines:
     """What stands on the lines of a file, and how far that goes which begins on one."""
 
-    def __init__(self, file: tree.File) -> None:
+    def __init__(self, file: tree.File, layout: Layout) -> None:
         from aseme_dsl.grammar.lexer import clean
 
         self.file = file
+        self.layout = layout
         self.tokens = clean(file.source).tokens
         self.first = self.tokens.starts[0] if len(self.tokens) else len(file.source.text)
 
@@ -227,6 +236,8 @@ class _Lines:
                 waiting += node
             elif is_dataclass(node) and not isinstance(node, (Source, Span)):
                 span = getattr(node, "span", None)
+                if isinstance(span, Span):
+                    span = self.layout.whole(span)
                 if isinstance(span, Span) and not span.start <= start < span.end:
                     continue
                 if isinstance(span, Span) and span.start == start:

@@ -8,6 +8,7 @@ from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
 from aseme_dsl.compiler.flow import Contradict
 from aseme_dsl.compiler.formulas import cut
+from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.proofs.choice import (
@@ -17,9 +18,10 @@ from aseme_dsl.proofs.choice import (
     Gap,
     Never,
     Overlap,
-    Seen,
+    Situation,
     Unsure,
-    judge,
+    findings_of,
+    situations,
 )
 from aseme_dsl.proofs.prover import Prover
 from aseme_dsl.proofs.unknowns import Vocabulary, identity
@@ -44,16 +46,27 @@ def prover_of(symbols: Symbols) -> Prover:
     )
 
 
-def check_conditions(charts: Iterable[Statechart], prover: Prover) -> tuple[tuple[Diagnostic, ...], int]:
+def check_conditions(
+    charts: Iterable[Statechart], prover: Prover, recall: Recall
+) -> tuple[tuple[Diagnostic, ...], int]:
     """What cannot be right in the conditions; and how many choices went unchecked, without z3."""
     found: list[Diagnostic] = []
     unchecked = 0
-    seen: Seen = set()
+    seen: set[object] = set()
     for chart in charts:
-        judgement = judge(chart, prover, seen)
-        found += [_diagnostic(chart, finding) for finding in judgement.findings]
-        unchecked += judgement.unchecked
+        for situation in recall(situations, chart, prover.vocabulary):
+            if situation.key in seen:
+                continue  # the same text, expanded in several places
+            seen.add(situation.key)
+            if prover.is_there:
+                found += recall(_said, situation, prover)
+            else:
+                unchecked += 1
     return tuple(found), unchecked
+
+
+def _said(situation: Situation, prover: Prover) -> tuple[Diagnostic, ...]:
+    return tuple(_diagnostic(situation.chart, finding) for finding in findings_of(situation, prover))
 
 
 def _diagnostic(chart: Statechart, finding: Finding) -> Diagnostic:

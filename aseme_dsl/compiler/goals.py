@@ -8,6 +8,7 @@ from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import NodeType
 from aseme_dsl.amola.suc import RoleType
 from aseme_dsl.compiler.blocks import participants_of
+from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.names import first_of, listed
 from aseme_dsl.compiler.srm_to_iac import Role
 from aseme_dsl.compiler.usecases import UseCases, folded
@@ -94,7 +95,7 @@ def not_played(
         return
     played = {(item.protocol.text, item.participant.text) for role in roles for item in role.written.plays}
     for aip in aips:
-        if aip.span.source is not home or aip.name.span in known:
+        if aip.span.source.path != home.path or aip.name.span in known:
             continue
         participants = participants_of(aip)
         left = [item for item in participants if (aip.name.text, item.name.text) not in played]
@@ -111,7 +112,9 @@ def not_played(
             yield Diagnostic("N706", f"no role plays {aip.name}.{item.name}", item.name.span, hint=hint)
 
 
-def without_functionality(roles: Sequence[Role], activities: Mapping[str, Activity]) -> Iterator[Diagnostic]:
+def without_functionality(
+    roles: Sequence[Role], activities: Mapping[str, Activity], recall: Recall
+) -> Iterator[Diagnostic]:
     """N707: activities without functionality, in a role that describes some; W230: a name close to one's."""
     known: dict[str, Span] = {}
     for role in roles:
@@ -120,11 +123,19 @@ def without_functionality(roles: Sequence[Role], activities: Mapping[str, Activi
     if not known:
         return
     for role in roles:
-        for written in role.written.activities:
-            for name in written.uses:
-                near = closest(name.text, known) if name.text not in known else None
-                if near is not None:
-                    yield Diagnostic(
+        yield from recall(_without_functionality, role, known, activities)
+
+
+def _without_functionality(
+    role: Role, known: Mapping[str, Span], activities: Mapping[str, Activity]
+) -> tuple[Diagnostic, ...]:
+    found: list[Diagnostic] = []
+    for written in role.written.activities:
+        for name in written.uses:
+            near = closest(name.text, known) if name.text not in known else None
+            if near is not None:
+                found.append(
+                    Diagnostic(
                         "W230",
                         f"there is no functionality `{name}`",
                         name.span,
@@ -132,19 +143,23 @@ def without_functionality(roles: Sequence[Role], activities: Mapping[str, Activi
                         hint=f"did you mean `{near}`?",
                         fix=near,
                     )
-        if not role.written.functionalities or role.outline is None:
-            continue
-        names = dict.fromkeys(node.activity for node in role.outline.nodes if node.activity is not None)
-        idle = [name for name in names if name not in activities or not activities[name].uses]
-        if idle:
-            use = "uses" if len(idle) == 1 else "use"
-            shown = first_of(idle, _SHOWN)
-            yield Diagnostic(
+                )
+    if not role.written.functionalities or role.outline is None:
+        return tuple(found)
+    names = dict.fromkeys(node.activity for node in role.outline.nodes if node.activity is not None)
+    idle = [name for name in names if name not in activities or not activities[name].uses]
+    if idle:
+        use = "uses" if len(idle) == 1 else "use"
+        shown = first_of(idle, _SHOWN)
+        found.append(
+            Diagnostic(
                 "N707",
                 f"nothing says which functionality {shown} of {role.name} {use}",
                 role.written.name.span,
                 hint=f"say it among the `activities`: `{idle[0]} uses {next(iter(known))}`",
             )
+        )
+    return tuple(found)
 
 
 __all__ = ["not_played", "out_of_reach", "without_functionality"]

@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 import re
 import stat
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, has_errors, surely
 from aseme_dsl.grammar import tree
-from aseme_dsl.grammar.parts import NO_PARTS, Layout
+from aseme_dsl.grammar.parts import NO_PARTS, InParts, Layout
 from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
 
@@ -84,17 +84,28 @@ class _Loader:
     diagnostics: list[Diagnostic] = field(default_factory=list)
     lost: set[str] = field(default_factory=set)
     paths: dict[str, str] = field(default_factory=dict)
+    read: Read | None = None
+    places: dict[Source, tuple[Source, int]] = field(default_factory=dict)
+
+
+Read = Callable[[Source], InParts]
+"""Reads the text of a file, with what it knows of earlier versions of it."""
 
 
 def load(
-    root: Source | Path | str, sources: Mapping[str, str] | None = None, *, largest: int = LARGEST
+    root: Source | Path | str,
+    sources: Mapping[str, str] | None = None,
+    *,
+    largest: int = LARGEST,
+    read: Read | None = None,
 ) -> Loaded:
     """Read and parse `root` (a path, or a text that was read already) and everything that it imports.
 
     A path that is a key of `sources` (texts of an editor, say) is taken from there and not from the disk.
+    Without `read`, every file is read in one piece.
     """
     sources = sources or {}
-    loader = _Loader(sources, {_key(path): text for path, text in sources.items()}, largest)
+    loader = _Loader(sources, {_key(path): text for path, text in sources.items()}, largest, read=read)
     place = _Place(_key(str(root.path)), root.path) if isinstance(root, Source) else _place(str(root))
     loader.paths[place.shown] = place.key
     parsed = _parsed(loader, root if isinstance(root, Source) else place, None)
@@ -108,6 +119,7 @@ def load(
         frozenset(loader.lost),
         complete,
         loader.paths,
+        Layout(loader.places) if loader.places else NO_PARTS,
     )
 
 
@@ -217,9 +229,7 @@ def _parsed(loader: _Loader, given: Source | _Place, item: tree.Import | None) -
     if len(source.text) > loader.largest:
         loader.diagnostics.append(_too_large(source.path, item, len(source.text), loader.largest))
         return None
-    from aseme_dsl.grammar import parse
-
-    parsed, found = parse(source)
+    parsed, found = _syntax(loader, source)
     newer = _language(parsed)
     if newer is not None:
         # What a newer language has would only look like mistakes here.
@@ -229,6 +239,17 @@ def _parsed(loader: _Loader, given: Source | _Place, item: tree.Import | None) -
     if has_errors(found):
         loader.lost |= set(_DECLARED.findall(source.text)) - _declared(parsed)
     return parsed
+
+
+def _syntax(loader: _Loader, source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
+    """The tree of a text, and what is wrong with its syntax."""
+    if loader.read is None:
+        from aseme_dsl.grammar import parse
+
+        return parse(source)
+    found = loader.read(source)
+    loader.places.update(found.layout.places)
+    return found.file, found.diagnostics
 
 
 def _declared(parsed: tree.File) -> set[str]:

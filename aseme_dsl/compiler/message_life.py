@@ -43,6 +43,11 @@ def check_life(
         yield from _windows(chart, writers, activities, symbols)
 
 
+def _is_in(span: Span, home: Source | None) -> bool:
+    """Whether it is in the file of the system (read as a whole or in parts)."""
+    return home is not None and span.source.path == home.path
+
+
 def _by_channel(uses: Iterable[Use]) -> dict[Channel, list[Use]]:
     found: dict[Channel, list[Use]] = {}
     for item in uses:
@@ -81,7 +86,7 @@ def _unread(
                     hint=f"let a condition ask for it, or an activity that wants it say `reads {channel}`",
                 )
             continue
-        if topic.radio is not None or topic.span.source is not home:
+        if topic.radio is not None or not _is_in(topic.span, home):
             continue
         for item in uses:
             if item.activity is None:
@@ -136,7 +141,7 @@ def _unwritten(
     for channel, found in readers.items():
         topic = topics[channel.topic]
         uses = [use for use in found if not use.whole]
-        if not uses or channel in writers or topic.span.source is not home or _rules(topic, channel).sources:
+        if not uses or channel in writers or not _is_in(topic.span, home) or _rules(topic, channel).sources:
             continue
         if silent:
             doubtful.append(uses[0])

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.sag import Sag
-from aseme_dsl.amola.srm import Activity, Plays
+from aseme_dsl.amola.srm import Activity, Module, Plays
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
@@ -33,7 +33,8 @@ from aseme_dsl.compiler.damage import Damaged, damage
 from aseme_dsl.compiler.flow import check_flow, check_reach, check_timers
 from aseme_dsl.compiler.goals import not_played, out_of_reach, without_functionality
 from aseme_dsl.compiler.inclusion import Inclusion, errors_alone, include
-from aseme_dsl.compiler.load import Loaded, load
+from aseme_dsl.compiler.load import Loaded, Read, load
+from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.modules import also_activities, read_modules
 from aseme_dsl.compiler.outcomes import check_deadlines, check_outcomes
@@ -57,6 +58,7 @@ from aseme_dsl.compiler.use import check_use
 from aseme_dsl.compiler.usecases import use_cases
 from aseme_dsl.diagnostics import Diagnostic, has_errors
 from aseme_dsl.grammar import tree
+from aseme_dsl.proofs.prover import Prover
 from aseme_dsl.source import Source, Span
 
 _T = TypeVar("_T")
@@ -92,19 +94,36 @@ def analyse_files(root: Source | Path | str, sources: Mapping[str, str] | None, 
 
 
 def inspect_files(
-    root: Source | Path | str, sources: Mapping[str, str] | None, options: Options
+    root: Source | Path | str,
+    sources: Mapping[str, str] | None,
+    options: Options,
+    memory: Memory | None = None,
+    read: Read | None = None,
 ) -> Inspection:
-    """The same with what each phase has found on the way."""
+    """The same with what each phase has found on the way.
+
+    With a `memory`, what an earlier analysis of the same root has found is taken again where nothing that it
+    depends on has changed; `read` does the same for the texts (see `load`). What comes out is the same.
+    """
+    memory = memory or Memory()
     # Models are many small objects without cycles: looking for cycles all the time costs a third of the time.
     threshold = gc.get_threshold()
     gc.set_threshold(100_000, 50, 100)
     try:
-        return _inspect(root, sources, options)
+        return _inspect(root, sources, options, memory, read)
     finally:
         gc.set_threshold(*threshold)
+        memory.end()
 
 
-def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, options: Options) -> Inspection:
+def _inspect(
+    root: Source | Path | str,
+    sources: Mapping[str, str] | None,
+    options: Options,
+    memory: Memory,
+    read: Read | None,
+) -> Inspection:
+    recall = memory.recall
     found: list[Diagnostic] = []
 
     def keep(result: tuple[_T, tuple[Diagnostic, ...]]) -> _T:
@@ -112,46 +131,52 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
         return result[0]
 
     # The files, and what their declarations mean.
-    loaded = load(root, sources)
+    loaded = load(root, sources, read=read)
     found += loaded.diagnostics
     is_damaged = damage(found)
-    symbols = keep(resolve(loaded))
+    symbols = memory.same("symbols", keep(resolve(loaded)))
     all_blocks = keep(blocks_of(loaded.files))
     inclusion = keep(include(all_blocks, symbols.is_excused, not has_errors(loaded.diagnostics)))
-    blocks = inclusion.blocks
+    roles_now = tuple(memory.same(("role", item.name.text), item) for item in inclusion.blocks.roles)
+    blocks = replace(inclusion.blocks, roles=roles_now)
     is_damaged = inclusion.damaged(is_damaged)
-    top = keep(global_scope(symbols))
+    top = keep(recall(global_scope, symbols))
 
     # Requirements: goals and use cases.
     sag = keep(read_sag(blocks.sags, symbols))
     suc = keep(sag_to_suc(sag, blocks.sucs, _places_of_roles(blocks), _places(inclusion.abstract), symbols))
 
     # Analysis: protocols and roles, with the activities that they describe.
-    participants = {item.name.text: keep(protocol_scopes(item, top)) for item in blocks.aips}
+    largest = options.largest
+    participants = {item.name.text: keep(recall(protocol_scopes, item, top)) for item in blocks.aips}
     protocols = {
-        item.name.text: keep(read_protocol(item, participants[item.name.text], options.largest, is_damaged))
+        item.name.text: keep(recall(read_protocol, item, participants[item.name.text], largest, is_damaged))
         for item in blocks.aips
     }
-    aips = [keep(read_aip(item, participants[item.name.text], is_damaged)) for item in blocks.aips]
-    scopes = {item.name.text: keep(role_scope(item, top)) for item in blocks.roles}
+    aips = [keep(recall(read_aip, item, participants[item.name.text], is_damaged)) for item in blocks.aips]
+    scopes = {item.name.text: keep(recall(role_scope, item, top)) for item in blocks.roles}
     roles = {
-        item.name.text: keep(read_role(item, scopes[item.name.text], protocols, options.largest, is_damaged))
+        item.name.text: keep(recall(read_role, item, scopes[item.name.text], protocols, largest, is_damaged))
         for item in blocks.srms
     }
     found += [
         problem
         for item in inclusion.unused
-        for problem in errors_alone(_problems_alone(item, top, protocols, options.largest, is_damaged))
+        for problem in errors_alone(_problems_alone(item, top, protocols, largest, is_damaged))
     ]
-    given = [keep(read_statechart(item, scopes[item.name.text], is_damaged)) for item in blocks.statecharts]
+    given = [
+        keep(recall(read_statechart, item, scopes[item.name.text], is_damaged)) for item in blocks.statecharts
+    ]
     statements = [
-        keep(type_activity(activity, scopes[block.name.text].scope, _played_variables(roles, block)))
+        statement
         for block in blocks.roles
-        for activity in block.activities
+        for statement in keep(
+            recall(_typed_activities, block, scopes[block.name.text].scope, _played_variables(roles, block))
+        )
     ]
     modules = {
         block.name.text: keep(
-            read_modules(block.modules, scopes[block.name.text].scope, is_damaged(block.span))
+            recall(read_modules, block.modules, scopes[block.name.text].scope, is_damaged(block.span))
         )
         for block in blocks.roles
     }
@@ -159,15 +184,14 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
 
     # Design: the statecharts.
     name = symbols.system.name.text if symbols.system is not None else ""
-    world = World(name, symbols, described, modules)
-    eacs = {protocol.name: aip_to_eac(protocol, world) for protocol in protocols.values()}
-    iacs = {role.name: srm_to_iac(role, world) for role in roles.values()}
-    iacs |= {item.name: build_statechart(item, world) for item in given}
+    world = (name, symbols, described, modules)
+    eacs = {item.name: recall(_eac, item, *world) for item in protocols.values()}
+    iacs = {item.name: recall(_iac, item, *world) for item in roles.values()}
+    iacs |= {item.name: recall(_given_chart, item, *world) for item in given}
     charts = [chart for chart in (*eacs.values(), *iacs.values()) if chart is not None]
-    prover = prover_of(symbols)
+    prover = recall(prover_of, symbols)
     for chart in charts:
-        found += check_flow(chart, contradiction(prover))
-        found += check_reach(chart)
+        found += recall(_flow, chart, prover)
     found += check_outcomes(charts, described)
 
     # What is used but not declared, described but not used, expected but not written.
@@ -197,23 +221,36 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     elif not has_errors(found):
         found += out_of_reach(cases, roles, formulas)
         found += not_played(blocks.aips, roles.values(), symbols.system.span.source, found)
-        found += without_functionality(list(roles.values()), described)
+        found += without_functionality(list(roles.values()), described, recall)
 
     unchecked = 0
     if not has_errors(found):  # else the line that starts a timer may be what is missing
-        found += [problem for chart in charts for problem in check_timers(chart)]
+        found += [problem for chart in charts for problem in recall(_timers, chart)]
         found += check_deadlines(charts, described)
         if symbols.system is not None and len(charts) == len(eacs) + len(iacs):
-            found += check_use(_built(iacs), _built(eacs), described, list(_statements(blocks)), symbols)
+            found += check_use(
+                _built(iacs), _built(eacs), described, list(_statements(blocks)), symbols, recall
+            )
         if symbols.system is not None:
             found += check_unused(loaded.files, symbols)
             found += check_agents(_alone(inclusion), symbols)
             found += check_exchange(blocks.aips)
-        compared, unchecked = check_conditions(charts, prover)
+        compared, unchecked = check_conditions(charts, prover, recall)
         found += compared
 
     not_looked_for = _OF_CODE | FROM_CONDITIONS if unchecked else _OF_CODE
-    diagnostics, suppressed = allow(loaded.files, without_consequences(inclusion.once(found)), not_looked_for)
+    layout = loaded.layout
+    placed = {id(item): layout.diagnostic(item) for item in inclusion.once(found)}
+    missing = [
+        Missing(
+            placed.get(id(item.note), item.note),
+            item.skeleton,
+            None if item.inside is None else layout.whole(item.inside),
+        )
+        for item in missing
+    ]
+    kept = without_consequences(placed.values())
+    diagnostics, suppressed = allow(loaded.files, kept, not_looked_for, layout)
     diagnostics = options.policy.apply(diagnostics)
     accepted = {id(item.diagnostic) for item in suppressed}
     missing = [item for item in missing if id(item.note) not in accepted]
@@ -264,6 +301,36 @@ def _inspect(root: Source | Path | str, sources: Mapping[str, str] | None, optio
     return inspected(analysis)
 
 
+_Charted = tuple[str, Symbols, Mapping[str, Activity], Mapping[str, tuple[Module, ...]]]
+
+
+def _eac(protocol: Protocol, *world: *_Charted) -> Statechart | None:
+    return aip_to_eac(protocol, World(*world))
+
+
+def _iac(role: Role, *world: *_Charted) -> Statechart | None:
+    return srm_to_iac(role, World(*world))
+
+
+def _given_chart(chart: GivenChart, *world: *_Charted) -> Statechart | None:
+    return build_statechart(chart, World(*world))
+
+
+def _flow(chart: Statechart, prover: Prover) -> tuple[Diagnostic, ...]:
+    return (*check_flow(chart, contradiction(prover)), *check_reach(chart))
+
+
+def _timers(chart: Statechart) -> tuple[Diagnostic, ...]:
+    return tuple(check_timers(chart))
+
+
+def _typed_activities(
+    block: tree.Srm | tree.Statechart, scope: Scope, played: frozenset[str]
+) -> tuple[tuple[Activity, ...], tuple[Diagnostic, ...]]:
+    typed = [type_activity(item, scope, played) for item in block.activities]
+    return tuple(item for item, _ in typed), tuple(problem for _, found in typed for problem in found)
+
+
 def _places_of_roles(blocks: Blocks) -> dict[str, Span]:
     return _places(blocks.roles)
 
@@ -299,11 +366,11 @@ def _once(missing: Iterable[Missing]) -> list[Missing]:
     return list(found.values())
 
 
-def _played_variables(roles: Mapping[str, Role], block: tree.Srm | tree.Statechart) -> set[str]:
+def _played_variables(roles: Mapping[str, Role], block: tree.Srm | tree.Statechart) -> frozenset[str]:
     """The variables of the participants that a role plays."""
     role = roles.get(block.name.text)
     parts = role.parts.values() if role is not None else ()
-    return {variable.name for part in parts for variable in part.variables}
+    return frozenset(variable.name for part in parts for variable in part.variables)
 
 
 def _unused_plays(roles: Iterable[Role]) -> dict[str, Plays]:

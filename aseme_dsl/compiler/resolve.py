@@ -66,7 +66,7 @@ def _system(collector: Collector) -> tree.System | None:
             first = item
             continue
         hint = None
-        if first.span.source is not item.span.source:
+        if first.span.source.path != item.span.source.path:
             hint = "one of the imported files is a system of its own: move what both need into a third file"
         related = Related(first.name.span, "first declared here")
         collector.report("E201", "a system is declared twice", item.name.span, hint, related)

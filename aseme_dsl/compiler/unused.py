@@ -28,9 +28,10 @@ def check_unused(files: Sequence[tree.File], symbols: Symbols) -> Iterator[Diagn
     for file in files:
         words.update(_WORD.findall(_COMMENT.sub(" ", file.source.text)))
     for file in files:
-        if file.source is home:
-            yield from _imports(file, words, home)
-    for what, name in _declared(item for file in files if file.source is home for item in file.declarations):
+        if file.source.path == home.path:
+            yield from _imports(file, words, file.source)
+    own = [item for file in files if file.source.path == home.path for item in file.declarations]
+    for what, name in _declared(own):
         if words[name.text] == 1:
             yield Diagnostic(
                 "N727", f"nothing uses the {what} `{name}`", name.span, hint="use it, or leave it out"
@@ -82,7 +83,7 @@ def check_agents(roles: Iterable[tree.Srm | tree.Statechart], symbols: Symbols) 
         return
     played = {agent.role for team in symbols.teams for agent in team.agents}
     for role in roles:
-        if role.span.source is symbols.system.span.source and role.name.text not in played:
+        if role.span.source.path == symbols.system.span.source.path and role.name.text not in played:
             yield Diagnostic(
                 "N728",
                 f"no agent has the role `{role.name}`",

@@ -8,6 +8,7 @@ from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.flow import check_completion
 from aseme_dsl.compiler.leftovers import check_leftovers
+from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.message_life import check_life
 from aseme_dsl.compiler.message_use import message_use
 from aseme_dsl.compiler.presence import check_presence
@@ -23,6 +24,7 @@ def check_use(
     activities: Mapping[str, Activity],
     written: Sequence[tree.Activity],
     symbols: Symbols,
+    recall: Recall,
 ) -> Iterator[Diagnostic]:
     """Messages, signals, timers and variables over their life, in the charts of the roles.
 
@@ -33,10 +35,18 @@ def check_use(
     activities = {**activities, **modules}
     yield from check_life(roles, use, activities, symbols)
     for chart in roles:
-        yield from check_signals(chart, activities, symbols)
-        yield from check_presence(chart, activities)
-        yield from check_leftovers(chart)
-        yield from check_completion(chart)
+        yield from recall(_in_chart, chart, activities, symbols)
+
+
+def _in_chart(
+    chart: Statechart, activities: Mapping[str, Activity], symbols: Symbols
+) -> tuple[Diagnostic, ...]:
+    return (
+        *check_signals(chart, activities, symbols),
+        *check_presence(chart, activities),
+        *check_leftovers(chart),
+        *check_completion(chart),
+    )
 
 
 __all__ = ["check_use"]

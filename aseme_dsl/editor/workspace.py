@@ -10,10 +10,12 @@ from pathlib import Path
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import Options
+from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.phases import inspect_files
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
 from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
+from aseme_dsl.grammar.parts import InParts, Parts
 from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
 
@@ -79,6 +81,8 @@ class Workspace:
     _good: dict[str, View] = field(default_factory=dict)
     _recent: dict[str, View] = field(default_factory=dict)
     _headers: dict[str, tuple[object, Header]] = field(default_factory=dict)
+    _memories: dict[str, Memory] = field(default_factory=dict)
+    _parts: dict[str, Parts] = field(default_factory=dict)
 
     # ---- what the editor says ------------------------------------------------------------------
 
@@ -144,10 +148,14 @@ class Workspace:
             self._programs[root] = self._compiled(root)
         return self._programs[root]
 
+    def _read(self, source: Source) -> InParts:
+        return self._parts.setdefault(source.path, Parts()).read(source)
+
     def _compiled(self, root: str) -> Program:
         options, problems = self.project.options(Path(root))
         texts = {path: buffer.text for path, buffer in self.buffers.items()}
-        inspection = inspect_files(root, texts, options)
+        memory = self._memories.setdefault(root, Memory())
+        inspection = inspect_files(root, texts, options, memory, self._read)
         analysis = inspection.analysis
         diagnostics = in_order((*problems, *analysis.diagnostics))
         suppressed = analysis.suppressed

@@ -46,11 +46,11 @@ def understood(model: Any, progress: Progress) -> tuple[File, tuple[Diagnostic, 
 
     lexed = progress.lexed
     file, inside = build(lexed.source, model, lexed.comments)
-    mistakes = [explain(lexed, mistake) for mistake in progress.mistakes[: _MOST + 1]]
+    mistakes = [explain(lexed, mistake) for mistake in progress.mistakes[: MOST_MISTAKES + 1]]
     return file, _selected(list(lexed.diagnostics), mistakes, inside)
 
 
-_MOST = 100
+MOST_MISTAKES = 100
 """How many mistakes of one file are listed."""
 
 
@@ -80,11 +80,11 @@ def _selected(
         for item in items
         if item.span is None or item.code in _BRACES or first[item.span.line][1] == kind
     )
-    if len(found) <= _MOST:
+    if len(found) <= MOST_MISTAKES:
         return found
-    last = found[_MOST - 1]
-    note = Diagnostic("E113", f"only the first {_MOST} mistakes of the file are listed", last.span)
-    return (*found[:_MOST], note)
+    last = found[MOST_MISTAKES - 1]
+    note = Diagnostic("E113", f"only the first {MOST_MISTAKES} mistakes of the file are listed", last.span)
+    return (*found[:MOST_MISTAKES], note)
 
 
 def _at_different_places(mistakes: list[Diagnostic], taken: set[int]) -> list[Diagnostic]:

@@ -5,10 +5,14 @@ The tree of a part has spans in the part; a `Layout` says where in the file each
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
+from aseme_dsl.grammar import tree
+from aseme_dsl.grammar.parse import MOST_MISTAKES, parse
+from aseme_dsl.grammar.recovery import BLOCKS, CLOSED_DECLARATION
 from aseme_dsl.source import Source, Span
 
 
@@ -45,3 +49,182 @@ class Layout:
 
 NO_PARTS = Layout()
 """Of files that were read in one piece."""
+
+
+# ---- reading ------------------------------------------------------------------------------------------
+
+_BEGINNING = re.compile(
+    rf"""
+      //[^\n]*
+    | /\*(?:[^*]|\*(?!/))*\*/
+    | (?P<open>/\*)
+    | "(?:[^"\\\n]|\\.)*"?
+    | (?P<brace>[{{}}])
+    | ^(?P<word>{"|".join(BLOCKS["JunkDeclaration"].words)})\b
+    """,
+    re.VERBOSE | re.MULTILINE,
+)
+"""Where a declaration may begin at the margin; what is in comments, texts and braces does not count."""
+
+
+@dataclass(frozen=True, slots=True)
+class InParts:
+    """A file that was read in parts. The comments have whole places, all else has those of the parts."""
+
+    file: tree.File
+    diagnostics: tuple[Diagnostic, ...]
+    layout: Layout = NO_PARTS
+
+
+@dataclass(frozen=True, slots=True)
+class _Read:
+    """Declarations that were read from `part`, and what is wrong there; `base` is where their text begins."""
+
+    part: Source
+    base: int
+    language: tree.Number | None
+    declarations: tuple[tree.Declaration, ...]
+    comments: tuple[tree.Comment, ...]
+    diagnostics: tuple[Diagnostic, ...]
+
+
+_Key = tuple[str, str, str, int]
+"""The text before a part, its own and the one behind it, as far as they matter; and the how manieth it is."""
+
+
+class Parts:
+    """Reads the versions of one file, each with what it has read of the one before."""
+
+    def __init__(self) -> None:
+        self._last: tuple[Source, InParts] | None = None
+        self._before: dict[_Key, _Read] = {}
+        self._now: dict[_Key, _Read] = {}
+
+    def read(self, source: Source) -> InParts:
+        """The tree of a file and what is wrong with its syntax: what `grammar.parse` says, in parts.
+
+        A text that is the same as before is answered with the same objects, its source included.
+        """
+        if self._last is not None and self._last[0].text == source.text:
+            return self._last[1]
+        self._now = {}
+        found = self._in_parts(source)
+        if found is None:
+            file, diagnostics = parse(source)
+            found = InParts(file, diagnostics)
+        self._before = self._now
+        self._last = (source, found)
+        return found
+
+    def _in_parts(self, source: Source) -> InParts | None:
+        """None where the file cannot be read in parts without a doubt."""
+        starts = _starts(source.text)
+        if starts is None:
+            return None
+        ends = [*starts[1:], len(source.text)]
+        texts = [source.text[start:end] for start, end in zip(starts, ends, strict=True)]
+        alone = [self._alone(source.path, text, number) for text, number in _numbered(texts)]
+        read: list[tuple[int, _Read]] = []
+        index = 0
+        while index < len(texts):
+            one, following = alone[index], index + 1
+            if one.diagnostics:
+                # What is broken is read with what is around it, from and to a part that is whole.
+                while following < len(texts) and alone[following].diagnostics:
+                    following += 1
+                around = self._broken(source.path, texts, alone, index, following)
+                if around is None:
+                    return None
+                one = around
+            elif index and one.language is not None:
+                return None  # it stands at the beginning only
+            read.append((starts[index], one))
+            index = following
+        return _joined(source, read)
+
+    def _alone(self, path: str, text: str, number: int) -> _Read:
+        key = ("", text, "", number)
+        known = self._before.get(key)
+        if known is None:
+            part = Source(path, text)
+            file, diagnostics = parse(part)
+            known = _Read(part, 0, file.language, file.declarations, file.comments, diagnostics)
+        self._now[key] = known
+        return known
+
+    def _broken(
+        self, path: str, texts: Sequence[str], alone: Sequence[_Read], first: int, following: int
+    ) -> _Read | None:
+        """The parts from `first` on, which are broken, up to `following`; None if they do not end there."""
+        text = "".join(texts[first:following])
+        before = texts[first - 1] if first else ""
+        behind = texts[following] if following < len(texts) else ""
+        key = (before, text, behind, first)
+        known = self._before.get(key)
+        if known is None:
+            part = Source(path, before + text + behind)
+            begin, end = len(before), len(before) + len(text)
+            file, diagnostics = parse(part)
+            own = tuple(item for item in file.declarations if begin <= item.span.start < end)
+            expected = [
+                (item.span.start + shift, item.span.end + shift)
+                for index, shift in ((first - 1, 0), (following, end))
+                if 0 <= index < len(texts)
+                for item in alone[index].declarations
+            ]
+            others = [(item.span.start, item.span.end) for item in file.declarations if item not in own]
+            if others != expected or any(item.span.end > end for item in own):
+                return None
+            if any(not begin <= span.start <= span.end <= end for span in _spans(diagnostics)):
+                return None
+            comments = tuple(item for item in file.comments if begin <= item.span.start < end)
+            known = _Read(part, begin, None if first else file.language, own, comments, diagnostics)
+        self._now[key] = known
+        return known
+
+
+def _spans(diagnostics: Iterable[Diagnostic]) -> Iterator[Span]:
+    for item in diagnostics:
+        if item.span is not None:
+            yield item.span
+        yield from (other.span for other in item.related)
+        yield from (edit.span for edit in item.edits)
+
+
+def _numbered(texts: Sequence[str]) -> Iterator[tuple[str, int]]:
+    """Each text, and how many before it are the same."""
+    seen: dict[str, int] = {}
+    for text in texts:
+        number = seen[text] = seen.get(text, -1) + 1
+        yield text, number
+
+
+def _joined(source: Source, read: Sequence[tuple[int, _Read]]) -> InParts | None:
+    """The file; None if it has more mistakes than are listed."""
+    diagnostics = tuple(item for _, one in read for item in one.diagnostics)
+    if len(diagnostics) > MOST_MISTAKES:
+        return None
+    layout = Layout({one.part: (source, start - one.base) for start, one in read})
+    comments = tuple(
+        tree.Comment(item.text, layout.whole(item.span)) for _, one in read for item in one.comments
+    )
+    declarations = tuple(item for _, one in read for item in one.declarations)
+    language = read[0][1].language
+    return InParts(tree.File(source, language, declarations, comments), diagnostics, layout)
+
+
+def _starts(text: str) -> list[int] | None:
+    """Where the parts of a text begin, the first at 0; None where a comment is not closed."""
+    found = [0]
+    depth = 0
+    for item in _BEGINNING.finditer(text):
+        if item["brace"] == "{":
+            depth += 1
+        elif item["brace"]:
+            depth = max(0, depth - 1)
+        elif item["open"]:
+            return None
+        elif item["word"] and item.start() and (depth == 0 or CLOSED_DECLARATION.match(text, item.start())):
+            depth = 0
+            found.append(item.start())
+    return found

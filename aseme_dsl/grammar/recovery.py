@@ -23,7 +23,8 @@ _FORMULA = rf"{_NAME}\s*=(?!=)"
 _LABELS = r"[0-9]+(?:\.[0-9]+)*\s*[-=]"
 _BEGINS_BY_NAME = re.compile(rf"{_FORMULA}|{_LABELS}")
 
-_DECLARATION = re.compile(_CLOSED_DECLARATION)
+CLOSED_DECLARATION = re.compile(_CLOSED_DECLARATION)
+"""What begins a declaration even where a brace before it is not closed."""
 _DECLARATION_AT_MARGIN = re.compile(_OPEN_DECLARATION)
 
 
@@ -105,7 +106,7 @@ def declaration_begins(text: str, line: int) -> int | None:
     start = line
     while text[start : start + 1] in (" ", "\t"):
         start += 1
-    if _DECLARATION.match(text, start) or (start == line and _DECLARATION_AT_MARGIN.match(text, start)):
+    if CLOSED_DECLARATION.match(text, start) or (start == line and _DECLARATION_AT_MARGIN.match(text, start)):
         return start
     return None
 
@@ -115,7 +116,7 @@ def begins_declaration(tokens: Tokens, index: int) -> bool:
     if not tokens.begins_line(index):
         return False
     start = tokens.starts[index]
-    if _DECLARATION.match(tokens.text, start):
+    if CLOSED_DECLARATION.match(tokens.text, start):
         return True
     return tokens.column(index) == 0 and _DECLARATION_AT_MARGIN.match(tokens.text, start) is not None
 

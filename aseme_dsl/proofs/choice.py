@@ -25,7 +25,6 @@ from aseme_dsl.amola.statechart import Statechart, Transition
 from aseme_dsl.proofs.prover import Prover
 from aseme_dsl.proofs.unknowns import Vocabulary, identity, is_unknown_function, reads_signal, sources
 from aseme_dsl.proofs.ways import COMPLETION, MOST, Fork, forks, interruptions, paths
-from aseme_dsl.source import Span
 
 if TYPE_CHECKING:
     from aseme_dsl.proofs.snapshot import Way, Witness
@@ -82,35 +81,20 @@ class Unsure:
 Finding = Overlap | Gap | Never | Covered | Always | Unsure
 
 
-@dataclass(slots=True)
-class Judgement:
-    """The findings, and how many choices would have been looked at but for z3's absence."""
-
-    findings: list[Finding]
-    unchecked: int = 0
-
-
-Seen = set[tuple[object, ...]]
-"""The forks that were looked at: what is expanded in several places is looked at once."""
+def situations(chart: Statechart, vocabulary: Vocabulary) -> tuple[Situation, ...]:
+    """The forks of a chart of which there is anything to ask. What is expanded twice has the same `key`."""
+    return tuple(
+        Situation(chart, fork, _closers(chart, fork))
+        for fork in forks(chart)
+        if _is_worth_it(fork, vocabulary)
+    )
 
 
-def judge(chart: Statechart, prover: Prover, seen: Seen) -> Judgement:
-    """Every finding of a chart that is not about a fork in `seen`, to which the new ones are added."""
-    result = Judgement([])
-    for fork in forks(chart):
-        if not _is_worth_it(fork, prover.vocabulary):
-            continue
-        situation = Situation(chart, fork, _closers(chart, fork))
-        if situation.key in seen:
-            continue
-        seen.add(situation.key)
-        if prover.is_there:
-            from aseme_dsl.proofs.findings import findings  # costs time, and z3
+def findings_of(situation: Situation, prover: Prover) -> tuple[Finding, ...]:
+    """What there is to say of a fork. Raises ImportError without z3."""
+    from aseme_dsl.proofs.findings import findings  # costs time, and z3
 
-            result.findings += findings(situation, prover)
-        else:
-            result.unchecked += 1
-    return result
+    return tuple(findings(situation, prover))
 
 
 # ---- the situation -----------------------------------------------------------------------------
@@ -129,9 +113,9 @@ class Situation:
         closers = self.closers or ()
         return (
             tuple(_written(branch) for branch in self.fork.branches),
-            tuple(_place(item.span) for item in self.fork.before),
+            tuple(item.span for item in self.fork.before),
             self.closers is None,
-            tuple(_place(item.span) for way in closers for item in way),
+            tuple(item.span for way in closers for item in way),
         )
 
     @property
@@ -146,12 +130,8 @@ class Situation:
         )
 
 
-def _place(span: Span) -> tuple[object, ...]:
-    return (span.source.path, span.start, span.end)
-
-
 def _written(transition: Transition) -> tuple[object, ...]:
-    return (*_place(transition.expression.span or transition.span), transition.priority)
+    return (transition.expression.span or transition.span, transition.priority)
 
 
 def asks(branch: Transition) -> bool:
@@ -257,13 +237,12 @@ __all__ = [
     "Covered",
     "Finding",
     "Gap",
-    "Judgement",
     "Never",
     "Overlap",
-    "Seen",
     "Situation",
     "Unsure",
     "asks",
     "ends_open",
-    "judge",
+    "findings_of",
+    "situations",
 ]
