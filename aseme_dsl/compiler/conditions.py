@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
+from aseme_dsl.compiler.builtins import NOWHERE
 from aseme_dsl.compiler.flow import Contradict
 from aseme_dsl.compiler.formulas import cut
 from aseme_dsl.compiler.memory import Recall
@@ -35,14 +37,16 @@ _SHOWN = 5
 """How many branches beside the first one are pointed at."""
 
 
-def prover_of(symbols: Symbols) -> Prover:
-    """The prover for a system's conditions; z3 is loaded with its first question."""
-    return Prover(
-        Vocabulary(
-            {item.name: item for item in symbols.enums},
-            {item.name: item for item in symbols.messages},
-            {name: item.ends for name, item in symbols.activities.items() if item.ends},
-        )
+def vocabulary_of(symbols: Symbols) -> Vocabulary:
+    """What conditions can be about, without its places: these mean nothing to a prover."""
+    messages = (
+        replace(item, span=NOWHERE, fields=tuple(replace(member, span=NOWHERE) for member in item.fields))
+        for item in symbols.messages
+    )
+    return Vocabulary(
+        {item.name: replace(item, span=NOWHERE) for item in symbols.enums},
+        {item.name: item for item in messages},
+        {name: item.ends for name, item in symbols.activities.items() if item.ends},
     )
 
 
@@ -197,4 +201,4 @@ def contradiction(prover: Prover) -> Contradict:
     return contradict
 
 
-__all__ = ["FROM_CONDITIONS", "check_conditions", "contradiction", "prover_of"]
+__all__ = ["FROM_CONDITIONS", "check_conditions", "contradiction", "vocabulary_of"]

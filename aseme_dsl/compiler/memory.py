@@ -1,8 +1,9 @@
 """Memory: what phases have found, from one analysis to the next, as long as what they have read is the same.
 
 A phase is a function. Its result is taken again if its inputs are the same objects, or equal where they are
-plain values. Of a mapping and of a question (a function among the inputs) only those answers count that the
-phase has asked for. So nobody has to say on what a phase depends, and a memory never changes what comes out.
+plain values. Of mappings, of functions among the inputs, and of what is `shared` by all phases, only those
+answers count that the phase has asked for. So nobody has to say on what a phase depends, and a memory never
+changes what comes out.
 """
 
 from __future__ import annotations
@@ -16,15 +17,16 @@ _T = TypeVar("_T")
 
 _PLAIN = (str, int, float, bool, frozenset, type(None))
 _ABSENT = object()
+_KEYS = object()
 
+KEPT = 50
+"""For how many analyses what is not asked for is kept: while there are errors, some phases have to wait."""
 
-@dataclass(frozen=True, slots=True)
-class _Asked:
-    """What was asked of an input: a key of a mapping (or all keys), or the arguments of a question."""
+_REMEMBERED = 4
+"""How many different values of one name are remembered: to change something and change it back is common."""
 
-    input: int
-    question: Any
-    answer: Any
+_Question = tuple[Any, ...]
+"""Of which input (its number, or a `_Shared`), what was asked: a name, and a key or arguments."""
 
 
 @dataclass(slots=True)
@@ -32,12 +34,9 @@ class _Entry:
     """A result, what it came from, and the number of the analysis that has used it last."""
 
     inputs: tuple[Any, ...]
-    asked: list[_Asked]
+    asked: dict[_Question, Any]
     result: Any
     used: int
-
-
-_ALL_KEYS = object()
 
 
 class Recall(Protocol):
@@ -46,38 +45,53 @@ class Recall(Protocol):
     def __call__(self, function: Callable[..., _T], *inputs: Any) -> _T: ...
 
 
-KEPT = 50
-"""For how many analyses what is not asked for is kept: while there are errors, some phases have to wait."""
-
-
 class Memory:
     """The results of one program's phases. What many analyses do not ask for is forgotten."""
 
     def __init__(self) -> None:
         self._entries: dict[tuple[Any, ...], list[_Entry]] = {}
-        self._values: dict[object, Any] = {}
+        self._values: dict[object, list[Any]] = {}
+        self._shared: dict[object, _Shared] = {}
+        self._asked: dict[_Question, Any] | None = None  # by the phase that runs now
         self._number = 0
 
     def recall(self, function: Callable[..., _T], *inputs: Any) -> _T:
-        """`function(*inputs)`, or what it was when it was asked for before; nobody may change the result."""
+        """`function(*inputs)`, or what it was when it was asked for before; nobody may change the result.
+
+        The function must not recall anything itself.
+        """
         entries = self._entries.setdefault((function, *map(_key, inputs)), [])
         for entry in entries:
-            if _is_same(entry, inputs):
+            if self._is_same(entry, inputs):
                 entry.used = self._number
                 return cast(_T, entry.result)
-        asked: list[_Asked] = []
-        result = function(*(_traced(item, index, asked) for index, item in enumerate(inputs)))
+        assert self._asked is None
+        asked: dict[_Question, Any] = {}
+        self._asked = asked
+        try:
+            result = function(*(_traced(item, index, asked) for index, item in enumerate(inputs)))
+        finally:
+            self._asked = None
+        # What is equal to a result before is that result, so that what depends on it stays as it is.
+        result = next((cast(_T, item.result) for item in entries if item.result == result), result)
         entries.append(_Entry(inputs, asked, result, self._number))
         return result
 
     def same(self, name: object, value: _T) -> _T:
-        """`value`, or the equal one of this name of the analysis before."""
-        before = self._values.get(name, _ABSENT)
-        if before is not _ABSENT and type(before) is type(value) and before == value:
-            kept: _T = before
-            return kept
-        self._values[name] = value
-        return value
+        """`value`, or the equal one of this name of one of the last analyses."""
+        values: list[_T] = self._values.setdefault(name, [])
+        found = next((item for item in values if type(item) is type(value) and item == value), value)
+        values[:] = [found, *(item for item in values if item is not found)][:_REMEMBERED]
+        return found
+
+    def shared(self, name: object, value: _T) -> _T:
+        """Something that answers as `value` does, and remains the same object in later analyses.
+
+        What phases keep of it answers for the latest analysis.
+        """
+        found = self._shared.setdefault(name, _Shared(self))
+        object.__setattr__(found, "_target", value)
+        return cast(_T, found)
 
     def end(self) -> None:
         """An analysis is over."""
@@ -88,6 +102,21 @@ class Memory:
             entries[:] = [item for item in entries if item.used >= self._number - KEPT]
             if not entries:
                 del self._entries[key]
+
+    def note(self, question: _Question, answer: Any) -> None:
+        """Something shared was asked."""
+        if self._asked is not None:
+            self._asked[question] = answer
+
+    def _is_same(self, entry: _Entry, inputs: tuple[Any, ...]) -> bool:
+        for before, now in zip(entry.inputs, inputs, strict=True):
+            if before is not now and not isinstance(now, _PLAIN) and not _is_traced(now):
+                return False
+        return all(_is_equal(_answer(inputs, question), answer) for question, answer in entry.asked.items())
+
+
+def _is_equal(one: Any, other: Any) -> bool:
+    return one is other or bool(one == other)
 
 
 def _is_traced(item: Any) -> bool:
@@ -100,31 +129,31 @@ def _key(item: Any) -> object:
     return None if _is_traced(item) else id(item)
 
 
-def _is_same(entry: _Entry, inputs: tuple[Any, ...]) -> bool:
-    for before, now in zip(entry.inputs, inputs, strict=True):
-        if before is not now and not isinstance(now, _PLAIN) and not _is_traced(now):
-            return False
-    return all(_answers_as_before(item, inputs[item.input]) for item in entry.asked)
+def _answer(inputs: tuple[Any, ...], question: _Question) -> Any:
+    """What the answer is now."""
+    subject, *rest = question
+    if isinstance(subject, _Shared):
+        value = getattr(object.__getattribute__(subject, "_target"), rest[0])
+        if len(rest) == 1:
+            return value
+        if callable(value):
+            return value(*rest[1])
+        return _looked_up(value, rest[1])
+    now = inputs[subject]
+    return _looked_up(now, rest[0]) if isinstance(now, Mapping) else now(*rest[0])
 
 
-def _answers_as_before(item: _Asked, now: Any) -> bool:
-    if isinstance(now, Mapping):
-        if item.question is _ALL_KEYS:
-            return bool(tuple(now) == item.answer)
-        answer = now.get(item.question, _ABSENT)
-    else:
-        answer = now(*item.question)
-    return answer is item.answer or bool(answer == item.answer)
+def _looked_up(mapping: Mapping[Any, Any], key: Any) -> Any:
+    return tuple(mapping) if key is _KEYS else mapping.get(key, _ABSENT)
 
 
-def _traced(item: Any, index: int, asked: list[_Asked]) -> Any:
+def _traced(item: Any, index: int, asked: dict[_Question, Any]) -> Any:
     if isinstance(item, Mapping):
-        return _TracedMapping(item, index, asked)
+        return _TracedMapping(item, lambda key, answer: asked.__setitem__((index, key), answer))
     if isinstance(item, FunctionType):
 
         def question(*arguments: Any) -> Any:
-            answer = item(*arguments)
-            asked.append(_Asked(index, arguments, answer))
+            answer = asked[index, arguments] = item(*arguments)
             return answer
 
         return question
@@ -132,29 +161,56 @@ def _traced(item: Any, index: int, asked: list[_Asked]) -> Any:
 
 
 class _TracedMapping(Mapping[Any, Any]):
-    """A mapping that notes what it is asked for."""
+    """A mapping that tells what it is asked for."""
 
-    __slots__ = ("_asked", "_index", "_mapping")
+    __slots__ = ("_mapping", "_note")
 
-    def __init__(self, mapping: Mapping[Any, Any], index: int, asked: list[_Asked]) -> None:
+    def __init__(self, mapping: Mapping[Any, Any], note: Callable[[Any, Any], None]) -> None:
         self._mapping = mapping
-        self._index = index
-        self._asked = asked
+        self._note = note
 
     def __getitem__(self, key: Any) -> Any:
         value = self._mapping.get(key, _ABSENT)
-        self._asked.append(_Asked(self._index, key, value))
+        self._note(key, value)
         if value is _ABSENT:
             raise KeyError(key)
         return value
 
     def __iter__(self) -> Iterator[Any]:
         keys = tuple(self._mapping)
-        self._asked.append(_Asked(self._index, _ALL_KEYS, keys))
+        self._note(_KEYS, keys)
         return iter(keys)
 
     def __len__(self) -> int:
         return len(tuple(iter(self)))
+
+
+class _Shared:
+    """Stands for an object of which each analysis makes a new one, and tells what it is asked for."""
+
+    __slots__ = ("_memory", "_target")
+    _memory: Memory
+    _target: Any
+
+    def __init__(self, memory: Memory) -> None:
+        self._memory = memory
+        self._target = None
+
+    def __getattr__(self, name: str) -> Any:
+        value = getattr(self._target, name)
+        memory = self._memory
+        if callable(value):
+
+            def asked(*arguments: Any) -> Any:
+                answer = value(*arguments)
+                memory.note((self, name, arguments), answer)
+                return answer
+
+            return asked
+        if isinstance(value, Mapping):
+            return _TracedMapping(value, lambda key, answer: memory.note((self, name, key), answer))
+        memory.note((self, name), value)
+        return value
 
 
 __all__ = ["Memory", "Recall"]

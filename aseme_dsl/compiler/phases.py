@@ -27,7 +27,7 @@ from aseme_dsl.compiler.aip_to_eac import Protocol, aip_to_eac, read_protocol
 from aseme_dsl.compiler.allow import allow
 from aseme_dsl.compiler.blocks import Blocks, blocks_of
 from aseme_dsl.compiler.chart import World
-from aseme_dsl.compiler.conditions import FROM_CONDITIONS, check_conditions, contradiction, prover_of
+from aseme_dsl.compiler.conditions import FROM_CONDITIONS, check_conditions, contradiction, vocabulary_of
 from aseme_dsl.compiler.consequences import without_consequences
 from aseme_dsl.compiler.damage import Damaged, damage
 from aseme_dsl.compiler.flow import check_flow, check_reach, check_timers
@@ -134,7 +134,8 @@ def _inspect(
     loaded = load(root, sources, read=read)
     found += loaded.diagnostics
     is_damaged = damage(found)
-    symbols = memory.same("symbols", keep(resolve(loaded)))
+    resolved = keep(resolve(loaded))
+    symbols = memory.shared("symbols", resolved)
     all_blocks = keep(blocks_of(loaded.files))
     inclusion = keep(include(all_blocks, symbols.is_excused, not has_errors(loaded.diagnostics)))
     roles_now = tuple(memory.same(("role", item.name.text), item) for item in inclusion.blocks.roles)
@@ -189,7 +190,7 @@ def _inspect(
     iacs = {item.name: recall(_iac, item, *world) for item in roles.values()}
     iacs |= {item.name: recall(_given_chart, item, *world) for item in given}
     charts = [chart for chart in (*eacs.values(), *iacs.values()) if chart is not None]
-    prover = recall(prover_of, symbols)
+    prover = recall(Prover, memory.same("vocabulary", vocabulary_of(resolved)))
     for chart in charts:
         found += recall(_flow, chart, prover)
     found += check_outcomes(charts, described)
@@ -259,7 +260,7 @@ def _inspect(
         return Inspection(
             analysis,
             loaded,
-            symbols,
+            resolved,
             blocks,
             top,
             sag,
