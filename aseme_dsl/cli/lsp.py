@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from aseme_dsl.compiler import Options
     from aseme_dsl.diagnostics import Diagnostic, Suppressed
     from aseme_dsl.editor.navigation import PythonFolders
+    from aseme_dsl.editor.workspace import Project
 
 LOOPBACK = "127.0.0.1"
 
@@ -41,9 +42,8 @@ def command(port: int | None, stdio: bool) -> int:
         )
     from aseme_dsl import __version__
     from aseme_dsl.editor.server import make_server
-    from aseme_dsl.editor.workspace import Project
 
-    server = make_server(__version__, Project(_options, _code), _python_folders)
+    server = make_server(__version__, project(), _python_folders)
     if port is None:
         # The protocol has standard output to itself; what else is printed goes where people may read it.
         output = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
@@ -52,6 +52,13 @@ def command(port: int | None, stdio: bool) -> int:
     else:
         server.start_tcp(LOOPBACK, port)
     return 0
+
+
+def project() -> Project:
+    """What projects on disk say, for an editor's workspace."""
+    from aseme_dsl.editor.workspace import Project
+
+    return Project(_options, _code)
 
 
 def _options(root: Path) -> tuple[Options, tuple[Diagnostic, ...]]:
@@ -82,4 +89,4 @@ def _python_folders(root: Path) -> PythonFolders:
     return PythonFolders(activities, (configuration.folder, root.parent))
 
 
-__all__ = ["command"]
+__all__ = ["command", "project"]

@@ -27,6 +27,7 @@ COMMANDS = (
     "lsp",
     "build",
     "diagram",
+    "view",
     "run",
     "node",
     "status",

@@ -40,6 +40,7 @@ __all__ = [
     "draw_one",
     "draw_statechart",
     "drawings",
+    "names",
     "program",
     "render",
 ]
@@ -74,6 +75,12 @@ def draw_one(system: System, name: str, options: Options = DEFAULT) -> Drawing |
         return draw_statechart(chart, options)[0]
     draw = _sheets(system).get(name)
     return draw() if draw is not None else None
+
+
+def names(system: System) -> tuple[str, ...]:
+    """What `draw_one` can draw of a system."""
+    charts = (f"{chart.kind.lower()}.{chart.name}" for chart in system.statecharts)
+    return (*_sheets(system), *charts)
 
 
 def _sheets(system: System) -> dict[str, Callable[[], Drawing]]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagnostics import Severity, has_errors
-from aseme_dsl.diagrams import Drawing, DrawingFailed, GraphvizMissing, Layout, Options, draw_one
+from aseme_dsl.diagrams import Drawing, DrawingFailed, GraphvizMissing, Layout, Options, draw_one, names
 from aseme_dsl.diagrams.places import places
 from aseme_dsl.diagrams.store import Store
 from aseme_dsl.diagrams.words import words
@@ -78,9 +78,7 @@ class Diagrams:
         Raises:
             GraphvizMissing: there is no program that draws.
         """
-        if self._program is not view.program:
-            self._program = view.program
-            self._drawn.clear()
+        self._begin(view.program)
         system = system_of(view.program)
         last = ""
         for model in models_at(view, offset):
@@ -98,6 +96,37 @@ class Diagrams:
                 return replace(drawn, here=here, note=note)
         before = self._good.get((view.program.root, last))
         return None if before is None else replace(before, note=EARLIER)
+
+    def of(self, program: Program, model: str, state: str | None = None) -> LiveDrawing | None:
+        """The picture of a model, or of one state of its statechart; if need be as it was drawn last.
+
+        Raises:
+            GraphvizMissing: there is no program that draws.
+        """
+        self._begin(program)
+        system = system_of(program)
+        chart = system.chart(model)
+        options = NESTED
+        if chart is not None:
+            label = chart.root.label if state is None or state not in chart.by_label else state
+            depth = max(1, _deepest(_levels(chart, label)))
+            at = label if label != chart.root.label else None
+            options = Options(at=at, depth=depth, layout=Layout.NESTED)
+        good = (program.root, f"{model} {state or ''}")
+        drawn = None
+        if good not in self._good or not is_damaged(program, model):
+            drawn = self._draw(system, Shot(model, options))
+        if drawn is None:
+            before = self._good.get(good)
+            return None if before is None else replace(before, note=EARLIER)
+        self._good[good] = drawn
+        return replace(drawn, note=MISTAKES if has_errors(program.diagnostics) else "")
+
+    def _begin(self, program: Program) -> None:
+        """What was drawn of another program counts no more; its pictures are still in the store."""
+        if self._program is not program:
+            self._program = program
+            self._drawn.clear()
 
     def _draw(self, system: System, shot: Shot) -> LiveDrawing | None:
         key = (shot.model, shot.options)
@@ -133,6 +162,11 @@ def system_of(program: Program) -> System:
         eacs=tuple(chart for chart in found.eacs.values() if chart is not None),
         iacs=tuple(chart for chart in found.iacs.values() if chart is not None),
     )
+
+
+def models_of(program: Program) -> tuple[str, ...]:
+    """The names of everything that can be drawn of a program."""
+    return tuple(names(system_of(program)))
 
 
 # ---- which model ----------------------------------------------------------------------------------
@@ -285,8 +319,8 @@ def _named(chart: Statechart, symbol: Symbol) -> list[Node]:
 def framed(chart: Statechart, label: str) -> tuple[str | None, int | None]:
     """The outermost state, and how many levels of it, that show `label` among at most `READABLE` states.
 
-    (None, None) is the whole statechart. Where there are too many states side by side, they are shown all the
-    same.
+    None is the whole statechart, and all levels. Where there are too many states side by side, they are shown
+    all the same.
     """
     if len(chart.nodes) <= READABLE:
         return None, None
@@ -297,7 +331,7 @@ def framed(chart: Statechart, label: str) -> tuple[str | None, int | None]:
         needed = max(label.count(".") - at.count("."), 1)
         depth = _deepest(_levels(chart, at))
         if depth >= needed:
-            return at, depth
+            return at if at != chart.root.label else None, depth
     return around[-1], 1
 
 
@@ -321,4 +355,4 @@ def _deepest(levels: Sequence[int]) -> int:
     return len(levels)
 
 
-__all__ = ["EARLIER", "MISTAKES", "READABLE", "Diagrams", "LiveDrawing"]
+__all__ = ["EARLIER", "MISTAKES", "READABLE", "Diagrams", "LiveDrawing", "models_of"]

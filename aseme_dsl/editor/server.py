@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import logging
 import os
 from collections.abc import Callable, Iterable, Sequence
@@ -20,15 +21,19 @@ from aseme_dsl.diagnostics.pages import file_of
 from aseme_dsl.diagrams import GraphvizMissing
 from aseme_dsl.editor import calls, hints, hover, layout, navigation, outline, rename, tokens
 from aseme_dsl.editor.authoring import answer_authors
-from aseme_dsl.editor.diagram import Diagrams
+from aseme_dsl.editor.diagram import Diagrams, LiveDrawing
+from aseme_dsl.editor.following import Page
 from aseme_dsl.editor.index import Kind, Symbol, Use
 from aseme_dsl.editor.positions import Change, Lines, Position, changed
 from aseme_dsl.editor.view import View
 from aseme_dsl.editor.workspace import Project, Workspace
 from aseme_dsl.source import Source, Span
 
-DIAGRAM = "aseme/diagram"
-"""A request of ours: the drawing that belongs to a place in a file."""
+DIAGRAM, CURSOR = "aseme/diagram", "aseme/cursor"
+"""A request of ours, for the drawing that belongs to a place in a file, and a notification of a place."""
+
+VIEW = "asemec.view"
+"""The command that opens a page in a browser, which follows the cursor."""
 
 DEBOUNCE = 0.05
 """Seconds without a change after which there is something to say of a file."""
@@ -91,6 +96,10 @@ class Server(LanguageServer):
         self.said: set[str] = set()
         self.tokens: dict[str, tuple[str, list[int]]] = {}
         self.uris: dict[str, str] = {}
+        self.diagrams = Diagrams()
+        self.drawing = asyncio.Lock()
+        self.moved: Callable[[str, lsp.Position], None] = lambda uri, position: None
+        self.renewed: Callable[[], None] = lambda: None
 
     @property
     def encoding(self) -> str:
@@ -146,6 +155,7 @@ class Server(LanguageServer):
         self.waiting.pop(path, None)
         for other in self.files.affected(path):
             self.publish_one(other)
+        self.renewed()
 
     def publish_one(self, path: str) -> None:
         view = self.files.view(path)
@@ -345,6 +355,7 @@ def _questions(server: Server) -> None:
         view = server.view(params.text_document.uri)
         if view is None:
             return None
+        server.moved(params.text_document.uri, params.position)
         found = navigation.highlights(view, server.offset(view, params.position))
         return [lsp.DocumentHighlight(server.range(span), _HIGHLIGHTS[use]) for span, use in found]
 
@@ -610,37 +621,71 @@ def _read(data: Any, name: str) -> Any:
 
 
 def _drawings(server: Server) -> None:
-    diagrams = Diagrams()
-    drawing = asyncio.Lock()
+    page: list[Page[lsp.Position]] = []
+
+    async def drawn(uri: str, position: lsp.Position) -> tuple[View, LiveDrawing] | None:
+        """The picture for a place, with the view that it belongs to."""
+        async with server.drawing:
+            view = server.view(uri)
+            if view is None:
+                return None
+            offset = server.offset(view, position)
+            # Graphviz is another program: what is typed meanwhile is not kept waiting.
+            found = await asyncio.to_thread(server.diagrams.at, view, offset)
+        return None if found is None else (view, found)
 
     @server.feature(DIAGRAM)
     async def diagram(params: Any) -> dict[str, Any] | None:
         """The picture for a place, or null: what goes over the wire is said in docs/editor.md."""
-        place = _read(params, "position")
-        position = lsp.Position(int(_read(place, "line")), int(_read(place, "character")))
-        async with drawing:
-            view = server.view(str(_read(_read(params, "textDocument"), "uri")))
-            if view is None:
-                return None
-            offset = server.offset(view, position)
-            try:
-                # Graphviz is another program: what is typed meanwhile is not kept waiting.
-                found = await asyncio.to_thread(diagrams.at, view, offset)
-            except GraphvizMissing as missing:
-                raise JsonRpcException(str(missing), lsp.LSPErrorCodes.RequestFailed) from missing
+        try:
+            found = await drawn(*_asked_place(params))
+        except GraphvizMissing as missing:
+            raise JsonRpcException(str(missing), lsp.LSPErrorCodes.RequestFailed) from missing
         if found is None:
             return None
+        view, picture = found
         return {
-            "name": found.name,
-            "title": found.title,
-            "svg": found.svg,
-            "here": found.here,
-            "note": found.note,
+            "name": picture.name,
+            "title": picture.title,
+            "svg": picture.svg,
+            "here": picture.here,
+            "note": picture.note,
             "elements": {
                 name: {"uri": server.uri(view.program.path_of(span.source)), "range": _plain(server, span)}
-                for name, span in found.elements.items()
+                for name, span in picture.elements.items()
             },
         }
+
+    @server.feature(CURSOR)
+    def cursor(params: Any) -> None:
+        """The cursor is somewhere else."""
+        server.moved(*_asked_place(params))
+
+    async def go(view: View, span: Span) -> None:
+        """Show a place in the editor, if it can be told to."""
+        uri = server.uri(view.program.path_of(span.source))
+        place = lsp.ShowDocumentParams(uri, take_focus=True, selection=server.range(span))
+        with contextlib.suppress(JsonRpcException):
+            await server.window_show_document_async(place)
+
+    @server.command(VIEW)
+    async def view() -> str:
+        """Open the page that follows the cursor; its address."""
+        if not page:
+            page.append(Page(drawn, go))
+            server.moved = page[0].moved
+            server.renewed = page[0].renew
+        url = page[0].viewer.url
+        with contextlib.suppress(JsonRpcException):  # not every editor can
+            await server.window_show_document_async(lsp.ShowDocumentParams(url, external=True))
+        return url
+
+
+def _asked_place(params: Any) -> tuple[str, lsp.Position]:
+    """The document and the position of a request of ours."""
+    place = _read(params, "position")
+    position = lsp.Position(int(_read(place, "line")), int(_read(place, "character")))
+    return str(_read(_read(params, "textDocument"), "uri")), position
 
 
 def _plain(server: Server, span: Span) -> dict[str, dict[str, int]]:
@@ -652,4 +697,4 @@ def _plain(server: Server, span: Span) -> dict[str, dict[str, int]]:
     }
 
 
-__all__ = ["DIAGRAM", "Server", "make_server"]
+__all__ = ["CURSOR", "DIAGRAM", "VIEW", "Server", "make_server"]

@@ -66,6 +66,7 @@ NOT_RUN = (
     r'eval "\$\(asemec completion bash\)"',
     r"asemec .* --real\b.*",
     r"asemec node .*",
+    r"asemec view .*",
     r"asemec completion fish > .*",
 )
 """What an `sh` example may say."""

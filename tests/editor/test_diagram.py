@@ -197,7 +197,7 @@ srm robot {{
         part = session.at("Step7x3‸", self.TEXT)
         again = session.at("Step7x9‸", self.TEXT)
         assert whole is not None and part is not None and again is not None
-        assert whole.name == "iac.robot.0" and whole.svg.count('class="node state') <= READABLE
+        assert whole.name == "iac.robot" and whole.svg.count('class="node state') <= READABLE
         assert part.name == again.name and part.svg == again.svg
         assert here(part) == "Step7x3"
         assert here(again) == "Step7x9"

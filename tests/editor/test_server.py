@@ -17,6 +17,7 @@ from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
 
 from aseme_dsl.editor.positions import Lines
 from aseme_dsl.editor.tokens import TYPES
+from tests.editor.test_viewer import Browser
 
 pytestmark = pytest.mark.asyncio(loop_scope="module")
 
@@ -581,3 +582,40 @@ async def test_the_diagram_follows_the_cursor(project: Project, monkeypatch: pyt
 
 def as_range(value: dict[str, Any]) -> lsp.Range:
     return lsp.Range(lsp.Position(**value["start"]), lsp.Position(**value["end"]))
+
+
+async def test_a_page_in_a_browser_follows_the_cursor(project: Project) -> None:
+    client = project.client
+    asked = lsp.ExecuteCommandParams("asemec.view", [])
+    url = await client.workspace_execute_command_async(asked)
+    assert isinstance(url, str)
+    assert client.shown_documents[-1].uri == url and client.shown_documents[-1].external
+    assert await client.workspace_execute_command_async(asked) == url
+    browser = Browser(url)
+    assert (await asyncio.to_thread(browser.next))["title"] == "Move the cursor into a model."
+
+    place = lsp.DocumentHighlightParams(project.document(), at("look = Sc^an . [Jump]"))
+    await client.text_document_document_highlight_async(place)
+    state = await asyncio.to_thread(browser.next)
+    assert state["name"] == "iac.keeper" and state["here"] in state["elements"]
+
+    position = at("process = Give . [mo^re]")
+    params = {"position": {"line": position.line, "character": position.character}}
+    client.protocol.notify("aseme/cursor", {"textDocument": {"uri": project.uri()}, **params})
+    state = await asyncio.to_thread(browser.next)
+    assert state["name"] == "eac.swap"
+
+    await asyncio.to_thread(browser.act, act="click", id=state["here"])
+    state = await asyncio.to_thread(browser.next) if not state["here"] else state
+    for _ in range(200):
+        if client.shown_documents[-1].uri == project.uri():
+            break
+        await asyncio.sleep(0.05)
+    shown_place = client.shown_documents[-1]
+    assert shown_place.uri == project.uri() and shown_place.selection is not None
+    assert shown(TEAM, shown_place.selection) in ("more", "Give . Rest")
+    await asyncio.to_thread(browser.act, act="click", id="nowhere")
+
+    project.change("team.aseme", TEAM.replace("Give . Rest", "Give . Rest . Again"))
+    state = await asyncio.to_thread(browser.next)
+    assert "Again" in state["title"]

@@ -1,0 +1,191 @@
+"""Viewer: a page in a browser of this machine that shows a picture, and another one as soon as there is one.
+
+What it shows is a JSON document that the page understands (`page_state`, `viewer.html`); what people do there
+it hands to whoever has opened it.
+"""
+
+from __future__ import annotations
+
+import json
+import secrets
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from http import HTTPStatus
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from importlib import resources
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from aseme_dsl.editor.diagram import LiveDrawing
+
+LOOPBACK = "127.0.0.1"
+PATIENCE = 20.0
+"""How long a page waits for something new before it asks again, in seconds."""
+
+_POLICY = "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'"
+
+_LARGEST = 10_000
+"""The most bytes that a page may send at once."""
+
+
+class Viewer:
+    """A page at `url`. `on_act` gets what people do there, in a thread of its own.
+
+    Nobody on another machine can reach it, nor a page from elsewhere: the address has a secret in it.
+    """
+
+    def __init__(self, on_act: Callable[[Mapping[str, Any]], None], port: int = 0) -> None:
+        """Raises OSError if the port is taken."""
+        self._on_act = on_act
+        self._news = threading.Condition()
+        self._version = 0
+        self._state: bytes = b"null"
+        self._ended = False
+        self._secret = secrets.token_urlsafe(12)
+        self._server = _Server((LOOPBACK, port), _handler(self))
+        self.port = int(self._server.server_address[1])
+        self.url = f"http://{LOOPBACK}:{self.port}/{self._secret}/"
+        self._thread = threading.Thread(target=self._server.serve_forever, args=(0.1,), daemon=True)
+        self._thread.start()
+
+    def show(self, state: Mapping[str, Any]) -> None:
+        """Show this from now on."""
+        with self._news:
+            text = json.dumps(state, ensure_ascii=False).encode("utf-8", "backslashreplace")
+            if text != self._state:
+                self._state = text
+                self._version += 1
+                self._news.notify_all()
+
+    def close(self) -> None:
+        """End it; pages say that it has ended."""
+        with self._news:
+            self._ended = True
+            self._news.notify_all()
+        self._server.shutdown()
+        self._thread.join()
+        self._server.server_close()
+
+    # ---- what the page asks --------------------------------------------------------------------------
+
+    def wait(self, version: int) -> tuple[int, bytes] | None:
+        """What is shown once it is another version than this one; None if that takes too long."""
+        with self._news:
+            self._news.wait_for(lambda: self._version != version or self._ended, PATIENCE)
+            return (self._version, self._state) if self._version != version else None
+
+    def act(self, said: Mapping[str, Any]) -> None:
+        self._on_act(said)
+
+    def is_asked(self, host: str, path: str) -> str | None:
+        """What a request to this page asks for; None where it is for nobody."""
+        start = f"/{self._secret}/"
+        hosts = (f"{LOOPBACK}:{self.port}", f"localhost:{self.port}")
+        return path.removeprefix(start) if host in hosts and path.startswith(start) else None
+
+
+class _Server(ThreadingHTTPServer):
+    daemon_threads = True
+    block_on_close = False
+
+
+def page_state(
+    drawing: LiveDrawing | None = None,
+    *,
+    title: str = "",
+    here: str | None = None,
+    models: Sequence[str] = (),
+    model: str = "",
+    part: bool = False,
+    text: str = "",
+) -> dict[str, Any]:
+    """What the page shows: a picture with the element that is marked, or only a title.
+
+    `models` may be chosen there, `model` is the one that is; `part`: the picture is of a part of it. `text`
+    stands below.
+    """
+    return {
+        "name": drawing.name if drawing is not None else "",
+        "title": drawing.title if drawing is not None else title,
+        "note": drawing.note if drawing is not None else "",
+        "svg": drawing.svg if drawing is not None else "",
+        "elements": sorted(drawing.elements) if drawing is not None else [],
+        "here": here,
+        "models": list(models),
+        "model": model,
+        "part": part,
+        "text": text,
+    }
+
+
+def page(nonce: str) -> bytes:
+    """The page, whose script runs only with this word."""
+    text = resources.files("aseme_dsl.editor").joinpath("viewer.html").read_text("utf-8")
+    return text.replace("NONCE", nonce).encode()
+
+
+def _handler(viewer: Viewer) -> type[BaseHTTPRequestHandler]:
+    class Handler(BaseHTTPRequestHandler):
+        """Answers the page of one viewer."""
+
+        protocol_version = "HTTP/1.1"
+
+        def do_GET(self) -> None:
+            asked = viewer.is_asked(self.headers.get("Host", ""), self.path)
+            name, _, question = (asked or "").partition("?")
+            if asked is None or name not in ("", "state"):
+                self._answer(HTTPStatus.NOT_FOUND)
+            elif name == "":
+                nonce = secrets.token_urlsafe(12)
+                policy = f"{_POLICY}; script-src 'nonce-{nonce}'"
+                self._answer(HTTPStatus.OK, page(nonce), "text/html", {"Content-Security-Policy": policy})
+            else:
+                number = question.removeprefix("after=")
+                found = viewer.wait(int(number) if number.isdecimal() else 0)
+                if found is None:
+                    self._answer(HTTPStatus.NO_CONTENT)
+                else:
+                    self._answer(HTTPStatus.OK, found[1], "application/json", {"X-Version": str(found[0])})
+
+        def do_POST(self) -> None:
+            asked = viewer.is_asked(self.headers.get("Host", ""), self.path)
+            length = self.headers.get("Content-Length", "")
+            if asked != "act" or not length.isdecimal() or int(length) > _LARGEST:
+                self.close_connection = True
+                self._answer(HTTPStatus.NOT_FOUND)
+                return
+            try:
+                said = json.loads(self.rfile.read(int(length)))
+            except ValueError:
+                said = None
+            if not isinstance(said, dict):
+                self._answer(HTTPStatus.BAD_REQUEST)
+                return
+            viewer.act(said)
+            self._answer(HTTPStatus.NO_CONTENT)
+
+        def log_message(self, format: str, *args: Any) -> None:
+            """Nobody wants to know which page has asked for what."""
+
+        def _answer(
+            self,
+            status: HTTPStatus,
+            content: bytes = b"",
+            kind: str = "text/plain",
+            more: Mapping[str, str] | None = None,
+        ) -> None:
+            self.send_response(status)
+            if status is not HTTPStatus.NO_CONTENT:
+                self.send_header("Content-Type", f"{kind}; charset=utf-8")
+                self.send_header("Content-Length", str(len(content)))
+            self.send_header("Cache-Control", "no-store")
+            self.send_header("Referrer-Policy", "no-referrer")
+            for name, value in (more or {}).items():
+                self.send_header(name, value)
+            self.end_headers()
+            self.wfile.write(content)
+
+    return Handler
+
+
+__all__ = ["Viewer", "page_state"]
