@@ -179,6 +179,8 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
         marks: Json = {"first": True} if item.first else {}
         if not item.is_way:
             marks["kind"] = item.kind.value
+        if item.resume:
+            marks["resume"] = True
         transitions.append(
             {
                 "name": item.name,

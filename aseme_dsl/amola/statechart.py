@@ -73,7 +73,8 @@ class Transition:
     """A transition between two labels. `priority` is its place among those of its source, 0 is tried first.
 
     Those with neither event nor condition come after the others, and `else` last of all. One that is `first`
-    cuts its source short (`A [> B`): it is tried before anything inside the source, the outermost first.
+    cuts its source short (`A [> B`): it is tried before anything inside the source, the outermost first. With
+    `resume` the target goes on where it was last left before it was complete.
     """
 
     name: str
@@ -85,6 +86,7 @@ class Transition:
     span: Span
     first: bool = False
     kind: TransitionKind = TransitionKind.WAY
+    resume: bool = False
 
     @property
     def is_way(self) -> bool:
@@ -94,9 +96,10 @@ class Transition:
 
 def transition_text(transition: Transition) -> str:
     """What people read on a transition: its expression, after `[>` where it cuts its source short, after `on`
-    or `exit` where it stays."""
+    or `exit` where it stays, after `resume` where its target goes on."""
     word = "[>" if transition.first else "" if transition.is_way else transition.kind.value
-    return " ".join(filter(None, (word, expression_text(transition.expression))))
+    verb = "resume" if transition.resume else ""
+    return " ".join(filter(None, (word, verb, expression_text(transition.expression))))
 
 
 @dataclass(frozen=True, slots=True)

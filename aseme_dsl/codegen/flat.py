@@ -168,6 +168,29 @@ class FlatChart:
         )
 
     @cached_property
+    def resumed(self) -> tuple[Node, ...]:
+        """The composites that some transition resumes."""
+        labels = {transition.target for transition in self.chart.transitions if transition.resume}
+        return tuple(node for node in self.chart.nodes if node.label in labels and node.type is NodeType.OR)
+
+    def regions_inside(self, label: str) -> list[FlatRegion]:
+        """The regions inside a state, at any depth."""
+        return [region for region in self.regions if region.label.startswith(f"{label}.")]
+
+    @cached_property
+    def entered_again(self) -> tuple[FlatRegion, ...]:
+        """The regions that a composite which is resumed may have inside, but for those in branches."""
+        return tuple(
+            region
+            for region in self.regions
+            if any(
+                region.label.startswith(f"{node.label}.")
+                and self.branch_of(region.label) == self.branch_of(node.label)
+                for node in self.resumed
+            )
+        )
+
+    @cached_property
     def staying(self) -> Mapping[str, tuple[int, ...]]:
         """The numbers of the `on` transitions of each state that has some."""
         found: dict[str, tuple[int, ...]] = {}

@@ -140,6 +140,7 @@ def _transition(transition: Transition, placed: bool = True) -> str:
             ("actions", tuple(action_term(action) for action in expression.actions), ()),
             ("first", transition.first, False),
             ("kind", transition.kind.value, "way"),
+            ("resume", transition.resume, False),
             ("text", transition_text(transition), ""),
             ("at", place(transition.span) if placed else "", ""),
         ],

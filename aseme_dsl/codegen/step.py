@@ -10,6 +10,8 @@ what a careful person writes by hand. Methods of the class, for region 3:
     _holds_12   the condition of transition 12, where evaluating it may raise
     _seen_12    what the condition of the `on` transition 12 reads
     _exit_…     what is done when a state is left
+    _keep_…     what is remembered of a composite that may be resumed
+    _resume_…   such a composite goes on;  _again_3: and a region in it
 """
 
 from __future__ import annotations
@@ -176,6 +178,14 @@ class _Generator:
     def _time(self, label: str) -> str:
         return self.identifiers.name(("time", label), f"t_{label}")
 
+    def _kept(self, node: Node) -> str:
+        """What is remembered of a composite that may be resumed."""
+        return self.identifiers.name(("kept", node.label), f"m_{node.label}")
+
+    def _memories(self) -> list[str]:
+        kept = {node.label: self._kept(node) for node in self.flat.resumed}
+        return [f"    KEPT: ClassVar[Mapping[str, str]] = {kept!r}"] if kept else []
+
     def _mark(self, number: int) -> str:
         """What an `on` transition has seen when it was taken last."""
         return self.identifiers.name(("mark", number), f"o_{number}")
@@ -219,6 +229,11 @@ class _Generator:
             for number in numbers:
                 if self._has_mark(number):
                     self._seen(number)
+        for node in self.flat.resumed:
+            self._keep(node)
+            self._resume(node)
+        for inner in self.flat.entered_again:
+            self._again(inner.number)
         self._enter_root()
         self._frame()
         boards = [line for region in self.flat.regions for line in self._board(region.number)]
@@ -258,6 +273,7 @@ class _Generator:
                 attributes.append((self._mark(number), "Seen | None", "None"))
             if self._has_time(number):
                 attributes.append((self._past(number), "int", "-1"))
+        attributes += [(self._kept(node), "dict[int, int] | None", "None") for node in self.flat.resumed]
         for variable in self.chart.variables:
             attributes += [
                 (copy, self._python(variable.type), self._initial(variable))
@@ -287,6 +303,7 @@ class _Generator:
             f"    TIMES: ClassVar[Mapping[str, str]] = {times!r}",
             *self._deadlines(),
             *self._marks(),
+            *self._memories(),
             "    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = (",
             *(f"        {labels!r}," for labels in self._leaf_labels()),
             "    )",
@@ -657,7 +674,7 @@ class _Generator:
             scope = min(scope, other, key=len)
         self._leave_leaf(method, depth, region, scope, leaf, complete is not False)
         looked_at = self._actions(method, depth, region, source, taken)
-        self._enter(method, depth, region, scope, target)
+        self._enter(method, depth, region, scope, target, resume=transitions[-1].resume)
         for channel, host in looked_at:
             method.add(depth, f"b.spend({channel!r}, {host!r})")
 
@@ -829,6 +846,15 @@ class _Generator:
     def _leave_leaf(
         self, method: _Method, depth: int, region: int, scope: str, leaf: Node | None, complete: bool
     ) -> None:
+        for node in self.flat.resumed:
+            if self.flat.region_number[node.label] != region or not node.label.startswith(scope + "."):
+                continue
+            first, last = self.flat.range[node.label]
+            if leaf is None:
+                method.add(depth, f"if {first} <= self.r{region} <= {last}:")
+                method.add(depth + 1, f"self._keep_{self._key(node.label)}()")
+            elif leaf.label.startswith(f"{node.label}."):
+                method.add(depth, f"self._keep_{self._key(node.label)}()")
         if leaf is None:
             method.add(depth, f"self._leave_leaf_{region}()")
             for node in reversed(self.flat.leaving):
@@ -875,6 +901,11 @@ class _Generator:
             f"_leave_leaf_{region}(self) -> None", f"Leave the active leaf of region {label}.", method
         )
         whole = _Method(self._names(region))
+        for node in self.flat.resumed:
+            if self.flat.region_number[node.label] == region:
+                first, last = self.flat.range[node.label]
+                whole.add(2, f"if {first} <= self.r{region} <= {last}:")
+                whole.add(3, f"self._keep_{self._key(node.label)}()")
         whole.add(2, f"self._leave_leaf_{region}()")
         for node in reversed(self.flat.leaving):
             if self.flat.region_number[node.label] == region:
@@ -886,8 +917,23 @@ class _Generator:
 
     # ---- entering --------------------------------------------------------------------------
 
-    def _enter(self, method: _Method, depth: int, region: int, scope: str, target: str) -> None:
-        """Enter a state inside `scope`, outermost first."""
+    def _enter(
+        self,
+        method: _Method,
+        depth: int,
+        region: int,
+        scope: str,
+        target: str,
+        *,
+        resume: bool = False,
+        again: bool = False,
+        complete: bool = False,
+    ) -> None:
+        """Enter a state inside `scope`, outermost first.
+
+        With `resume` a composite goes on; `again` and `complete` are for what is inside it: an AND whose
+        regions go on, too, and a BASIC state whose activity has returned.
+        """
         path = [target]
         while (parent := self.chart.node(path[-1]).parent) not in (scope, None):
             assert parent is not None
@@ -897,6 +943,8 @@ class _Generator:
         node = self.chart.node(target)
         number = self.flat.leaf.get(target)
         match node.type:
+            case NodeType.BASIC if complete:
+                method.add(depth, f"self.r{region} = {number} + 1")
             case NodeType.BASIC:
                 method.add(depth, f"self.r{region} = {number}")
                 if target in self.flat.ending:
@@ -905,7 +953,12 @@ class _Generator:
             case NodeType.AND:
                 method.add(depth, f"self.r{region} = {number}")
                 for inner in self.flat.regions_of(target):
-                    method.add(depth, f"self._enter_{inner.number}(now)")
+                    call = f"_again_{inner.number}(now, kept)" if again else f"_enter_{inner.number}(now)"
+                    method.add(depth, f"self.{call}")
+            case NodeType.OR if resume:
+                method.add(depth, f"if self.{self._kept(node)} is None:")
+                self._activate_start(method, depth + 1, region, target)
+                method.add(depth, "else:", f"    self._resume_{self._key(target)}(now)")
             case NodeType.OR:
                 self._activate_start(method, depth, region, target)
             case _:
@@ -926,6 +979,83 @@ class _Generator:
                 method.add(depth, f"self.{self._mark(number)} = None")
             if self._has_time(number):
                 method.add(depth, f"self.{self._past(number)} = -1")
+        if self.flat.is_branch(node):
+            for inner in self.flat.resumed:
+                if inner.label.startswith(f"{node.label}."):
+                    method.add(depth, f"self.{self._kept(inner)} = None")
+
+    # ---- going on --------------------------------------------------------------------------
+
+    def _keep(self, node: Node) -> None:
+        """A method that remembers where a composite is left, before it is; nothing if it is complete."""
+        region = self.flat.region_number[node.label]
+        method = _Method(self._names(region))
+        inside = [region, *(inner.number for inner in self.flat.regions_inside(node.label))]
+        kept = ", ".join(f"{number}: self.r{number}" for number in inside)
+        end = self.chart.end_of(node.label)
+        value = f"{{{kept}}}"
+        if end is not None:
+            value = f"None if self.r{region} == {self.flat.leaf[end.label]} else {value}"
+        method.add(2, f"self.{self._kept(node)} = {value}")
+        name = f"_keep_{self._key(node.label)}(self) -> None"
+        self._method(name, f"Remember where {node.label} {_docstring(node.name)} is left.", method)
+
+    def _resume(self, node: Node) -> None:
+        """A method by which a composite that has been entered goes on with what is remembered."""
+        region = self.flat.region_number[node.label]
+        method = _Method(self._names(region))
+        method.add(2, f"kept = self.{self._kept(node)} or {{}}", f"self.{self._kept(node)} = None")
+        method.add(2, f"n = kept.get({region}, INACTIVE)")
+        if self.flat.is_branch(node):
+            self._activate_start(method, 2, region, node.label)
+        else:
+            self._where_it_was(method, region, node.label)
+        name = f"_resume_{self._key(node.label)}(self, now: int) -> None"
+        self._method(name, f"Go on in {node.label} {_docstring(node.name)}.", method)
+
+    def _again(self, region: int) -> None:
+        """A method that enters a region in which a composite around it goes on."""
+        label = self.flat.regions[region].label
+        method = _Method(self._names(region))
+        self._begin_region(method, region)
+        method.add(2, f"n = kept.get({region}, INACTIVE)")
+        self._where_it_was(method, region, label)
+        signature = f"_again_{region}(self, now: int, kept: dict[int, int]) -> None"
+        self._method(signature, f"Enter region {label} where it was left.", method)
+
+    def _where_it_was(self, method: _Method, region: int, label: str) -> None:
+        """Enter the leaf `n` inside the state `label`, or its START; the inside of a branch begins anew."""
+        branches: set[str] = set()
+        branched = False
+        for leaf in self.flat.leaves(region):
+            if not leaf.label.startswith(f"{label}."):
+                continue
+            inner = next(
+                (
+                    around.label
+                    for around in reversed(self.flat.around(leaf.label))
+                    if around.label.startswith(f"{label}.") and self.flat.is_branch(around)
+                ),
+                None,
+            )
+            if inner is not None and inner in branches:
+                continue
+            number = self.flat.leaf[leaf.label]
+            word = "elif" if branched else "if"
+            branched = True
+            if inner is not None:
+                branches.add(inner)
+                first, last = self.flat.range[inner]
+                method.add(2, f"{word} {first} <= n <= {last}:")
+                self._enter(method, 3, region, label, inner)
+                continue
+            method.add(2, f"{word} n == {number}:")
+            self._enter(method, 3, region, label, leaf.label, again=True)
+            if leaf.type is NodeType.BASIC:
+                method.add(2, f"elif n == {number + 1}:")
+                self._enter(method, 3, region, label, leaf.label, complete=True)
+        method.add(2, "else:")
+        self._activate_start(method, 3, region, label)
 
     def _activate_start(self, method: _Method, depth: int, region: int, label: str) -> None:
         start = self.chart.start_of(label)
@@ -937,6 +1067,12 @@ class _Generator:
     def _enter_region(self, region: int) -> None:
         label = self.flat.regions[region].label
         method = _Method(self._names(region))
+        self._begin_region(method, region)
+        self._activate_start(method, 2, region, label)
+        self._method(f"_enter_{region}(self, now: int) -> None", f"Enter region {label}.", method)
+
+    def _begin_region(self, method: _Method, region: int) -> None:
+        """The blackboard of a region that is entered, and its copies of variables."""
         outer = self.flat.enclosing(region)
         method.add(2, f"self.b{region} = Board{region}()", f"self.b{region}.inherit(self.b{outer})")
         for name, regions in self.flat.variable_regions.items():
@@ -948,9 +1084,7 @@ class _Generator:
                     method.add(
                         2, f"self.{self._variable(name, region)} = self.{self._variable(name, around)}"
                     )
-        self._on_entry(method, 2, region, self.chart.node(label))
-        self._activate_start(method, 2, region, label)
-        self._method(f"_enter_{region}(self, now: int) -> None", f"Enter region {label}.", method)
+        self._on_entry(method, 2, region, self.chart.node(self.flat.regions[region].label))
 
     def _enter_root(self) -> None:
         method = _Method(self._names(0))

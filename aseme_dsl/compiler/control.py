@@ -14,6 +14,7 @@ from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression
 from aseme_dsl.amola.statechart import Node, NodeType, Origin, Transition, TransitionKind
 from aseme_dsl.compiler.formula_to_statechart import Arrow, Outline, Standing, Way
 from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.resuming import RESUME, check_resuming
 from aseme_dsl.compiler.scope import Scope
 from aseme_dsl.compiler.staying import STAYING, check_staying
 from aseme_dsl.compiler.terms import Played, terms_of, way
@@ -31,6 +32,7 @@ class Line:
     expression: TransitionExpression
     position: int
     span: Span
+    resume: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,10 +66,12 @@ def read_lines(
     controls: Iterable[tuple[tree.Control, str]],
     scope: Scope,
     played: Played | None = None,
+    played_names: Iterable[str] = (),
 ) -> tuple[Lines, tuple[Diagnostic, ...]]:
     """The lines of `controls`, each given with the name of the formula that it is about.
 
-    `played` are the formulas of the participants that a role plays, which have control of their own.
+    `played` are the formulas of the participants that a role plays, which have control of their own, and
+    `played_names` what its formulas call them.
     Reports E400, E401, E402, E411 and what is wrong with the expressions.
     """
     by_way: dict[Way, list[Line]] = {}
@@ -100,6 +104,9 @@ def read_lines(
             key, problem = way(terms, entry.verb, entry.term)
             if entry.verb.text in STAYING:
                 found += check_staying(entry)
+            elif entry.verb.text == RESUME:
+                line = replace(line, resume=True)
+                found += check_resuming(entry, formulas, frozenset(played_names))
             if problem is not None:
                 found.append(problem)
                 unsure.add(name)
@@ -150,7 +157,8 @@ def transitions(
         if line is not None:
             expression = typed(line, arrow.branch)
         first = cuts_short and not expression.is_for_errors
-        drafts.append(Transition(name, arrow.source, arrow.target, expression, 0, arrow.origin, span, first))
+        ends, resume = (arrow.source, arrow.target), line is not None and line.resume
+        drafts.append(Transition(name, *ends, expression, 0, arrow.origin, span, first, resume=resume))
         positions.append(line.position if line is not None else None)
 
     for arrow in outline.arrows:

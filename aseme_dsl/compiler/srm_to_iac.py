@@ -88,7 +88,7 @@ def read_role(
         (control, control.name.text) for control in written.controls if control.name.text in formulas.named
     ]
     inside = {owner: part.formulas for owner, part in parts.items()}
-    lines, problems = read_lines(formulas, own, typed.scope, inside)
+    lines, problems = read_lines(formulas, own, typed.scope, inside, played)
     found += problems
     outline, labelled = None, tuple[LabelledLine, ...]()
     # A played participant whose process could not be read would stand as an activity: no chart then.

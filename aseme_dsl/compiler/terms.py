@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, term_key, ungrouped
 from aseme_dsl.compiler.formula_to_statechart import Way
 from aseme_dsl.compiler.formulas import QUOTED, Formulas, cut
+from aseme_dsl.compiler.resuming import RESUME
 from aseme_dsl.compiler.staying import STAYING
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
@@ -94,6 +95,9 @@ def ways(terms: Terms, term: Formula) -> dict[str, Way]:
             found = {"enter": ("enter", term), "leave": ("leave", term)}
     elif term.operator in _WITH_BODY:
         found["enter"] = ("start", term)
+    again = found.get("repeat") or found.get("enter")
+    if again is not None and again[0] != "start":
+        found[RESUME] = again
     if parent is not None or "leave" in found:  # there is a state of it
         found |= {verb: (verb, term) for verb in STAYING}
     if term.operator in _WITH_BODY or term.operator is Operator.CHOICE:
@@ -211,7 +215,7 @@ def _spelt(term: Formula, key: str) -> bool:
 
 def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Term) -> Diagnostic:
     text = _named(term)
-    has = [name for name in ways(terms, term) if name not in STAYING]
+    has = [name for name in ways(terms, term) if name not in (*STAYING, RESUME)]
     parent = terms.parents[term]
     if verb.text in STAYING:
         hint = f"say it where `{terms.title}` stands in another formula, or of the terms of this one"

@@ -126,6 +126,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W422": ("warning", "a message that is published and never read"),
     "W423": ("warning", "a timer that nothing asks for"),
     "W424": ("warning", "an event that is named almost like a value"),
+    "W430": ("warning", "a `resume` of what has nothing to go on with"),
     # Types (E5xx)
     "E500": ("error", "types that do not fit"),
     "E501": ("error", "an unknown member"),

@@ -75,7 +75,9 @@ BLOCKS: dict[str, Block] = {
     "JunkSuc": _block("role usecase", clauses="by includes realises"),
     "JunkAip": _block("participant outcome clause let control"),
     "JunkParticipant": _block("engage var let sends receives process", _FORMULA, around="JunkAip"),
-    "JunkControl": _block("enter skip repeat leave start finish on exit", _LABELS, around="JunkAip JunkSrm"),
+    "JunkControl": _block(
+        "enter skip repeat leave start finish on exit resume", _LABELS, around="JunkAip JunkSrm"
+    ),
     "JunkSrm": _block("includes plays capability var let liveness activities modules functionality control"),
     "JunkFormula": _block("", _FORMULA, around="JunkSrm"),
     "JunkActivity": _names("every takes within as uses reads writes ends", around="JunkSrm"),

@@ -213,7 +213,7 @@ class Term:
 
 @dataclass(frozen=True, slots=True)
 class Way:
-    """`enter T : …` and its like; `verb` is enter, skip, repeat, leave, start, finish, on or exit."""
+    """`enter T : …` and its like; `verb` is enter, skip, repeat, leave, start, finish, on, exit or resume."""
 
     verb: Name
     term: Term

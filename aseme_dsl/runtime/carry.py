@@ -201,6 +201,7 @@ class _Carrying:
         self._times()
         self._outcomes()
         self._marks()
+        self._memories()
         self._mail()
         for number in entered:
             getattr(new, f"_enter_{number}")(self.now)
@@ -412,6 +413,29 @@ class _Carrying:
                 setattr(self.new, slot, getattr(self.new, f"_seen_{number}")())
             if past and old_past:
                 setattr(self.new, past, getattr(self.old, old_past))
+
+    def _memories(self) -> None:
+        """Where states were left that may be resumed, if all that is remembered is there in both versions."""
+        for label, slot in self.old.KEPT.items():
+            kept: dict[int, int] | None = getattr(self.old, slot)
+            new = self.new.KEPT.get(self.labels.get(label, ""))
+            if kept is None:
+                continue
+            carried: dict[int, int] = {}
+            for number, place in kept.items():
+                if place == INACTIVE:
+                    continue
+                leaves = self.old.LEAVES[number]
+                leaf = self.labels.get(leaves[place])
+                home = next((n for n, there in enumerate(self.new.LEAVES) if leaf in there), None)
+                if leaf is None or home is None:
+                    new = None
+                    break
+                carried[home] = self.new.LEAVES[home].index(leaf) + place - leaves.index(leaves[place])
+            if new is None:
+                self.lost.append(f"where {self.old.PLAN.by_label[label].name} was left")
+            else:
+                setattr(self.new, new, carried)
 
     @staticmethod
     def _key(transition: Transition, labels: Mapping[str, str]) -> tuple[str | None, str]:

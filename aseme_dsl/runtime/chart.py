@@ -120,6 +120,8 @@ class Chart:
     """The slots that hold when a state was entered, for those states where it matters."""
     WITHIN: ClassVar[Mapping[str, int]] = {}
     """The deadlines of BASIC states: how long their activities have from the entry, in ns."""
+    KEPT: ClassVar[Mapping[str, str]] = {}
+    """The slots of what is remembered of states that may be resumed: the numbers of their regions' leaves."""
     MARKS: ClassVar[Mapping[int, tuple[str, str]]] = {}
     """For each `on` transition the slots of what it saw when it was taken last, and of the time it waited."""
     LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = ()

@@ -59,6 +59,8 @@ class Transition:
     """Whether it cuts its source short: it is tried before anything inside."""
     kind: str = "way"
     """`on` and `exit` lead nowhere: they are done while the source is active, or when it is left."""
+    resume: bool = False
+    """Whether the target goes on where it was last left before it was complete."""
     text: str = ""
     at: str = ""
 

@@ -532,6 +532,7 @@ def control(words: Words, of: Formula, name: str, extra: Sequence[str] = ()) -> 
     """A control block of a formula: nothing, or lines that decide what must be decided."""
     pick = words.choices
     ways = list(lines(of, name))
+    ways_written = {way.written for way in ways}
     if not extra and pick.one_in(8):
         return ""
     loops = sorted({way.loop for way in ways} - {0})
@@ -551,7 +552,11 @@ def control(words: Words, of: Formula, name: str, extra: Sequence[str] = ()) -> 
             )
             if is_else:
                 otherwise.add(way.source)
-            written.append(f"    {way.written} : {text}")
+            verb, _, term = way.written.partition(" ")
+            goes_on = verb == "repeat" or (verb == "enter" and f"repeat {term}" not in ways_written)
+            if goes_on and pick.one_in(3):
+                verb = "resume"
+            written.append(f"    {verb} {term} : {text}")
     if pick.one_in(3):
         written.reverse()
     written += extra

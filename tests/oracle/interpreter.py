@@ -174,6 +174,8 @@ class Reference:
         """Transitions of which a fault was recorded in this step."""
         self.noticed: dict[int, list[Any]] = {}
         """What each `on` transition has seen when it was taken last, since its state was entered."""
+        self.kept: dict[str, tuple[set[str], set[str]]] = {}
+        """Of states that may be resumed: what was active in them when they were left, what of it complete."""
         self.waited: dict[int, int] = {}
         """The longest `after` by which an `on` transition was taken, since its state was entered."""
         self.outcome = Outcome()
@@ -582,7 +584,13 @@ class Reference:
 
         # "then the target is entered, outermost first."
         path = [target, *self.around(target)]
-        self.enter_along(list(reversed(path[: path.index(scope)])))
+        path = list(reversed(path[: path.index(scope)]))
+        # "Entering by resume: the states around the remembered leaves are entered outermost first … Then the
+        # memory is spent."
+        again = self.kept.pop(target, None) if transitions[-1].resume else None
+        if target in self.mailbox:
+            again = None
+        self.enter(path[0], path[1:], again)
 
     def take_on(self, number: int, board: Region) -> None:
         """ "Nothing is left or entered." """
@@ -619,6 +627,12 @@ class Reference:
 
     def leave(self, label: str) -> None:
         """ "an AND: its regions in document order, inner leaves first" """
+        if any(transition.resume and transition.target == label for transition in self.plan.transitions):
+            # "written when T is left while not complete …; cleared when T is left complete"
+            self.kept.pop(label, None)
+            if not self.is_complete(label):
+                inside = {state for state in self.active if label in self.around(state)}
+                self.kept[label] = (inside, inside & self.complete)
         for child in self.children(label):
             if child in self.active:
                 self.leave(child)
@@ -644,12 +658,20 @@ class Reference:
             # "leaving the region drops its timers", and its blackboard "is dropped when the AND is left"
             del self.regions[label]
 
-    def enter_along(self, path: list[str]) -> None:
-        """Enter the first state of the path, and inside it the next instead of its START."""
-        self.enter(path[0], path[1:])
+    def enter(
+        self, label: str, path: list[str] | None = None, again: tuple[set[str], set[str]] | None = None
+    ) -> None:
+        """Enter a state, and inside it the next one of the path instead of its START.
 
-    def enter(self, label: str, path: list[str] | None = None) -> None:
+        At the end of the path `again` says what was active, and what of that complete, when it was left.
+        """
         state = self.plan.by_label[label]
+        if label in self.mailbox:
+            # "At a protocol branch it stops: the branch is entered anew."
+            if not path:
+                again = None
+            for kept in [other for other in self.kept if label in self.around(other)]:
+                del self.kept[kept]
         self.active.add(label)
         self.entered[label] = self.now
         # What an `on` transition has seen is "forgotten when its state is entered".
@@ -669,6 +691,9 @@ class Reference:
             self.outcome.effects.append(Joined(label))
 
         match state.type:
+            case "BASIC" if again is not None and label in again[1]:
+                # "one that was complete is complete"
+                self.complete.add(label)
             case "BASIC":
                 # "BASIC gives Start with a new token (a counter of the chart, from 1)"
                 assert state.activity is not None
@@ -679,8 +704,11 @@ class Reference:
                 self.outcome.effects.append(Start(label, state.activity, self.tokens))
             case "OR":
                 # "OR: its START becomes active"
+                was = [child for child in self.children(label) if again is not None and child in again[0]]
                 if path:
-                    self.enter(path[0], path[1:])
+                    self.enter(path[0], path[1:], again)
+                elif was:
+                    self.enter(was[0], None, again)
                 else:
                     start = [child for child in self.children(label) if self.type_of(child) == "START"]
                     self.enter(start[0])
@@ -696,7 +724,7 @@ class Reference:
                         # "they start with a copy"
                         variables=dict(surrounding.variables),
                     )
-                    self.enter(inner, path[1:] if path and path[0] == inner else None)
+                    self.enter(inner, path[1:] if path and path[0] == inner else None, again)
 
     # ---- actions ----------------------------------------------------------------------------
 
