@@ -17,7 +17,6 @@ from tests.documents.pages import BROKEN, SMALL, WALKER, ids, svgs, texts
 
 CONF = """\
 extensions = ["aseme_dsl.documents.sphinx", "myst_parser"]
-suppress_warnings = ["misc.highlighting_failure", "epub"]
 myst_enable_extensions = ["colon_fence"]
 html_theme = "basic"
 html_copy_source = html_use_index = False
