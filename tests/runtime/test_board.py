@@ -58,7 +58,7 @@ def kept(history: Sequence[Arrived], item: Arrived, oldest: int) -> Sequence[Arr
     kind=st.sampled_from([Eyes, Short]),
     arrivals=st.lists(
         st.tuples(st.sampled_from(["ann", "bob", "eve"]), st.integers(0, 60), st.integers(0, 250)),
-        max_size=30,
+        max_size=16,
     ),
 )
 def test_what_is_kept_is_the_window_and_one_of_each_sender_before_it(

@@ -28,7 +28,7 @@ srm R {
   }
 }
 """
-ROUNDS = 150
+ROUNDS = 50
 
 
 def count() -> int:
@@ -146,7 +146,7 @@ def test_one_activity_after_the_other_keeps_one_process(tmp_path: Path) -> None:
         clock="real",
         until=60 * SECOND,
         listeners=[heed],
-        stop=lambda team: "enough" if len(logs) > 100 else None,
+        stop=lambda team: "enough" if len(logs) > 40 else None,
     )
     team.run()
     assert len(set(logs)) == 1
