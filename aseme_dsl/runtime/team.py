@@ -13,6 +13,7 @@ from typing import Any
 
 from aseme_dsl.runtime.activities import ActivityFinder
 from aseme_dsl.runtime.agent import Agent
+from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.body import World
 from aseme_dsl.runtime.bus import Bus
 from aseme_dsl.runtime.carry import knowledge_of, variables_of
@@ -178,7 +179,7 @@ class Team:
         self.driver = self._driver(clock, real_time, origin)
         self.trace.now = self.driver.clock.now
         self.transport = transport
-        queue = (real_time or RealTime()).queue
+        self._queue = queue = (real_time or RealTime()).queue
         self.bus = Bus(self.driver, self.trace, state_directory, transport, queue)
         self.conversations = Conversations(self.driver, self.trace, transport, queue)
         self.elsewhere: dict[str, Plan] = {name: chart.PLAN for name, chart in members if name not in mine}
@@ -457,7 +458,8 @@ class Team:
         driver = self.driver
         plans = {agent.name: agent.plan for agent in self.agents}
         schema = self.version.schema
-        self.trace.header(self.system, plans, self.seed, driver.clock.virtual, self.elsewhere, schema)
+        queue = None if self._queue == QUEUE else self._queue
+        self.trace.header(self.system, plans, self.seed, driver.clock.virtual, self.elsewhere, schema, queue)
         try:
             with importing(self._path), _interruptible(driver.stop):
                 try:

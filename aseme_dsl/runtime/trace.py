@@ -188,10 +188,12 @@ class Trace:
         virtual: bool,
         elsewhere: Iterable[str] = (),
         schema: Schema | None = None,
+        queue: int | None = None,
     ) -> None:
         """The first line: which agents run which models, under which clock, and who runs elsewhere.
 
-        With `schema`, it also says what the messages are.
+        With `schema`, it also says what the messages are; with `queue`, how many signals that queue wait in a
+        region, if it is not the usual number.
         """
         messages = None
         if schema is not None:
@@ -212,6 +214,7 @@ class Trace:
             ],
             elsewhere=list(elsewhere) or None,
             messages=messages,
+            queue=queue,
         )
 
     def message(

@@ -47,6 +47,7 @@ def test_signals_that_a_region_does_not_take_are_bounded_and_another_region_gets
     (fault,) = (r for r in run.of("fault") if "t.signal.M" in r["reason"])
     text = "50 t.signal.M wait in `(Idle . Use~)` of me and are not taken: what comes now is left out there"
     assert (fault["reason"], fault["at"]) == (text, "test.aseme:8:27")
+    assert run.of("header")[0]["queue"] == 50  # so that the run can be repeated from its trace
     crowds = run.of("crowd", channel="t.signal.M")
     assert sum(record["left_out"] for record in crowds) == 150
     assert {record["agent"] for record in crowds} == {"me"}
