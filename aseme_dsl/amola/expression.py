@@ -125,6 +125,22 @@ class Outcome:
 
 
 @dataclass(frozen=True, slots=True)
+class StateValue:
+    """`in(T)`, `done(T)`, `count(T)`: whether the state T is active, whether it is complete, and how often it
+    was entered since its loop began. Never absent.
+
+    `question` is the word, `state` the name. Which state is meant, and which loop: amola/meant.py.
+    """
+
+    question: str
+    state: str
+    type: Type
+    named: Span
+    """Where the name stands."""
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Not:
     operand: Value
     span: Span
@@ -190,6 +206,7 @@ Value = (
     | Mean
     | Expired
     | Outcome
+    | StateValue
     | Not
     | Logic
     | Compare
@@ -296,7 +313,8 @@ class TransitionExpression:
     """What decides whether a transition is taken and what it does.
 
     Several `events` are joined by `or`; `when` makes the condition count whether or not the source is
-    complete; `otherwise` is `else`. The default is the empty expression: the source is complete.
+    complete; `otherwise` is `else`. With `every`, it is not taken before so many ns since the source was
+    entered. The default is the empty expression: the source is complete.
     """
 
     events: tuple[Event, ...] = ()
@@ -305,6 +323,7 @@ class TransitionExpression:
     condition: Value | None = None
     actions: tuple[Action, ...] = ()
     span: Span | None = None
+    every: int | None = None
 
     @property
     def is_unconditional(self) -> bool:
@@ -517,6 +536,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = f"expired({timer})"
             case Outcome(activity=activity):
                 text = f"outcome({activity})"
+            case StateValue(question=question, state=state):
+                text = f"{question}({state})"
             case Not(operand=operand):
                 text = f"!{show(operand, _UNARY)}"
             case Negate(operand=operand):
@@ -572,6 +593,8 @@ def events_text(expression: TransitionExpression) -> str | None:
     parts = [event_text(event) for event in expression.events]
     if expression.when:
         parts.append("when")
+    if expression.every is not None:
+        parts.append(f"every {duration_text(expression.every)}")
     return " or ".join(parts) if parts else None
 
 

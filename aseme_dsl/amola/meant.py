@@ -1,4 +1,4 @@
-"""Meant: which states a condition means by a name, as in `outcome(Grasp)`: those of the innermost holder."""
+"""Meant: which states a condition means by a name, as in `outcome(Grasp)`, and since when it counts them."""
 
 from __future__ import annotations
 
@@ -25,4 +25,18 @@ def states_meant(
     return ()
 
 
-__all__ = ["states_meant"]
+def loop_of(chart: Statechart, label: str) -> str:
+    """The state whose entry sets the count of `label` to 0: what its loop stands in, else its region.
+
+    Its loop is the nearest state, itself or around it in its region, with a transition to itself.
+    """
+    while not chart.is_region(label):
+        node = chart.node(label)
+        assert node.parent is not None
+        if any(way.target == label and way.is_way for way in chart.outgoing(label)):
+            return node.parent
+        label = node.parent
+    return label
+
+
+__all__ = ["loop_of", "states_meant"]

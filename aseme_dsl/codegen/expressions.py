@@ -27,6 +27,7 @@ from aseme_dsl.amola.expression import (
     Negate,
     Not,
     Outcome,
+    StateValue,
     Value,
     VariableValue,
 )
@@ -51,6 +52,10 @@ def _none(activity: str) -> tuple[str, ...]:
     return ()
 
 
+def _nowhere(value: StateValue) -> str:
+    raise LookupError(f"no transition asks {value.question}({value.state})")
+
+
 @dataclass
 class Names:
     """The names of one generated method and what the emitted code turned out to use."""
@@ -64,6 +69,8 @@ class Names:
     enums: set[tuple[str, str]] = field(default_factory=set)
     outcomes: Callable[[str], tuple[str, ...]] = _none
     """The states whose outcome is asked for by an activity's name."""
+    states: Callable[[StateValue], str] = _nowhere
+    """The code that answers a question about a state."""
     prefix: str = ""
     locals: int = 0
     may_raise: bool = False
@@ -169,6 +176,8 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return Piece(f"b.timers.get({timer!r}, NEVER) <= now", known=known)
         case Outcome(activity=activity):
             return _outcome(activity, names, known)
+        case StateValue():
+            return Piece(names.states(value), known=known)
         case Call():
             return _call(value, names, known)
         case Compare(operator=operator, left=left, right=right):
@@ -192,7 +201,7 @@ def _pair(left: Value, right: Value, names: Names, known: Known) -> tuple[Piece,
 def _in_parentheses(piece: Piece, value: Value) -> Piece:
     while isinstance(value, Named):
         value = value.expression
-    if isinstance(value, Compare | Expired):
+    if isinstance(value, Compare | Expired | StateValue):
         return Piece(f"({piece.code})", piece.needs, piece.known)
     return piece
 

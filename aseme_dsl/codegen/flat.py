@@ -24,13 +24,14 @@ from aseme_dsl.amola.expression import (
     Member,
     Named,
     Negate,
+    StateValue,
     TransitionExpression,
     Value,
     VariableValue,
     values_of,
     walk,
 )
-from aseme_dsl.amola.meant import states_meant
+from aseme_dsl.amola.meant import loop_of, states_meant
 from aseme_dsl.amola.messages import DURATION, Comm
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import (
@@ -292,6 +293,20 @@ class FlatChart:
         return tuple(node.label for node in found)
 
     @cached_property
+    def counted(self) -> dict[str, str]:
+        """The states whose entries somebody counts, each with the state whose entry sets the count to 0."""
+        found = {
+            node.label
+            for transition in self.chart.transitions
+            for value in values_of(transition.expression)
+            if isinstance(value, StateValue) and value.question == "count"
+            for node in states_meant(self.chart, transition.source, value.state)
+        }
+        return {
+            node.label: loop_of(self.chart, node.label) for node in self.chart.nodes if node.label in found
+        }
+
+    @cached_property
     def timed(self) -> frozenset[str]:
         """The states whose moment of entry somebody asks for."""
         return frozenset(wait.source for wait in self.waits if wait.kind in ("after", "within"))
@@ -439,6 +454,8 @@ def _waits(source: str, expression: TransitionExpression) -> Iterator[Wait]:
     for event in expression.events:
         if isinstance(event, After):
             yield Wait(source, "after", event.duration)
+    if expression.every is not None:
+        yield Wait(source, "after", expression.every)
     if expression.condition is None:
         return
     for value in walk(expression.condition):

@@ -51,6 +51,8 @@ def value_term(value: e.Value) -> Term:
             return ("expired", timer)
         case e.Outcome(activity=activity):
             return ("outcome", activity)
+        case e.StateValue(question=question, state=state):
+            return (question, state)
         case e.Not(operand=operand):
             return ("!", value_term(operand))
         case e.Logic(operator=operator, operands=parts):
@@ -136,6 +138,7 @@ def _transition(transition: Transition, placed: bool = True) -> str:
             ("events", tuple(event_term(event) for event in expression.events), ()),
             ("when", expression.when, False),
             ("otherwise", expression.otherwise, False),
+            ("every", expression.every, None),
             ("condition", condition, None),
             ("actions", tuple(action_term(action) for action in expression.actions), ()),
             ("first", transition.first, False),

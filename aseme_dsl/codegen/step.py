@@ -37,12 +37,14 @@ from aseme_dsl.amola.expression import (
     Received,
     Send,
     StartTimer,
+    StateValue,
     TransitionExpression,
     Value,
     VariableValue,
     values_of,
     walk,
 )
+from aseme_dsl.amola.meant import states_meant
 from aseme_dsl.amola.messages import Comm, Kind, Type
 from aseme_dsl.amola.statechart import (
     Node,
@@ -202,6 +204,9 @@ class _Generator:
     def _has_time(self, number: int) -> bool:
         return any(isinstance(event, After) for event in self.chart.transitions[number].expression.events)
 
+    def _count(self, label: str) -> str:
+        return self.identifiers.name(("count", label), f"n_{label}")
+
     def _names(self, region: int, prefix: str = "") -> Names:
         variables = {name: self._variable(name, region) for name in self.variables}
         return Names(self.slots[region], variables, self.fields, self.enums, prefix=prefix)
@@ -274,6 +279,7 @@ class _Generator:
             if self._has_time(number):
                 attributes.append((self._past(number), "int", "-1"))
         attributes += [(self._kept(node), "dict[int, int] | None", "None") for node in self.flat.resumed]
+        attributes += [(self._count(label), "int", "0") for label in self.flat.counted]
         for variable in self.chart.variables:
             attributes += [
                 (copy, self._python(variable.type), self._initial(variable))
@@ -304,6 +310,7 @@ class _Generator:
             *self._deadlines(),
             *self._marks(),
             *self._memories(),
+            *self._counts(),
             "    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = (",
             *(f"        {labels!r}," for labels in self._leaf_labels()),
             "    )",
@@ -329,6 +336,10 @@ class _Generator:
             if self._has_mark(number) or self._has_time(number)
         }
         return [f"    MARKS: ClassVar[Mapping[int, tuple[str, str]]] = {marks!r}"] if marks else []
+
+    def _counts(self) -> list[str]:
+        found = {label: self._count(label) for label in self.flat.counted}
+        return [f"    COUNTS: ClassVar[Mapping[str, str]] = {found!r}"] if found else []
 
     def _python(self, kind: Type) -> str:
         if kind.kind in (Kind.ENUM, Kind.MESSAGE):
@@ -586,6 +597,8 @@ class _Generator:
                 return False
             if isinstance(complete, str):
                 tests.append(complete)
+        if expression.every is not None:
+            tests.append(f"now - self.{self._time(source)} >= {expression.every}")
         method.add(depth, f"# {self._place(way.number)}")
         outside = depth
         if expression.condition is not None:
@@ -632,7 +645,7 @@ class _Generator:
         """The condition in line, or as a method of its own where evaluating it may raise."""
         before = method.names.may_raise
         method.names.may_raise = False
-        method.names.outcomes = self._outcomes(number)
+        self._asked_by(number, method.names)
         code, _ = holds(condition, method.names)
         raises, method.names.may_raise = method.names.may_raise, before
         if not raises:
@@ -640,7 +653,7 @@ class _Generator:
         if number not in self.guards:
             self.guards.add(number)
             guard = _Method(self._names(region))
-            guard.names.outcomes = self._outcomes(number)
+            self._asked_by(number, guard.names)
             code, _ = holds(condition, guard.names)
             guard.add(2, "try:", f"    return {code}", "except Exception as error:")
             guard.add(3, f"return self.fault({number}, error)")
@@ -648,9 +661,37 @@ class _Generator:
             self._method(signature, f"The condition of {_docstring(self._place(number))}.", guard)
         return f"self._holds_{number}(b, now)"
 
-    def _outcomes(self, number: int) -> Callable[[str], tuple[str, ...]]:
-        """Which states a transition asks for the outcome of an activity."""
-        return partial(self.flat.asked_of, self.flat.transition(number).source)
+    def _asked_by(self, number: int, names: Names) -> None:
+        """Let the names of states in the expression of a transition mean what they mean there."""
+        source = self.flat.transition(number).source
+        names.outcomes = partial(self.flat.asked_of, source)
+        names.states = partial(self._about_states, source)
+
+    def _about_states(self, source: str, value: StateValue) -> str:
+        """The code of `in(T)`, `done(T)` or `count(T)` in a transition out of `source`."""
+        meant = states_meant(self.chart, source, value.state)
+        if value.question == "count":
+            return f"self.{self._count(meant[0].label)}"
+        ask = self._is_active if value.question == "in" else self._is_done
+        found = [code for node in meant if (code := ask(node)) is not None]
+        code = " or ".join(f"({code})" if " and " in code else code for code in found) or "False"
+        return f"({code})" if len(found) > 1 else code
+
+    def _is_active(self, node: Node) -> str | None:
+        region = self.flat.region_number[node.label]
+        first, last = self.flat.range[node.label]
+        return f"self.r{region} == {first}" if first == last else f"{first} <= self.r{region} <= {last}"
+
+    def _is_done(self, node: Node) -> str | None:
+        region = self.flat.region_number[node.label]
+        if node.type is NodeType.OR:
+            end = self.chart.end_of(node.label)
+            return None if end is None else f"self.r{region} == {self.flat.leaf[end.label]}"
+        number = self.flat.leaf[node.label]
+        if node.type is NodeType.BASIC:
+            return f"self.r{region} == {number + 1}"
+        complete = self._leaf_complete(node, number)
+        return None if complete is False else f"self.r{region} == {number} and {complete}"
 
     # ---- taking a transition ---------------------------------------------------------------
 
@@ -779,6 +820,8 @@ class _Generator:
                 case Outcome(activity=activity):
                     labels = self.flat.asked_of(transition.source, activity)
                     values.setdefault(f"self.last_outcome({labels!r})")
+                case StateValue():
+                    values.setdefault(self._about_states(transition.source, value))
         method = _Method(self._names(region))
         parts = ["(" + "".join(f"{code}, " for code in found).strip() + ")" for found in (messages, values)]
         method.add(2, f"return {parts[0]}, {parts[1]}")
@@ -979,6 +1022,11 @@ class _Generator:
                 method.add(depth, f"self.{self._mark(number)} = None")
             if self._has_time(number):
                 method.add(depth, f"self.{self._past(number)} = -1")
+        for label, loop in self.flat.counted.items():
+            if loop == node.label:
+                method.add(depth, f"self.{self._count(label)} = 0")
+        if node.label in self.flat.counted:
+            method.add(depth, f"self.{self._count(node.label)} += 1")
         if self.flat.is_branch(node):
             for inner in self.flat.resumed:
                 if inner.label.startswith(f"{node.label}."):
@@ -1149,7 +1197,7 @@ class _Generator:
     ) -> None:
         """Compute a value and use it; an absent or raising one is a fault."""
         before, method.names.may_raise = method.names.may_raise, False
-        method.names.outcomes = self._outcomes(number)
+        self._asked_by(number, method.names)
         piece = evaluate(value, method.names)
         raises, method.names.may_raise = method.names.may_raise, before
         if raises:

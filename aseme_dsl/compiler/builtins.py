@@ -30,8 +30,15 @@ FORMS: dict[str, str] = {
     "expired": "expired(timer)",
     "start_timer": "start_timer(timer, 200ms)",
     "outcome": "outcome(Activity) == name",
+    "in": "in(Formula)",
+    "done": "done(Formula)",
+    "count": "count(Activity) < 3",
 }
 """What looks like a function and is part of the language, with an example of its use."""
+
+STATE_QUESTIONS = ("in", "done", "count")
+YIELDING = frozenset(("outcome", *STATE_QUESTIONS))
+"""The forms that came later: a function that a document declares under such a name goes before."""
 
 PERFORMATIVES = tuple(
     """

@@ -337,7 +337,7 @@ def check_group(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
             (Related(otherwise[0].span, "the first one"),),
             hint="say when this one is taken, and leave `else` to one of them",
         )
-    timers = [line for line in lines if _expires(line.expression)]
+    timers = [line for line in lines if line.expression.every or _expires(line.expression)]
     yield from _else_beside(alternatives, timers, "the timer beside it is not waited for")
     for item in alternatives:
         always = [line for line in item.lines if _unconditional(line.written)]

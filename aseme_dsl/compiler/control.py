@@ -6,7 +6,7 @@ lines go wherever the protocol is played.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola import expression
@@ -101,6 +101,7 @@ def read_lines(
             if isinstance(entry, tree.LabelledWay):
                 labelled.append(LabelledLine(entry.source, entry.target, line))
                 continue
+            found += _pace(entry)
             key, problem = way(terms, entry.verb, entry.term)
             if entry.verb.text in STAYING:
                 found += check_staying(entry)
@@ -114,6 +115,22 @@ def read_lines(
                 by_way.setdefault(key, []).append(line)
     placed = {key: tuple(items) for key, items in by_way.items()}
     return Lines(placed, tuple(labelled), blocks, frozenset(unsure)), tuple(found)
+
+
+def _pace(entry: tree.Way) -> Iterator[Diagnostic]:
+    """E432 for a pace that is none, or of what is no loop."""
+    pace = entry.expression.every
+    if pace is None:
+        return
+    if entry.verb.text != "repeat":
+        problem = f"only `repeat` has a pace, not `{entry.verb}`"
+        yield Diagnostic(
+            "E432", problem, pace.span, hint="wait with `after(…)`, or give the activity a period"
+        )
+    elif pace.nanoseconds == 0:
+        yield Diagnostic(
+            "E432", "a pace of no time is none", pace.span, hint="leave `every` out, or say how long"
+        )
 
 
 # ---- onto the chart -----------------------------------------------------------------------------
@@ -239,6 +256,8 @@ def rename(written: TransitionExpression, names: Renames) -> TransitionExpressio
                 return replace(value, name=names.variables[name])
             case expression.Outcome(activity=activity) if activity in names.activities:
                 return replace(value, activity=names.activities[activity])
+            case expression.StateValue(state=state) if state in names.activities:
+                return replace(value, state=names.activities[state])
         return value
 
     return expression.rewritten_expression(written, change) if names != _SAME else written

@@ -323,7 +323,7 @@ they do: none where there are several ways."""
 def _is_quick(chart: Statechart, edge: _Edge, at_once: AtOnce) -> bool:
     """Whether a transition may be taken again and again while nothing arrives and no time passes."""
     expression = edge.transition.expression
-    if expression.events or expression is NEVER or _rests(expression):
+    if expression.events or expression.every or expression is NEVER or _rests(expression):
         return False
     source = chart.by_label[edge.transition.source]
     return expression.when or source.type in _POINTS or source.label in at_once

@@ -49,6 +49,7 @@ from aseme_dsl.compiler.scopes import (
     role_scope,
 )
 from aseme_dsl.compiler.srm_to_iac import Role, read_role, srm_to_iac
+from aseme_dsl.compiler.state_values import check_states
 from aseme_dsl.compiler.statecharts import GivenChart, build_statechart, read_statechart
 from aseme_dsl.compiler.suc_to_aip import read_aip, suc_to_aip
 from aseme_dsl.compiler.suc_to_srm import read_srm, suc_to_srm
@@ -194,6 +195,7 @@ def _inspect(
     for chart in charts:
         found += recall(_flow, chart, prover)
     found += check_outcomes(charts, described)
+    found += check_states(charts)
 
     # What is used but not declared, described but not used, expected but not written.
     used = used_activities((*_built(iacs), *_built(eacs)))

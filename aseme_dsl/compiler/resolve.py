@@ -9,7 +9,7 @@ from dataclasses import replace
 from aseme_dsl.amola.messages import Function, Type
 from aseme_dsl.amola.system import Agent, Team
 from aseme_dsl.compiler.activity_forms import activity_forms
-from aseme_dsl.compiler.builtins import FORMS, FUNCTIONS, reserved
+from aseme_dsl.compiler.builtins import FORMS, FUNCTIONS, YIELDING, reserved
 from aseme_dsl.compiler.collector import Collector, type_named
 from aseme_dsl.compiler.inclusion import includers
 from aseme_dsl.compiler.load import Loaded
@@ -75,7 +75,7 @@ def _system(collector: Collector) -> tree.System | None:
 
 def _functions(collector: Collector, symbols: Symbols) -> tuple[Function, ...]:
     found: dict[tuple[str, tuple[Type, ...]], Function] = {}
-    built_in = {item.name for item in FUNCTIONS} | set(FORMS)
+    built_in = {item.name for item in FUNCTIONS} | (set(FORMS) - YIELDING)
     enum_names = [item.name for item in symbols.enums]
     message_names = [item.name for item in symbols.messages]
     for item in collector.every(tree.Function):

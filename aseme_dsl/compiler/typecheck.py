@@ -8,7 +8,7 @@ from dataclasses import replace
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Named, Value, operands
 from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, STRING, Kind, Type
-from aseme_dsl.compiler.builtins import ACTIONS, FORMS, PERFORMATIVES
+from aseme_dsl.compiler.builtins import ACTIONS, FORMS, PERFORMATIVES, STATE_QUESTIONS
 from aseme_dsl.compiler.calls import (
     assignable,
     call,
@@ -24,6 +24,7 @@ from aseme_dsl.compiler.operators import COMPARISONS, arithmetic, compare, is_co
 from aseme_dsl.compiler.outcome_values import alone, compare_outcome, is_about_outcome
 from aseme_dsl.compiler.paths import channel_of, member_of, through_optional, value_of_path
 from aseme_dsl.compiler.scope import Scope
+from aseme_dsl.compiler.state_values import state_value
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
@@ -61,6 +62,7 @@ def type_expression(
         condition,
         tuple(action for action in actions if action is not None),
         written.span,
+        None if written.every is None else written.every.nanoseconds,
     )
     return typed, tuple(checker.diagnostics)
 
@@ -234,9 +236,11 @@ def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
     if name == "start_timer":
         wrong_form(checker, name, written.span, "`start_timer` is an action, not a value")
         return None
-    if name == "outcome":
+    if name == "outcome" and not checker.scope.symbols.overloads(name):
         alone(checker, written)
         return None
+    if name in STATE_QUESTIONS and not checker.scope.symbols.overloads(name):
+        return state_value(checker, name, written)
     if name is None and len(written.function.segments) == 1:
         near = closest(written.function.text, (*checker.scope.symbols.function_names, *FORMS))
         if near in ("expired", "start_timer") or "timer" in written.function.text.lower():

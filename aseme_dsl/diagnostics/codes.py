@@ -114,6 +114,10 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E422": ("error", "an `on` that waits for what it cannot take"),
     "E423": ("error", "an `on` or `exit` that does nothing"),
     "E424": ("error", "an `exit` that waits for something"),
+    "E430": ("error", "a question about a state that is not there"),
+    "E431": ("error", "a count of several states"),
+    "E432": ("error", "a pace of what is no loop"),
+    "E433": ("error", "a question about states in an action"),
     "W400": ("warning", "a transition that the formula does not have"),
     "W401": ("warning", "an `else` beside a timer"),
     "W402": ("warning", "a wait for something that never completes"),
@@ -127,6 +131,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W423": ("warning", "a timer that nothing asks for"),
     "W424": ("warning", "an event that is named almost like a value"),
     "W430": ("warning", "a `resume` of what has nothing to go on with"),
+    "W435": ("warning", "a question after the end of what never ends"),
     # Types (E5xx)
     "E500": ("error", "types that do not fit"),
     "E501": ("error", "an unknown member"),

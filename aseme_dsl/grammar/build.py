@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import Any, TypeVar
 
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -387,6 +388,8 @@ class _Builder:
         expression = self.transition(node) if formula is not None else None
         if formula is None or expression is None:
             return None
+        if node.every:
+            expression = replace(expression, every=self.duration(node.every))
         span = formula.span
         occurrence = None
         if node.occurrence:

@@ -189,7 +189,10 @@ Action = Assign | Publish | ReadMessages | Send | Evaluate
 
 @dataclass(frozen=True, slots=True)
 class TransitionExpression:
-    """`event [condition] / action; action`. `otherwise` is `else`, `when` the word before a condition."""
+    """`event [condition] / action; action`. `otherwise` is `else`, `when` the word before a condition.
+
+    `every` is the pace of `repeat T every 200ms : …`.
+    """
 
     events: tuple[Event, ...]
     when: bool
@@ -197,6 +200,7 @@ class TransitionExpression:
     condition: Expression | None
     actions: tuple[Action, ...]
     span: Span
+    every: Duration | None = None
 
 
 # ---- control -----------------------------------------------------------------------------------

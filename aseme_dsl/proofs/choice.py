@@ -138,7 +138,7 @@ def asks(branch: Transition) -> bool:
     """Whether it has a condition that reads something."""
     condition = branch.expression.condition
     return condition is not None and any(
-        isinstance(part, e.Member | e.VariableValue | e.Expired | e.Outcome | e.Call)
+        isinstance(part, e.Member | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.Call)
         for part in e.walk(condition)
     )
 
@@ -168,9 +168,14 @@ def _closers(chart: Statechart, fork: Fork) -> tuple[Way, ...] | None:
         found.append(path.conditions)
     own_conditions = tuple(item.expression.condition for item in fork.branches)
     for condition in (*own_conditions, *(condition for way in found for condition in way)):
-        if condition is not None and reads_signal(condition):
+        if condition is not None and (reads_signal(condition) or _asks_of_states(condition)):
             return None
     return tuple(found)
+
+
+def _asks_of_states(condition: e.Value) -> bool:
+    """Whether it waits for what else the agent does."""
+    return any(isinstance(part, e.StateValue) for part in e.walk(condition))
 
 
 def _is_worth_it(fork: Fork, vocabulary: Vocabulary) -> bool:
@@ -229,7 +234,11 @@ def _free_atom(value: e.Value, vocabulary: Vocabulary) -> e.Value | None:
             isinstance(part, e.Call | e.Member | e.VariableValue | e.Literal) for part in e.walk(atom)
         )
         return atom if is_unknown_function(atom) and plain else None
-    return atom if isinstance(atom, e.Member | e.VariableValue | e.Expired | e.Outcome | e.Has) else None
+    return (
+        atom
+        if isinstance(atom, e.Member | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.Has)
+        else None
+    )
 
 
 __all__ = [

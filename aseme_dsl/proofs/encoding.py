@@ -20,6 +20,7 @@ from aseme_dsl.proofs.unknowns import (
     HAS,
     MEAN,
     RAISES,
+    STATE,
     THERE,
     VALUE,
     Key,
@@ -90,7 +91,7 @@ class Encoder:
         elif kind is Kind.OUTCOME:
             last = len(self._vocabulary.outcomes[unknown.type.name]) - 1
             self.facts.append(self._z3.And(symbol >= 0, symbol <= last))
-        elif kind in _TEXTS or key[0] == AGE:
+        elif kind in _TEXTS or key[0] == AGE or (key[0] == STATE and kind is Kind.INT):
             self.facts.append(symbol >= 0)
         elif kind is Kind.INT and key[0] == VALUE:
             self.facts.append(self._z3.And(symbol >= -(2**_INT_BITS), symbol < 2**_INT_BITS))

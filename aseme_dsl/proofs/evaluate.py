@@ -108,7 +108,15 @@ def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
         case e.At() | e.Mean():
             key = identity(value)
             return _is_known_there(key, ((THERE, *key),), values)
-        case e.Literal() | e.EnumConstant() | e.VariableValue() | e.Expired() | e.Outcome() | e.Has():
+        case (
+            e.Literal()
+            | e.EnumConstant()
+            | e.VariableValue()
+            | e.Expired()
+            | e.Outcome()
+            | e.StateValue()
+            | e.Has()
+        ):
             return True
         case e.Not() | e.Logic():
             yes = _is(True, value, values, vocabulary)

@@ -22,6 +22,7 @@ from aseme_dsl.proofs.choice import (
 )
 from aseme_dsl.proofs.prover import Prover
 from aseme_dsl.proofs.snapshot import Assumptions, Claim, Snapshot, Undecided, Way, Witness, calls_in
+from aseme_dsl.proofs.states import facts_of_states
 from aseme_dsl.proofs.unknowns import CALL, PRESENCES, Key, identity, is_unknown_function, sources
 from aseme_dsl.proofs.ways import WHEN, paths
 
@@ -95,7 +96,8 @@ def findings(situation: Situation, prover: Prover) -> list[Finding]:
     conditions = list({id(item): item for item in items}.values())
     if len(fork.branches) > _MOST_BRANCHES or _size(conditions) > _MOST_PARTS:
         return [Unsure(fork.branches)]
-    question = _Question(situation, prover.snapshot(conditions), ways, set(), [])
+    facts = facts_of_states(situation.chart, fork.state, conditions)
+    question = _Question(situation, prover.snapshot(conditions, facts), ways, set(), [])
     for step in (_nevers, _covers, _alwayses, _overlaps, _gap):
         question.findings += list(step(question))
     if question.unsure:

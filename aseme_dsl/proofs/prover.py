@@ -34,11 +34,11 @@ class Prover:
 
         return z3.Context()
 
-    def snapshot(self, conditions: Sequence[e.Value]) -> Snapshot:
-        """What these conditions see at one moment. Raises ImportError without z3."""
+    def snapshot(self, conditions: Sequence[e.Value], facts: Sequence[e.Value] = ()) -> Snapshot:
+        """What these conditions see at a moment, in which the facts hold. Raises ImportError without z3."""
         from aseme_dsl.proofs.snapshot import Snapshot
 
-        return Snapshot(conditions, self.vocabulary, self._context)
+        return Snapshot(conditions, self.vocabulary, self._context, facts)
 
     def is_possible(self, holding: Sequence[e.Value], failing: Sequence[e.Value]) -> bool:
         """Whether the first conditions can hold in one snapshot in which none of the second does.

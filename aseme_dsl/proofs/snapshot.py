@@ -106,7 +106,14 @@ class Snapshot:
     Raises ImportError without z3.
     """
 
-    def __init__(self, conditions: Sequence[e.Value], vocabulary: Vocabulary, context: Any) -> None:
+    def __init__(
+        self,
+        conditions: Sequence[e.Value],
+        vocabulary: Vocabulary,
+        context: Any,
+        facts: Sequence[e.Value] = (),
+    ) -> None:
+        """`facts` hold always; they read nothing that the conditions do not read."""
         import z3
 
         self._z3 = z3
@@ -120,7 +127,7 @@ class Snapshot:
         self._solver = z3.SimpleSolver(ctx=context)
         self._solver.set("random_seed", 0)
         self._solver.set("rlimit", BUDGET)
-        for fact in self._encoder.facts:
+        for fact in (*self._encoder.facts, *(self._encoder.holds(item) for item in facts)):
             self._solver.add(fact)
         numbers = [
             part.value

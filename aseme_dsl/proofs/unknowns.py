@@ -14,7 +14,7 @@ Key = tuple[Any, ...]
 """Which unknown it is: two places that read the same in one snapshot have the same key."""
 
 HAS, SET, VALUE, VARIABLE, EXPIRED, AGE = "has", "set", "value", "variable", "expired", "age"
-OUTCOME = "outcome"
+OUTCOME, STATE = "outcome", "state"
 AT, MEAN, CALL, RAISES, THERE = "at", "mean", "call", "raises", "there"
 PRESENCES = (HAS, SET, THERE)
 
@@ -69,6 +69,8 @@ def identity(value: e.Value) -> Key:
             return (EXPIRED, timer)
         case e.Outcome(activity=activity):
             return (OUTCOME, activity)
+        case e.StateValue(question=question, state=state):
+            return (STATE, question, state)
         case e.Member(host=host, channel=channel, path=path):
             return (VALUE, host, channel, path)
         case e.Has(message=message):
@@ -133,7 +135,7 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 yield Unknown(there, e.value_text(part), BOOL)
                 if part.type.kind is not Kind.MESSAGE:
                     yield Unknown(identity(part), e.value_text(part), part.type, (there,))
-            case e.VariableValue() | e.Expired() | e.Outcome():
+            case e.VariableValue() | e.Expired() | e.Outcome() | e.StateValue():
                 yield Unknown(identity(part), e.value_text(part), part.type)
             case e.Call() if is_unknown_function(part):
                 read = list(_needs(part, vocabulary))
@@ -169,13 +171,13 @@ def _presence_unknowns(message: e.Member, vocabulary: Vocabulary) -> Iterator[Un
 
 
 def sources(value: e.Value) -> frozenset[Key]:
-    """The messages, variables, timers and outcomes that a value depends on."""
+    """The messages, variables, timers, outcomes and states that a value depends on."""
     found = set()
     for part in e.walk(value):
         match part:
             case e.Member(host=host, channel=channel):
                 found.add((HAS, host, channel))
-            case e.VariableValue() | e.Expired() | e.Outcome():
+            case e.VariableValue() | e.Expired() | e.Outcome() | e.StateValue():
                 found.add(identity(part))
     return frozenset(found)
 

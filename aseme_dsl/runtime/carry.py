@@ -199,6 +199,7 @@ class _Carrying:
         self._set_boards(entered)
         self._variables()
         self._times()
+        self._counts()
         self._outcomes()
         self._marks()
         self._memories()
@@ -384,6 +385,17 @@ class _Carrying:
         for label, slot in self.new.TIMES.items():
             old = self.old.TIMES.get(before.get(label, ""))
             setattr(self.new, slot, self.now if old is None else getattr(self.old, old))
+
+    def _counts(self) -> None:
+        """How often states were entered; one that nobody counted before, once if it is active."""
+        before = {label: other for other, label in self.labels.items()}
+        leaves = self.new.configuration()
+        for label, slot in self.new.COUNTS.items():
+            old = self.old.COUNTS.get(before.get(label, ""))
+            if old is not None:
+                setattr(self.new, slot, getattr(self.old, old))
+            elif any(leaf == label or leaf.startswith(f"{label}.") for leaf in leaves):
+                setattr(self.new, slot, 1)
 
     def _outcomes(self) -> None:
         """How activities have ended, as far as they may still end so."""

@@ -118,6 +118,8 @@ class Chart:
     REGIONS: ClassVar[tuple[str, ...]] = ()
     TIMES: ClassVar[Mapping[str, str]] = {}
     """The slots that hold when a state was entered, for those states where it matters."""
+    COUNTS: ClassVar[Mapping[str, str]] = {}
+    """The slots that hold how often a state was entered, for those states that a condition counts."""
     WITHIN: ClassVar[Mapping[str, int]] = {}
     """The deadlines of BASIC states: how long their activities have from the entry, in ns."""
     KEPT: ClassVar[Mapping[str, str]] = {}

@@ -8,7 +8,7 @@ Conditions and values are nested tuples whose first item says what they are:
     ("member", host or None, "vision.state.Ball", ("visible",))      (the message itself with an empty path)
     ("call", name, value, …)  ("builtin", name, value, …)
     ("has", member)  ("age", member)  ("at", member, value)  ("mean", member, value)  ("expired", timer)
-    ("outcome", activity)
+    ("outcome", activity)  ("in" | "done" | "count", state name)
     ("!", value)  ("&&", value, …)  ("||", value, …)  ("neg", value)
     ("==" | "!=" | "<" | "<=" | ">" | ">=", value, value)
     ("+" | "-" | "*" | "/" | "//" | "%", value, value)
@@ -53,6 +53,8 @@ class Transition:
     events: tuple[Term, ...] = ()
     when: bool = False
     otherwise: bool = False
+    every: int | None = None
+    """The pace of a loop: not before so many ns since the source was entered."""
     condition: Term | None = None
     actions: tuple[Term, ...] = ()
     first: bool = False

@@ -275,6 +275,11 @@ class Words:
     channels: tuple[str, ...]
     """Few of them in many texts, so that one transition meets what another one did."""
     is_participant: bool = False
+    states: tuple[str, ...] = ()
+    """What conditions may ask after."""
+    counted: frozenset[str] = frozenset()
+    """Those that stand in one place, so that they can be counted."""
+    in_condition: bool = False
 
     # ---- values -------------------------------------------------------------------------
 
@@ -337,8 +342,19 @@ class Words:
     def _bool(self, depth: int) -> str:
         pick = self.choices
         match pick.weighted(
-            member=4, compare=8, both=3, either=3, no=2, has=3, expired=4, function=2, same=1
+            member=4,
+            compare=8,
+            both=3,
+            either=3,
+            no=2,
+            has=3,
+            expired=4,
+            function=2,
+            same=1,
+            state=4 if self.in_condition and self.states else 0,
         ):
+            case "state":
+                return f"{pick.one_of(('in', 'in', 'done'))}({pick.one_of(self.states)})"
             case "member":
                 return self._member("bool", depth)
             case "compare":
@@ -387,6 +403,9 @@ class Words:
             case "bool":
                 return pick.one_of(("true", "false"))
             case "int":
+                counted = [name for name in self.states if name in self.counted]
+                if counted and pick.one_in(2):
+                    return f"count({pick.one_of(counted)})"
                 return str(pick.number(0, 3))
             case "double":
                 return pick.one_of(("0.5", "0.0", "1.5", "2.0"))
@@ -442,15 +461,16 @@ class Words:
             otherwise=4 if otherwise and not cuts else 0,
         )
         text = ""
+        asking = replace(self, in_condition=True)
         match kind:
             case "condition":
-                text = f"[{self.value('bool', 2)}]"
+                text = f"[{asking.value('bool', 2)}]"
             case "when":
-                text = f"when [{self.value('bool', 2)}]"
+                text = f"when [{asking.value('bool', 2)}]"
             case "event":
                 text = " or ".join(self._event() for _ in range(pick.number(1, 2)))
                 if pick.one_in(3):
-                    text += (" or when" if pick.one_in(4) else "") + f" [{self.value('bool', 2)}]"
+                    text += (" or when" if pick.one_in(4) else "") + f" [{asking.value('bool', 2)}]"
             case "otherwise":
                 text = "else"
         if pick.one_in(2):
@@ -528,9 +548,32 @@ class Words:
         return self.value(kind, 2)
 
 
+def parts(of: Formula) -> Iterator[Formula]:
+    """The formula and everything in it."""
+    yield of
+    for operand in of.operands:
+        yield from parts(operand)
+
+
+def countable(formulas: Sequence[tuple[str, Formula]]) -> frozenset[str]:
+    """The names that stand in one place of the chart: once in all formulas, in no instances, in one such."""
+    everywhere = [node.name for _, made in formulas for node in parts(made) if node.name]
+    found = {formulas[0][0]}
+    for name, made in formulas:  # each after one that uses it
+        several = {node.name for part in parts(made) if part.operator == "inst" for node in parts(part)}
+        if name in found:
+            found |= {
+                node.name
+                for node in parts(made)
+                if node.name and everywhere.count(node.name) == 1 and node.name not in several
+            }
+    return frozenset(found - {"A1", "P1"})
+
+
 def control(words: Words, of: Formula, name: str, extra: Sequence[str] = ()) -> str:
     """A control block of a formula: nothing, or lines that decide what must be decided."""
     pick = words.choices
+    words = replace(words, states=tuple(node.name for node in parts(of) if node.name))
     ways = list(lines(of, name))
     ways_written = {way.written for way in ways}
     if not extra and pick.one_in(8):
@@ -556,7 +599,8 @@ def control(words: Words, of: Formula, name: str, extra: Sequence[str] = ()) -> 
             goes_on = verb == "repeat" or (verb == "enter" and f"repeat {term}" not in ways_written)
             if goes_on and pick.one_in(3):
                 verb = "resume"
-            written.append(f"    {verb} {term} : {text}")
+            pace = " every 5ms" if verb == "repeat" and pick.one_in(4) else ""
+            written.append(f"    {verb} {term}{pace} : {text}")
     if pick.one_in(3):
         written.reverse()
     written += extra
@@ -611,7 +655,7 @@ def _protocol(outer: Words) -> tuple[str, bool]:
     types = {name: kind for name, (kind, _) in variables.items()}
     words = replace(outer, variables=types, is_participant=True)
     own, kinds = _lets(words, "own")
-    words = replace(words, lets=outer.lets | kinds)
+    words = replace(words, lets=outer.lets | kinds, counted=countable(formulas))
     sends, receives = (", ".join(f"{p} {m}" for p, m in listed) for listed in (SENT, RECEIVED))
     text = [
         "aip p {",
@@ -663,6 +707,8 @@ def _statechart(words: Words) -> list[str]:
     """The states and transitions of a block, transitions between any two states of a region."""
     choices = words.choices
     nodes = _nodes(choices, "0", "0", 2)
+    basic = tuple(f"A{number}" for number, node in enumerate(nodes) if node.kind == "BASIC")
+    words = replace(words, states=basic, counted=frozenset(basic))
     texts = ["  state 0 OR"]
     for number, node in enumerate(nodes):
         texts.append(f"  state {node.label} {node.kind}" + (f" A{number}" if node.kind == "BASIC" else ""))
@@ -716,6 +762,7 @@ def _role(words: Words, common: Words, beginning: list[str]) -> list[str]:
         plays = "  plays p.a" + (" with P1 = A1" if choices.one_in(4) and "P1" in protocol else "")
     helpers = [f"helper{number}" for number in range(choices.number(0, 3))]
     formulas = _formulas(choices, names, "R", helpers, choices.number(1, 3))
+    words = replace(words, counted=countable(formulas))
     return [
         protocol,
         "srm R {",

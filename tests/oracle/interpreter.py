@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import reduce
+from functools import cached_property, reduce
 from importlib import import_module
+from itertools import pairwise
 from operator import add
 from typing import Any
 
@@ -158,6 +159,8 @@ class Reference:
         self.tokens = 0
         self.ended: dict[str, str | Absent] = {}
         """How the activity of each state that was ever entered has ended, in the order of these events."""
+        self.entries: dict[str, int] = {}
+        """How often each state was entered since its loop was."""
         self.asking = ""
         """The source of the transition whose condition or action is looked at."""
 
@@ -368,6 +371,51 @@ class Reference:
                 return next((end for label, end in reversed(self.ended.items()) if label in inside), ABSENT)
         return ABSENT
 
+    def answer(self, question: str, name: str) -> bool | int:
+        """ "`in(T)`, `done(T)`: two-valued, as of the moment of evaluation. `count(T)`: entries of T since
+        its loop was entered." """
+        meant = next(
+            found
+            for holder in [self.asking, *self.around(self.asking)]
+            if (found := self.named(name, holder))
+        )
+        match question:
+            case "in":
+                return any(label in self.active for label in meant)
+            case "done":
+                return any(label in self.active and self.is_complete(label) for label in meant)
+        return self.entries.get(meant[0], 0)
+
+    def named(self, name: str, holder: str) -> list[str]:
+        return [
+            state.label
+            for state in self.plan.states
+            if name in (state.name, state.activity) and holder in (state.label, *self.around(state.label))
+        ]
+
+    @cached_property
+    def counted_in(self) -> dict[str, list[str]]:
+        """The states whose counts are set to 0 by the entry of another one."""
+        found: dict[str, list[str]] = {}
+        for state in self.plan.states:
+            found.setdefault(self.loop_around(state.label), []).append(state.label)
+        return found
+
+    def loop_around(self, label: str) -> str:
+        """ "The nearest state at or around T with a transition to itself; its parent's entry sets it to 0;
+        without one, T's region's entry." """
+        inside = [label, *self.around(label)]
+        inside = inside[: inside.index(self.region_of(label)) + 1]
+        for state, parent in pairwise(inside):
+            ways = [way for way in self.plan.transitions if way.kind == "way"]
+            if any((way.source, way.target) == (state, state) for way in ways):
+                return parent
+        return inside[-1]
+
+    def count_entry(self, label: str) -> None:
+        self.entries |= dict.fromkeys(self.counted_in.get(label, ()), 0)
+        self.entries[label] = self.entries.get(label, 0) + 1
+
     def reads(self, region: str, channel: str) -> bool:
         return any(r.label == region and channel in r.reads for r in self.plan.regions)
 
@@ -464,6 +512,9 @@ class Reference:
         elif not complete:
             # "nothing: source complete"
             return False
+        # "not before 200 ms since T was entered"
+        if transition.every is not None and self.now < self.entered[source] + transition.every:
+            return False
         # "And the condition, if any, holds."
         return transition.condition is None or self.condition_holds(number, transition)
 
@@ -506,6 +557,9 @@ class Reference:
                 case ("outcome", activity):
                     self.asking = transition.source
                     found.append((self.outcome_of(activity),))
+                case ("in" | "done" | "count" as question, name) if len(term) == 2:
+                    self.asking = transition.source
+                    found.append((self.answer(question, name),))
         return found
 
     def is_complete(self, label: str) -> bool:
@@ -679,6 +733,7 @@ class Reference:
             if transition.source == label:
                 self.noticed.pop(number, None)
                 self.waited.pop(number, None)
+        self.count_entry(label)
 
         # "Entering a node that is the scope of variables (a protocol branch) sets them to their initial
         # values": they start anew, whatever was written to them in this step.
@@ -865,6 +920,8 @@ class Reference:
                 return ("const", timer in region.timers and self.now >= region.timers[timer])
             case ("outcome", activity):
                 found = self.outcome_of(activity)
+            case ("in" | "done" | "count" as question, name):
+                return ("const", self.answer(question, name))
             case ("has", ("member", host, channel, path)):
                 # "`has(x)` is never absent."
                 return ("const", self.read_member(host, channel, path, region) is not ABSENT)
@@ -951,6 +1008,8 @@ class Reference:
             for event in transition.events:
                 if event[0] == "after":
                     yield self.entered[source] + event[1]
+            if transition.every is not None:
+                yield self.entered[source] + transition.every
             for term in parts(transition.condition):
                 match term:
                     case ("expired", timer) if timer in region.timers:

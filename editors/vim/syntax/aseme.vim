@@ -5,13 +5,13 @@ if exists("b:current_syntax")
 endif
 scriptencoding utf-8
 syntax sync fromstart
-syntax match asemeReference_736 /\v[^ \t0-9A-Za-z_{}]/
-syntax match asemeReference_735 /\v\w+/
-syntax match asemeNumber_734 /\v[0-9]+%(\.[0-9]+)*\w*/
-syntax match asemeText_733 /\v\"[^"\n]*/ contains=@Spell
-syntax match asemeText_732 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
-syntax region asemePunctuation_737 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
-syntax cluster asemeStrayTrue contains=asemeText_732,asemeText_733,asemeNumber_734,asemeReference_735,asemeReference_736,asemePunctuation_737,asemeComment
+syntax match asemeReference_739 /\v[^ \t0-9A-Za-z_{}]/
+syntax match asemeReference_738 /\v\w+/
+syntax match asemeNumber_737 /\v[0-9]+%(\.[0-9]+)*\w*/
+syntax match asemeText_736 /\v\"[^"\n]*/ contains=@Spell
+syntax match asemeText_735 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
+syntax region asemePunctuation_740 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
+syntax cluster asemeStrayTrue contains=asemeText_735,asemeText_736,asemeNumber_737,asemeReference_738,asemeReference_739,asemePunctuation_740,asemeComment
 syntax match asemeReference_42 /\v[^ \t0-9A-Za-z_{}]/ contained
 syntax match asemeReference_41 /\v\w+/ contained
 syntax match asemeNumber_40 /\v[0-9]+%(\.[0-9]+)*\w*/ contained
@@ -19,580 +19,584 @@ syntax match asemeText_39 /\v\"[^"\n]*/ contained contains=@Spell
 syntax match asemeText_38 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
 syntax region asemePunctuation_43 matchgroup=asemePunctuation start=/{/ end=/}/ contained contains=@asemeStrayFalse transparent
 syntax cluster asemeStrayFalse contains=asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_8,asemeDeclaration_30,asemeDeclaration_48,asemeDeclaration_74,asemeDeclaration_101,asemeDeclaration_131,asemeDeclaration_154,asemeDeclaration_186,asemeDeclaration_384,asemeDeclaration_596,asemeDeclaration_599,asemeDeclaration_667,asemeDeclaration_690,asemeDeclaration_719,asemeDeclaration_730,asemeText_732,asemeText_733,asemeNumber_734,asemeReference_735,asemeReference_736,asemePunctuation_737,asemeComment
-syntax match asemeDeclaration_730 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_729,asemeComment_731 skipwhite skipempty
-syntax region asemeComment_731 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_729,asemeComment_731 skipwhite skipempty
-syntax match asemeComment_731 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_729,asemeComment_731 skipwhite skipempty
-syntax match asemeText_729 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_728 skipwhite skipempty
-syntax cluster asemePropertyInFile contains=asemePunctuation_726,asemeText_727
-syntax match asemeText_727 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_728 skipwhite skipempty
-syntax region asemeComment_728 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_728 skipwhite skipempty
-syntax match asemeComment_728 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_728 skipwhite skipempty
-syntax region asemePunctuation_726 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
-syntax cluster asemeBodyOfProperty contains=asemePunctuation_709,asemeText_721,asemeNumber_722,asemeReference_723,asemeOperator_724,asemePunctuation_725,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemePunctuation_725 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_724 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_723 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_722 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_721 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_719 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_718,asemeComment_720 skipwhite skipempty
-syntax region asemeComment_720 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_718,asemeComment_720 skipwhite skipempty
-syntax match asemeComment_720 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_718,asemeComment_720 skipwhite skipempty
-syntax match asemeText_718 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_717 skipwhite skipempty
-syntax cluster asemeScenarioInFile contains=asemePunctuation_715,asemeText_716
-syntax match asemeText_716 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_717 skipwhite skipempty
-syntax region asemeComment_717 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_717 skipwhite skipempty
-syntax match asemeComment_717 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_717 skipwhite skipempty
-syntax region asemePunctuation_715 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
-syntax cluster asemeBodyOfScenario contains=asemePunctuation_709,asemeText_710,asemeNumber_711,asemeReference_712,asemeOperator_713,asemePunctuation_714,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemePunctuation_714 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_713 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_712 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_711 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_710 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_709 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
-syntax cluster asemeBodyOfBraced contains=asemePunctuation_703,asemeText_704,asemeNumber_705,asemeReference_706,asemeOperator_707,asemePunctuation_708,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemePunctuation_708 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_707 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_706 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_705 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_704 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_703 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
-syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_697,asemeText_698,asemeNumber_699,asemeReference_700,asemeOperator_701,asemePunctuation_702,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemePunctuation_702 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_701 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_700 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_699 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_698 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_697 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
-syntax cluster asemeBodyOfBraced3 contains=asemeText_692,asemeNumber_693,asemeReference_694,asemeOperator_695,asemePunctuation_696,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemePunctuation_696 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_695 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_694 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_693 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_692 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_690 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_689,asemeComment_691 skipwhite skipempty
-syntax region asemeComment_691 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_689,asemeComment_691 skipwhite skipempty
-syntax match asemeComment_691 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_689,asemeComment_691 skipwhite skipempty
-syntax match asemeBlock_689 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_688 skipwhite skipempty
-syntax cluster asemeTeamInFile contains=asemePunctuation_686,asemeBlock_687
-syntax match asemeBlock_687 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_688 skipwhite skipempty
-syntax region asemeComment_688 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_688 skipwhite skipempty
-syntax match asemeComment_688 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_688 skipwhite skipempty
-syntax region asemePunctuation_686 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
-syntax cluster asemeBodyOfTeam contains=asemeName_685,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeName_685 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_670 skipwhite skipempty
-syntax cluster asemeAgentsInBodyOfTeam contains=asemePunctuation_677,asemePunctuation_680,asemePunctuation_683
-syntax match asemePunctuation_683 /\v\:/ contained nextgroup=asemeReference_682,asemeComment_684 skipwhite skipempty
-syntax region asemeComment_684 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_682,asemeComment_684 skipwhite skipempty
-syntax match asemeComment_684 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_682,asemeComment_684 skipwhite skipempty
-syntax match asemeReference_682 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_670 skipwhite skipempty
-syntax match asemePunctuation_680 /\v\,/ contained nextgroup=asemeName_679,asemeComment_681 skipwhite skipempty
-syntax region asemeComment_681 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_679,asemeComment_681 skipwhite skipempty
-syntax match asemeComment_681 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_679,asemeComment_681 skipwhite skipempty
-syntax match asemeName_679 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_670 skipwhite skipempty
-syntax match asemePunctuation_677 /\v\[/ contained nextgroup=asemeNumber_675,asemeComment_678 skipwhite skipempty
-syntax region asemeComment_678 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_675,asemeComment_678 skipwhite skipempty
-syntax match asemeComment_678 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_675,asemeComment_678 skipwhite skipempty
-syntax match asemeNumber_675 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_673,asemeComment_676 skipwhite skipempty
-syntax region asemeComment_676 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_673,asemeComment_676 skipwhite skipempty
-syntax match asemeComment_676 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_673,asemeComment_676 skipwhite skipempty
-syntax match asemePunctuation_673 /\v\.\./ contained nextgroup=asemeNumber_671,asemeComment_674 skipwhite skipempty
-syntax region asemeComment_674 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_671,asemeComment_674 skipwhite skipempty
-syntax match asemeComment_674 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_671,asemeComment_674 skipwhite skipempty
-syntax match asemeNumber_671 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_669,asemeComment_672 skipwhite skipempty
-syntax region asemeComment_672 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_669,asemeComment_672 skipwhite skipempty
-syntax match asemeComment_672 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_669,asemeComment_672 skipwhite skipempty
-syntax match asemePunctuation_669 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_670 skipwhite skipempty
-syntax region asemeComment_670 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_670 skipwhite skipempty
-syntax match asemeComment_670 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_670 skipwhite skipempty
-syntax match asemeDeclaration_667 /\v%(statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=statechart%(<|>)/ nextgroup=asemeBlock_666,asemeComment_668 skipwhite skipempty
-syntax region asemeComment_668 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_666,asemeComment_668 skipwhite skipempty
-syntax match asemeComment_668 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_666,asemeComment_668 skipwhite skipempty
-syntax match asemeBlock_666 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_665 skipwhite skipempty
-syntax cluster asemeStatechartInFile contains=asemePunctuation_663,asemeBlock_664
-syntax match asemeBlock_664 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_665 skipwhite skipempty
-syntax region asemeComment_665 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_665 skipwhite skipempty
-syntax match asemeComment_665 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_665 skipwhite skipempty
-syntax region asemePunctuation_663 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfStatechart
-syntax cluster asemeBodyOfStatechart contains=asemeDeclaration_623,asemeNumber_630,asemeDeclaration_652,asemeDeclaration_657,asemeDeclaration_659,asemeDeclaration_661,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeDeclaration_661 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_662 skipwhite skipempty
-syntax region asemeComment_662 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_662 skipwhite skipempty
-syntax match asemeComment_662 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_662 skipwhite skipempty
-syntax cluster asemeModulesInBodyOfStatechart contains=asemePunctuation_574
-syntax match asemeDeclaration_659 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_660 skipwhite skipempty
-syntax region asemeComment_660 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_660 skipwhite skipempty
-syntax match asemeComment_660 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_660 skipwhite skipempty
-syntax cluster asemeActivitiesInBodyOfStatechart contains=asemePunctuation_529
-syntax match asemeDeclaration_657 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_655,asemeComment_658 skipwhite skipempty
-syntax region asemeComment_658 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_655,asemeComment_658 skipwhite skipempty
-syntax match asemeComment_658 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_655,asemeComment_658 skipwhite skipempty
-syntax match asemeName_655 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_654,asemeComment_656 skipwhite skipempty
-syntax region asemeComment_656 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_654,asemeComment_656 skipwhite skipempty
-syntax match asemeComment_656 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_654,asemeComment_656 skipwhite skipempty
-syntax match asemeOperator_654 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_11 skipwhite skipempty
-syntax match asemeDeclaration_652 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_650,asemeComment_653 skipwhite skipempty
-syntax region asemeComment_653 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_650,asemeComment_653 skipwhite skipempty
-syntax match asemeComment_653 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_650,asemeComment_653 skipwhite skipempty
-syntax match asemeName_650 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_648,asemeComment_651 skipwhite skipempty
-syntax region asemeComment_651 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_648,asemeComment_651 skipwhite skipempty
-syntax match asemeComment_651 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_648,asemeComment_651 skipwhite skipempty
-syntax match asemePunctuation_648 /\v\:/ contained nextgroup=asemeBuiltIn_646,asemeType_647,asemeComment_649 skipwhite skipempty
-syntax region asemeComment_649 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_646,asemeType_647,asemeComment_649 skipwhite skipempty
-syntax match asemeComment_649 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_646,asemeType_647,asemeComment_649 skipwhite skipempty
-syntax match asemeType_647 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_633 skipwhite skipempty
-syntax match asemeBuiltIn_646 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_633 skipwhite skipempty
-syntax cluster asemeVarInBodyOfStatechart contains=asemePunctuation_635,asemeOperator_637,asemeName_642,asemeBuiltIn_644,asemeType_645
-syntax match asemeType_645 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_633 skipwhite skipempty
-syntax match asemeBuiltIn_644 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_633 skipwhite skipempty
-syntax match asemeName_642 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_640,asemeComment_643 skipwhite skipempty
-syntax region asemeComment_643 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_640,asemeComment_643 skipwhite skipempty
-syntax match asemeComment_643 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_640,asemeComment_643 skipwhite skipempty
-syntax match asemePunctuation_640 /\v\:/ contained nextgroup=asemeBuiltIn_638,asemeType_639,asemeComment_641 skipwhite skipempty
-syntax region asemeComment_641 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_638,asemeType_639,asemeComment_641 skipwhite skipempty
-syntax match asemeComment_641 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_638,asemeType_639,asemeComment_641 skipwhite skipempty
-syntax match asemeType_639 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_633 skipwhite skipempty
-syntax match asemeBuiltIn_638 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_633 skipwhite skipempty
-syntax match asemeOperator_637 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionToken,asemeComment_205 skipwhite skipempty
-syntax match asemePunctuation_635 /\v\:/ contained nextgroup=asemeBuiltIn_632,asemeType_634,asemeComment_636 skipwhite skipempty
-syntax region asemeComment_636 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_632,asemeType_634,asemeComment_636 skipwhite skipempty
-syntax match asemeComment_636 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_632,asemeType_634,asemeComment_636 skipwhite skipempty
-syntax match asemeType_634 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_633 skipwhite skipempty
-syntax match asemeBuiltIn_632 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_633 skipwhite skipempty
-syntax region asemeComment_633 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_633 skipwhite skipempty
-syntax match asemeComment_633 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_633 skipwhite skipempty
-syntax match asemeNumber_630 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_628,asemeComment_631 skipwhite skipempty
-syntax region asemeComment_631 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_628,asemeComment_631 skipwhite skipempty
-syntax match asemeComment_631 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_628,asemeComment_631 skipwhite skipempty
-syntax match asemeOperator_628 /\v\-\>/ contained nextgroup=asemeNumber_626,asemeComment_629 skipwhite skipempty
-syntax region asemeComment_629 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_626,asemeComment_629 skipwhite skipempty
-syntax match asemeComment_629 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_626,asemeComment_629 skipwhite skipempty
-syntax match asemeNumber_626 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_625,asemeComment_627 skipwhite skipempty
-syntax region asemeComment_627 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_625,asemeComment_627 skipwhite skipempty
-syntax match asemeComment_627 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_625,asemeComment_627 skipwhite skipempty
-syntax match asemePunctuation_625 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeDeclaration_623 /\v%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=state%(<|>)/ contained nextgroup=asemeNumber_621,asemeComment_624 skipwhite skipempty
-syntax region asemeComment_624 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_621,asemeComment_624 skipwhite skipempty
-syntax match asemeComment_624 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_621,asemeComment_624 skipwhite skipempty
-syntax match asemeNumber_621 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_619,asemeComment_622 skipwhite skipempty
-syntax region asemeComment_622 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_619,asemeComment_622 skipwhite skipempty
-syntax match asemeComment_622 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_619,asemeComment_622 skipwhite skipempty
-syntax match asemeChoice_619 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_617,asemeText_618,@asemeChartNodeInBodyOfStatechart,asemeComment_620 skipwhite skipempty
-syntax region asemeComment_620 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_617,asemeText_618,@asemeChartNodeInBodyOfStatechart,asemeComment_620 skipwhite skipempty
-syntax match asemeComment_620 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_617,asemeText_618,@asemeChartNodeInBodyOfStatechart,asemeComment_620 skipwhite skipempty
-syntax match asemeText_618 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_602 skipwhite skipempty
-syntax match asemeName_617 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_602 skipwhite skipempty
-syntax cluster asemeChartNodeInBodyOfStatechart contains=asemeClause_603,asemeChoice_607,asemeNumber_613,asemeName_615,asemeText_616
-syntax match asemeText_616 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_602 skipwhite skipempty
-syntax match asemeName_615 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_602 skipwhite skipempty
-syntax match asemeNumber_613 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_611,asemeComment_614 skipwhite skipempty
-syntax region asemeComment_614 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_611,asemeComment_614 skipwhite skipempty
-syntax match asemeComment_614 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_611,asemeComment_614 skipwhite skipempty
-syntax match asemeChoice_611 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_609,asemeText_610,@asemeChartNodeInBodyOfStatechart,asemeComment_612 skipwhite skipempty
-syntax region asemeComment_612 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_609,asemeText_610,@asemeChartNodeInBodyOfStatechart,asemeComment_612 skipwhite skipempty
-syntax match asemeComment_612 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_609,asemeText_610,@asemeChartNodeInBodyOfStatechart,asemeComment_612 skipwhite skipempty
-syntax match asemeText_610 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_602 skipwhite skipempty
-syntax match asemeName_609 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_602 skipwhite skipempty
-syntax match asemeChoice_607 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_605,asemeText_606,@asemeChartNodeInBodyOfStatechart,asemeComment_608 skipwhite skipempty
-syntax region asemeComment_608 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_605,asemeText_606,@asemeChartNodeInBodyOfStatechart,asemeComment_608 skipwhite skipempty
-syntax match asemeComment_608 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_605,asemeText_606,@asemeChartNodeInBodyOfStatechart,asemeComment_608 skipwhite skipempty
-syntax match asemeText_606 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_602 skipwhite skipempty
-syntax match asemeName_605 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_602 skipwhite skipempty
-syntax match asemeClause_603 /\vactivity%(<|>)/ contained nextgroup=asemeReference_601,asemeComment_604 skipwhite skipempty
-syntax region asemeComment_604 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_601,asemeComment_604 skipwhite skipempty
-syntax match asemeComment_604 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_601,asemeComment_604 skipwhite skipempty
-syntax match asemeReference_601 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_602 skipwhite skipempty
-syntax region asemeComment_602 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_602 skipwhite skipempty
-syntax match asemeComment_602 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_602 skipwhite skipempty
-syntax match asemeDeclaration_599 /\v%(srm%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=srm%(<|>)/ nextgroup=asemeBlock_598,asemeComment_600 skipwhite skipempty
-syntax region asemeComment_600 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_598,asemeComment_600 skipwhite skipempty
-syntax match asemeComment_600 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_598,asemeComment_600 skipwhite skipempty
-syntax match asemeBlock_598 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_387 skipwhite skipempty
-syntax match asemeDeclaration_596 /\v%(abstract%(<|>)%(\_s*%(srm%(<|>)|%($|\/\/|\/\*)))@=)@=abstract%(<|>)/ nextgroup=asemeClause_594,asemeComment_597 skipwhite skipempty
-syntax region asemeComment_597 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_594,asemeComment_597 skipwhite skipempty
-syntax match asemeComment_597 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_594,asemeComment_597 skipwhite skipempty
-syntax match asemeClause_594 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_593,asemeComment_595 skipwhite skipempty
-syntax region asemeComment_595 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_593,asemeComment_595 skipwhite skipempty
-syntax match asemeComment_595 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_593,asemeComment_595 skipwhite skipempty
-syntax match asemeBlock_593 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_387 skipwhite skipempty
-syntax cluster asemeSrmInFile contains=asemeClause_388,asemePunctuation_591,asemeBlock_592
-syntax match asemeBlock_592 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_387 skipwhite skipempty
-syntax region asemePunctuation_591 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfSrm
-syntax cluster asemeBodyOfSrm contains=asemeDeclaration_396,asemeDeclaration_432,asemeDeclaration_448,asemeDeclaration_470,asemeDeclaration_475,asemeDeclaration_488,asemeDeclaration_530,asemeDeclaration_575,asemeDeclaration_584,asemeDeclaration_589,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeDeclaration_589 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_588,asemeComment_590 skipwhite skipempty
-syntax region asemeComment_590 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_588,asemeComment_590 skipwhite skipempty
-syntax match asemeComment_590 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_588,asemeComment_590 skipwhite skipempty
-syntax match asemeBlock_588 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_587 skipwhite skipempty
-syntax cluster asemeControlInBodyOfSrm contains=asemePunctuation_374,asemeBlock_586
-syntax match asemeBlock_586 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_587 skipwhite skipempty
-syntax region asemeComment_587 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_587 skipwhite skipempty
-syntax match asemeComment_587 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_587 skipwhite skipempty
-syntax match asemeDeclaration_584 /\v%(functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=functionality%(<|>)/ contained nextgroup=asemeBlock_583,asemeComment_585 skipwhite skipempty
-syntax region asemeComment_585 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_583,asemeComment_585 skipwhite skipempty
-syntax match asemeComment_585 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_583,asemeComment_585 skipwhite skipempty
-syntax match asemeBlock_583 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_582 skipwhite skipempty
-syntax cluster asemeFunctionalityInBodyOfSrm contains=asemePunctuation_580,asemeBlock_581
-syntax match asemeBlock_581 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_582 skipwhite skipempty
-syntax region asemeComment_582 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_582 skipwhite skipempty
-syntax match asemeComment_582 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_582 skipwhite skipempty
-syntax region asemePunctuation_580 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfFunctionality
-syntax cluster asemeBodyOfFunctionality contains=asemeDeclaration_578,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeDeclaration_578 /\v%(%(technology|permissions|environment|algorithm)%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=%(technology|permissions|environment|algorithm)%(<|>)/ contained nextgroup=asemeText_577,asemeComment_579 skipwhite skipempty
-syntax region asemeComment_579 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_577,asemeComment_579 skipwhite skipempty
-syntax match asemeComment_579 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_577,asemeComment_579 skipwhite skipempty
-syntax match asemeText_577 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_575 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfSrm,asemeComment_576 skipwhite skipempty
-syntax region asemeComment_576 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_576 skipwhite skipempty
-syntax match asemeComment_576 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_576 skipwhite skipempty
-syntax cluster asemeModulesInBodyOfSrm contains=asemePunctuation_574
-syntax region asemePunctuation_574 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfModules
-syntax cluster asemeBodyOfModules contains=asemeName_573,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeName_573 /\v%(%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax cluster asemeModuleInBodyOfModules contains=asemeClause_537,asemeClause_540,asemeClause_543,asemeClause_546,asemeClause_549,asemeClause_552,asemeClause_555,asemeClause_558,asemeClause_561,asemePunctuation_568,asemeOperator_571
-syntax match asemeOperator_571 /\v\=%(\=)@!/ contained nextgroup=asemeText_570,asemeComment_572 skipwhite skipempty
-syntax region asemeComment_572 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_570,asemeComment_572 skipwhite skipempty
-syntax match asemeComment_572 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_570,asemeComment_572 skipwhite skipempty
-syntax match asemeText_570 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemePunctuation_568 /\v\,/ contained nextgroup=asemeChoice_564,asemeReference_566,asemeReference_567,asemeComment_569 skipwhite skipempty
-syntax region asemeComment_569 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_564,asemeReference_566,asemeReference_567,asemeComment_569 skipwhite skipempty
-syntax match asemeComment_569 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_564,asemeReference_566,asemeReference_567,asemeComment_569 skipwhite skipempty
-syntax match asemeReference_567 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeReference_566 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeChoice_564 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_563,asemeComment_565 skipwhite skipempty
+syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_8,asemeDeclaration_30,asemeDeclaration_48,asemeDeclaration_74,asemeDeclaration_101,asemeDeclaration_131,asemeDeclaration_154,asemeDeclaration_186,asemeDeclaration_387,asemeDeclaration_599,asemeDeclaration_602,asemeDeclaration_670,asemeDeclaration_693,asemeDeclaration_722,asemeDeclaration_733,asemeText_735,asemeText_736,asemeNumber_737,asemeReference_738,asemeReference_739,asemePunctuation_740,asemeComment
+syntax match asemeDeclaration_733 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_732,asemeComment_734 skipwhite skipempty
+syntax region asemeComment_734 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_732,asemeComment_734 skipwhite skipempty
+syntax match asemeComment_734 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_732,asemeComment_734 skipwhite skipempty
+syntax match asemeText_732 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_731 skipwhite skipempty
+syntax cluster asemePropertyInFile contains=asemePunctuation_729,asemeText_730
+syntax match asemeText_730 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_731 skipwhite skipempty
+syntax region asemeComment_731 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_731 skipwhite skipempty
+syntax match asemeComment_731 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_731 skipwhite skipempty
+syntax region asemePunctuation_729 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
+syntax cluster asemeBodyOfProperty contains=asemePunctuation_712,asemeText_724,asemeNumber_725,asemeReference_726,asemeOperator_727,asemePunctuation_728,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemePunctuation_728 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_727 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_726 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_725 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_724 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_722 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_721,asemeComment_723 skipwhite skipempty
+syntax region asemeComment_723 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_721,asemeComment_723 skipwhite skipempty
+syntax match asemeComment_723 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_721,asemeComment_723 skipwhite skipempty
+syntax match asemeText_721 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_720 skipwhite skipempty
+syntax cluster asemeScenarioInFile contains=asemePunctuation_718,asemeText_719
+syntax match asemeText_719 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_720 skipwhite skipempty
+syntax region asemeComment_720 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_720 skipwhite skipempty
+syntax match asemeComment_720 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_720 skipwhite skipempty
+syntax region asemePunctuation_718 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
+syntax cluster asemeBodyOfScenario contains=asemePunctuation_712,asemeText_713,asemeNumber_714,asemeReference_715,asemeOperator_716,asemePunctuation_717,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemePunctuation_717 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_716 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_715 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_714 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_713 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_712 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
+syntax cluster asemeBodyOfBraced contains=asemePunctuation_706,asemeText_707,asemeNumber_708,asemeReference_709,asemeOperator_710,asemePunctuation_711,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemePunctuation_711 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_710 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_709 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_708 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_707 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_706 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
+syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_700,asemeText_701,asemeNumber_702,asemeReference_703,asemeOperator_704,asemePunctuation_705,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemePunctuation_705 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_704 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_703 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_702 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_701 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_700 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
+syntax cluster asemeBodyOfBraced3 contains=asemeText_695,asemeNumber_696,asemeReference_697,asemeOperator_698,asemePunctuation_699,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemePunctuation_699 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_698 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_697 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_696 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_695 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_693 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_692,asemeComment_694 skipwhite skipempty
+syntax region asemeComment_694 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_692,asemeComment_694 skipwhite skipempty
+syntax match asemeComment_694 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_692,asemeComment_694 skipwhite skipempty
+syntax match asemeBlock_692 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_691 skipwhite skipempty
+syntax cluster asemeTeamInFile contains=asemePunctuation_689,asemeBlock_690
+syntax match asemeBlock_690 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_691 skipwhite skipempty
+syntax region asemeComment_691 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_691 skipwhite skipempty
+syntax match asemeComment_691 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_691 skipwhite skipempty
+syntax region asemePunctuation_689 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
+syntax cluster asemeBodyOfTeam contains=asemeName_688,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeName_688 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
+syntax cluster asemeAgentsInBodyOfTeam contains=asemePunctuation_680,asemePunctuation_683,asemePunctuation_686
+syntax match asemePunctuation_686 /\v\:/ contained nextgroup=asemeReference_685,asemeComment_687 skipwhite skipempty
+syntax region asemeComment_687 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_685,asemeComment_687 skipwhite skipempty
+syntax match asemeComment_687 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_685,asemeComment_687 skipwhite skipempty
+syntax match asemeReference_685 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
+syntax match asemePunctuation_683 /\v\,/ contained nextgroup=asemeName_682,asemeComment_684 skipwhite skipempty
+syntax region asemeComment_684 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_682,asemeComment_684 skipwhite skipempty
+syntax match asemeComment_684 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_682,asemeComment_684 skipwhite skipempty
+syntax match asemeName_682 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
+syntax match asemePunctuation_680 /\v\[/ contained nextgroup=asemeNumber_678,asemeComment_681 skipwhite skipempty
+syntax region asemeComment_681 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_678,asemeComment_681 skipwhite skipempty
+syntax match asemeComment_681 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_678,asemeComment_681 skipwhite skipempty
+syntax match asemeNumber_678 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_676,asemeComment_679 skipwhite skipempty
+syntax region asemeComment_679 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_676,asemeComment_679 skipwhite skipempty
+syntax match asemeComment_679 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_676,asemeComment_679 skipwhite skipempty
+syntax match asemePunctuation_676 /\v\.\./ contained nextgroup=asemeNumber_674,asemeComment_677 skipwhite skipempty
+syntax region asemeComment_677 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_674,asemeComment_677 skipwhite skipempty
+syntax match asemeComment_677 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_674,asemeComment_677 skipwhite skipempty
+syntax match asemeNumber_674 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_672,asemeComment_675 skipwhite skipempty
+syntax region asemeComment_675 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_672,asemeComment_675 skipwhite skipempty
+syntax match asemeComment_675 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_672,asemeComment_675 skipwhite skipempty
+syntax match asemePunctuation_672 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
+syntax region asemeComment_673 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
+syntax match asemeComment_673 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
+syntax match asemeDeclaration_670 /\v%(statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=statechart%(<|>)/ nextgroup=asemeBlock_669,asemeComment_671 skipwhite skipempty
+syntax region asemeComment_671 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_669,asemeComment_671 skipwhite skipempty
+syntax match asemeComment_671 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_669,asemeComment_671 skipwhite skipempty
+syntax match asemeBlock_669 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_668 skipwhite skipempty
+syntax cluster asemeStatechartInFile contains=asemePunctuation_666,asemeBlock_667
+syntax match asemeBlock_667 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_668 skipwhite skipempty
+syntax region asemeComment_668 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_668 skipwhite skipempty
+syntax match asemeComment_668 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_668 skipwhite skipempty
+syntax region asemePunctuation_666 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfStatechart
+syntax cluster asemeBodyOfStatechart contains=asemeDeclaration_626,asemeNumber_633,asemeDeclaration_655,asemeDeclaration_660,asemeDeclaration_662,asemeDeclaration_664,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeDeclaration_664 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_665 skipwhite skipempty
+syntax region asemeComment_665 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_665 skipwhite skipempty
+syntax match asemeComment_665 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_665 skipwhite skipempty
+syntax cluster asemeModulesInBodyOfStatechart contains=asemePunctuation_577
+syntax match asemeDeclaration_662 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_663 skipwhite skipempty
+syntax region asemeComment_663 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_663 skipwhite skipempty
+syntax match asemeComment_663 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_663 skipwhite skipempty
+syntax cluster asemeActivitiesInBodyOfStatechart contains=asemePunctuation_532
+syntax match asemeDeclaration_660 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_658,asemeComment_661 skipwhite skipempty
+syntax region asemeComment_661 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_658,asemeComment_661 skipwhite skipempty
+syntax match asemeComment_661 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_658,asemeComment_661 skipwhite skipempty
+syntax match asemeName_658 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_657,asemeComment_659 skipwhite skipempty
+syntax region asemeComment_659 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_657,asemeComment_659 skipwhite skipempty
+syntax match asemeComment_659 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_657,asemeComment_659 skipwhite skipempty
+syntax match asemeOperator_657 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_11 skipwhite skipempty
+syntax match asemeDeclaration_655 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_653,asemeComment_656 skipwhite skipempty
+syntax region asemeComment_656 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_653,asemeComment_656 skipwhite skipempty
+syntax match asemeComment_656 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_653,asemeComment_656 skipwhite skipempty
+syntax match asemeName_653 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_651,asemeComment_654 skipwhite skipempty
+syntax region asemeComment_654 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_651,asemeComment_654 skipwhite skipempty
+syntax match asemeComment_654 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_651,asemeComment_654 skipwhite skipempty
+syntax match asemePunctuation_651 /\v\:/ contained nextgroup=asemeBuiltIn_649,asemeType_650,asemeComment_652 skipwhite skipempty
+syntax region asemeComment_652 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_649,asemeType_650,asemeComment_652 skipwhite skipempty
+syntax match asemeComment_652 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_649,asemeType_650,asemeComment_652 skipwhite skipempty
+syntax match asemeType_650 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
+syntax match asemeBuiltIn_649 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
+syntax cluster asemeVarInBodyOfStatechart contains=asemePunctuation_638,asemeOperator_640,asemeName_645,asemeBuiltIn_647,asemeType_648
+syntax match asemeType_648 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
+syntax match asemeBuiltIn_647 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
+syntax match asemeName_645 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_643,asemeComment_646 skipwhite skipempty
+syntax region asemeComment_646 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_643,asemeComment_646 skipwhite skipempty
+syntax match asemeComment_646 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_643,asemeComment_646 skipwhite skipempty
+syntax match asemePunctuation_643 /\v\:/ contained nextgroup=asemeBuiltIn_641,asemeType_642,asemeComment_644 skipwhite skipempty
+syntax region asemeComment_644 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_641,asemeType_642,asemeComment_644 skipwhite skipempty
+syntax match asemeComment_644 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_641,asemeType_642,asemeComment_644 skipwhite skipempty
+syntax match asemeType_642 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
+syntax match asemeBuiltIn_641 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
+syntax match asemeOperator_640 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionToken,asemeComment_205 skipwhite skipempty
+syntax match asemePunctuation_638 /\v\:/ contained nextgroup=asemeBuiltIn_635,asemeType_637,asemeComment_639 skipwhite skipempty
+syntax region asemeComment_639 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_635,asemeType_637,asemeComment_639 skipwhite skipempty
+syntax match asemeComment_639 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_635,asemeType_637,asemeComment_639 skipwhite skipempty
+syntax match asemeType_637 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
+syntax match asemeBuiltIn_635 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
+syntax region asemeComment_636 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
+syntax match asemeComment_636 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
+syntax match asemeNumber_633 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_631,asemeComment_634 skipwhite skipempty
+syntax region asemeComment_634 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_631,asemeComment_634 skipwhite skipempty
+syntax match asemeComment_634 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_631,asemeComment_634 skipwhite skipempty
+syntax match asemeOperator_631 /\v\-\>/ contained nextgroup=asemeNumber_629,asemeComment_632 skipwhite skipempty
+syntax region asemeComment_632 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_629,asemeComment_632 skipwhite skipempty
+syntax match asemeComment_632 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_629,asemeComment_632 skipwhite skipempty
+syntax match asemeNumber_629 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_628,asemeComment_630 skipwhite skipempty
+syntax region asemeComment_630 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_628,asemeComment_630 skipwhite skipempty
+syntax match asemeComment_630 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_628,asemeComment_630 skipwhite skipempty
+syntax match asemePunctuation_628 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeDeclaration_626 /\v%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=state%(<|>)/ contained nextgroup=asemeNumber_624,asemeComment_627 skipwhite skipempty
+syntax region asemeComment_627 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_624,asemeComment_627 skipwhite skipempty
+syntax match asemeComment_627 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_624,asemeComment_627 skipwhite skipempty
+syntax match asemeNumber_624 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_622,asemeComment_625 skipwhite skipempty
+syntax region asemeComment_625 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_622,asemeComment_625 skipwhite skipempty
+syntax match asemeComment_625 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_622,asemeComment_625 skipwhite skipempty
+syntax match asemeChoice_622 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_620,asemeText_621,@asemeChartNodeInBodyOfStatechart,asemeComment_623 skipwhite skipempty
+syntax region asemeComment_623 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_620,asemeText_621,@asemeChartNodeInBodyOfStatechart,asemeComment_623 skipwhite skipempty
+syntax match asemeComment_623 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_620,asemeText_621,@asemeChartNodeInBodyOfStatechart,asemeComment_623 skipwhite skipempty
+syntax match asemeText_621 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
+syntax match asemeName_620 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
+syntax cluster asemeChartNodeInBodyOfStatechart contains=asemeClause_606,asemeChoice_610,asemeNumber_616,asemeName_618,asemeText_619
+syntax match asemeText_619 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
+syntax match asemeName_618 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
+syntax match asemeNumber_616 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_614,asemeComment_617 skipwhite skipempty
+syntax region asemeComment_617 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_614,asemeComment_617 skipwhite skipempty
+syntax match asemeComment_617 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_614,asemeComment_617 skipwhite skipempty
+syntax match asemeChoice_614 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_612,asemeText_613,@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax region asemeComment_615 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_612,asemeText_613,@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax match asemeComment_615 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_612,asemeText_613,@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax match asemeText_613 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
+syntax match asemeName_612 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
+syntax match asemeChoice_610 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_608,asemeText_609,@asemeChartNodeInBodyOfStatechart,asemeComment_611 skipwhite skipempty
+syntax region asemeComment_611 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_608,asemeText_609,@asemeChartNodeInBodyOfStatechart,asemeComment_611 skipwhite skipempty
+syntax match asemeComment_611 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_608,asemeText_609,@asemeChartNodeInBodyOfStatechart,asemeComment_611 skipwhite skipempty
+syntax match asemeText_609 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
+syntax match asemeName_608 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
+syntax match asemeClause_606 /\vactivity%(<|>)/ contained nextgroup=asemeReference_604,asemeComment_607 skipwhite skipempty
+syntax region asemeComment_607 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_604,asemeComment_607 skipwhite skipempty
+syntax match asemeComment_607 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_604,asemeComment_607 skipwhite skipempty
+syntax match asemeReference_604 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
+syntax region asemeComment_605 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
+syntax match asemeComment_605 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
+syntax match asemeDeclaration_602 /\v%(srm%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=srm%(<|>)/ nextgroup=asemeBlock_601,asemeComment_603 skipwhite skipempty
+syntax region asemeComment_603 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_601,asemeComment_603 skipwhite skipempty
+syntax match asemeComment_603 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_601,asemeComment_603 skipwhite skipempty
+syntax match asemeBlock_601 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
+syntax match asemeDeclaration_599 /\v%(abstract%(<|>)%(\_s*%(srm%(<|>)|%($|\/\/|\/\*)))@=)@=abstract%(<|>)/ nextgroup=asemeClause_597,asemeComment_600 skipwhite skipempty
+syntax region asemeComment_600 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_597,asemeComment_600 skipwhite skipempty
+syntax match asemeComment_600 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_597,asemeComment_600 skipwhite skipempty
+syntax match asemeClause_597 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_596,asemeComment_598 skipwhite skipempty
+syntax region asemeComment_598 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_596,asemeComment_598 skipwhite skipempty
+syntax match asemeComment_598 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_596,asemeComment_598 skipwhite skipempty
+syntax match asemeBlock_596 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
+syntax cluster asemeSrmInFile contains=asemeClause_391,asemePunctuation_594,asemeBlock_595
+syntax match asemeBlock_595 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
+syntax region asemePunctuation_594 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfSrm
+syntax cluster asemeBodyOfSrm contains=asemeDeclaration_399,asemeDeclaration_435,asemeDeclaration_451,asemeDeclaration_473,asemeDeclaration_478,asemeDeclaration_491,asemeDeclaration_533,asemeDeclaration_578,asemeDeclaration_587,asemeDeclaration_592,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeDeclaration_592 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_591,asemeComment_593 skipwhite skipempty
+syntax region asemeComment_593 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_591,asemeComment_593 skipwhite skipempty
+syntax match asemeComment_593 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_591,asemeComment_593 skipwhite skipempty
+syntax match asemeBlock_591 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_590 skipwhite skipempty
+syntax cluster asemeControlInBodyOfSrm contains=asemePunctuation_377,asemeBlock_589
+syntax match asemeBlock_589 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_590 skipwhite skipempty
+syntax region asemeComment_590 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_590 skipwhite skipempty
+syntax match asemeComment_590 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_590 skipwhite skipempty
+syntax match asemeDeclaration_587 /\v%(functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=functionality%(<|>)/ contained nextgroup=asemeBlock_586,asemeComment_588 skipwhite skipempty
+syntax region asemeComment_588 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_586,asemeComment_588 skipwhite skipempty
+syntax match asemeComment_588 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_586,asemeComment_588 skipwhite skipempty
+syntax match asemeBlock_586 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_585 skipwhite skipempty
+syntax cluster asemeFunctionalityInBodyOfSrm contains=asemePunctuation_583,asemeBlock_584
+syntax match asemeBlock_584 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_585 skipwhite skipempty
+syntax region asemeComment_585 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_585 skipwhite skipempty
+syntax match asemeComment_585 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_585 skipwhite skipempty
+syntax region asemePunctuation_583 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfFunctionality
+syntax cluster asemeBodyOfFunctionality contains=asemeDeclaration_581,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeDeclaration_581 /\v%(%(technology|permissions|environment|algorithm)%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=%(technology|permissions|environment|algorithm)%(<|>)/ contained nextgroup=asemeText_580,asemeComment_582 skipwhite skipempty
+syntax region asemeComment_582 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_580,asemeComment_582 skipwhite skipempty
+syntax match asemeComment_582 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_580,asemeComment_582 skipwhite skipempty
+syntax match asemeText_580 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_578 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfSrm,asemeComment_579 skipwhite skipempty
+syntax region asemeComment_579 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_579 skipwhite skipempty
+syntax match asemeComment_579 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_579 skipwhite skipempty
+syntax cluster asemeModulesInBodyOfSrm contains=asemePunctuation_577
+syntax region asemePunctuation_577 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfModules
+syntax cluster asemeBodyOfModules contains=asemeName_576,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeName_576 /\v%(%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax cluster asemeModuleInBodyOfModules contains=asemeClause_540,asemeClause_543,asemeClause_546,asemeClause_549,asemeClause_552,asemeClause_555,asemeClause_558,asemeClause_561,asemeClause_564,asemePunctuation_571,asemeOperator_574
+syntax match asemeOperator_574 /\v\=%(\=)@!/ contained nextgroup=asemeText_573,asemeComment_575 skipwhite skipempty
+syntax region asemeComment_575 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_573,asemeComment_575 skipwhite skipempty
+syntax match asemeComment_575 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_573,asemeComment_575 skipwhite skipempty
+syntax match asemeText_573 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemePunctuation_571 /\v\,/ contained nextgroup=asemeChoice_567,asemeReference_569,asemeReference_570,asemeComment_572 skipwhite skipempty
+syntax region asemeComment_572 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_567,asemeReference_569,asemeReference_570,asemeComment_572 skipwhite skipempty
+syntax match asemeComment_572 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_567,asemeReference_569,asemeReference_570,asemeComment_572 skipwhite skipempty
+syntax match asemeReference_570 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeReference_569 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeChoice_567 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_566,asemeComment_568 skipwhite skipempty
+syntax region asemeComment_568 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_566,asemeComment_568 skipwhite skipempty
+syntax match asemeComment_568 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_566,asemeComment_568 skipwhite skipempty
+syntax match asemeReference_566 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeClause_564 /\vends%(<|>)/ contained nextgroup=asemeReference_563,asemeComment_565 skipwhite skipempty
 syntax region asemeComment_565 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_563,asemeComment_565 skipwhite skipempty
 syntax match asemeComment_565 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_563,asemeComment_565 skipwhite skipempty
-syntax match asemeReference_563 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeClause_561 /\vends%(<|>)/ contained nextgroup=asemeReference_560,asemeComment_562 skipwhite skipempty
+syntax match asemeReference_563 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeClause_561 /\vwrites%(<|>)/ contained nextgroup=asemeReference_560,asemeComment_562 skipwhite skipempty
 syntax region asemeComment_562 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_560,asemeComment_562 skipwhite skipempty
 syntax match asemeComment_562 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_560,asemeComment_562 skipwhite skipempty
-syntax match asemeReference_560 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeClause_558 /\vwrites%(<|>)/ contained nextgroup=asemeReference_557,asemeComment_559 skipwhite skipempty
-syntax region asemeComment_559 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_557,asemeComment_559 skipwhite skipempty
-syntax match asemeComment_559 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_557,asemeComment_559 skipwhite skipempty
-syntax match asemeReference_557 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeClause_555 /\vfor%(<|>)/ contained nextgroup=asemeNumber_554,asemeComment_556 skipwhite skipempty
-syntax region asemeComment_556 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_554,asemeComment_556 skipwhite skipempty
-syntax match asemeComment_556 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_554,asemeComment_556 skipwhite skipempty
-syntax match asemeNumber_554 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeClause_552 /\vuses%(<|>)/ contained nextgroup=asemeReference_551,asemeComment_553 skipwhite skipempty
-syntax region asemeComment_553 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_551,asemeComment_553 skipwhite skipempty
-syntax match asemeComment_553 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_551,asemeComment_553 skipwhite skipempty
-syntax match asemeReference_551 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeClause_549 /\vas%(<|>)/ contained nextgroup=asemeChoice_548,asemeComment_550 skipwhite skipempty
-syntax region asemeComment_550 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_548,asemeComment_550 skipwhite skipempty
-syntax match asemeComment_550 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_548,asemeComment_550 skipwhite skipempty
-syntax match asemeChoice_548 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeClause_546 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_545,asemeComment_547 skipwhite skipempty
+syntax match asemeReference_560 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeClause_558 /\vfor%(<|>)/ contained nextgroup=asemeNumber_557,asemeComment_559 skipwhite skipempty
+syntax region asemeComment_559 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_557,asemeComment_559 skipwhite skipempty
+syntax match asemeComment_559 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_557,asemeComment_559 skipwhite skipempty
+syntax match asemeNumber_557 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeClause_555 /\vuses%(<|>)/ contained nextgroup=asemeReference_554,asemeComment_556 skipwhite skipempty
+syntax region asemeComment_556 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_554,asemeComment_556 skipwhite skipempty
+syntax match asemeComment_556 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_554,asemeComment_556 skipwhite skipempty
+syntax match asemeReference_554 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeClause_552 /\vas%(<|>)/ contained nextgroup=asemeChoice_551,asemeComment_553 skipwhite skipempty
+syntax region asemeComment_553 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_551,asemeComment_553 skipwhite skipempty
+syntax match asemeComment_553 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_551,asemeComment_553 skipwhite skipempty
+syntax match asemeChoice_551 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeClause_549 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_548,asemeComment_550 skipwhite skipempty
+syntax region asemeComment_550 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_548,asemeComment_550 skipwhite skipempty
+syntax match asemeComment_550 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_548,asemeComment_550 skipwhite skipempty
+syntax match asemeNumber_548 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeClause_546 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_545,asemeComment_547 skipwhite skipempty
 syntax region asemeComment_547 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_545,asemeComment_547 skipwhite skipempty
 syntax match asemeComment_547 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_545,asemeComment_547 skipwhite skipempty
-syntax match asemeNumber_545 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeClause_543 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_542,asemeComment_544 skipwhite skipempty
+syntax match asemeNumber_545 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeClause_543 /\vevery%(<|>)/ contained nextgroup=asemeNumber_542,asemeComment_544 skipwhite skipempty
 syntax region asemeComment_544 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_542,asemeComment_544 skipwhite skipempty
 syntax match asemeComment_544 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_542,asemeComment_544 skipwhite skipempty
-syntax match asemeNumber_542 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeClause_540 /\vevery%(<|>)/ contained nextgroup=asemeNumber_539,asemeComment_541 skipwhite skipempty
-syntax region asemeComment_541 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_539,asemeComment_541 skipwhite skipempty
-syntax match asemeComment_541 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_539,asemeComment_541 skipwhite skipempty
-syntax match asemeNumber_539 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeClause_537 /\vreads%(<|>)/ contained nextgroup=asemeChoice_534,asemeReference_536,asemeComment_538 skipwhite skipempty
-syntax region asemeComment_538 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_534,asemeReference_536,asemeComment_538 skipwhite skipempty
-syntax match asemeComment_538 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_534,asemeReference_536,asemeComment_538 skipwhite skipempty
-syntax match asemeReference_536 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeChoice_534 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_532,asemeComment_535 skipwhite skipempty
-syntax region asemeComment_535 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_532,asemeComment_535 skipwhite skipempty
-syntax match asemeComment_535 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_532,asemeComment_535 skipwhite skipempty
-syntax match asemeReference_532 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax region asemeComment_533 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeComment_533 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_533 skipwhite skipempty
-syntax match asemeDeclaration_530 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_531 skipwhite skipempty
-syntax region asemeComment_531 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_531 skipwhite skipempty
-syntax match asemeComment_531 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_531 skipwhite skipempty
-syntax cluster asemeActivitiesInBodyOfSrm contains=asemePunctuation_529
-syntax region asemePunctuation_529 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfActivities
-syntax cluster asemeBodyOfActivities contains=asemeName_528,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeName_528 /\v%(%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax cluster asemeActivityInBodyOfActivities contains=asemeClause_495,asemeClause_498,asemeClause_501,asemeClause_504,asemeClause_507,asemeClause_510,asemeClause_513,asemeClause_516,asemeClause_519,asemePunctuation_526
-syntax match asemePunctuation_526 /\v\,/ contained nextgroup=asemeChoice_522,asemeReference_524,asemeReference_525,asemeComment_527 skipwhite skipempty
-syntax region asemeComment_527 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_522,asemeReference_524,asemeReference_525,asemeComment_527 skipwhite skipempty
-syntax match asemeComment_527 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_522,asemeReference_524,asemeReference_525,asemeComment_527 skipwhite skipempty
-syntax match asemeReference_525 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeReference_524 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeChoice_522 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_521,asemeComment_523 skipwhite skipempty
+syntax match asemeNumber_542 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeClause_540 /\vreads%(<|>)/ contained nextgroup=asemeChoice_537,asemeReference_539,asemeComment_541 skipwhite skipempty
+syntax region asemeComment_541 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_537,asemeReference_539,asemeComment_541 skipwhite skipempty
+syntax match asemeComment_541 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_537,asemeReference_539,asemeComment_541 skipwhite skipempty
+syntax match asemeReference_539 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeChoice_537 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_535,asemeComment_538 skipwhite skipempty
+syntax region asemeComment_538 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_535,asemeComment_538 skipwhite skipempty
+syntax match asemeComment_538 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_535,asemeComment_538 skipwhite skipempty
+syntax match asemeReference_535 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax region asemeComment_536 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeComment_536 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
+syntax match asemeDeclaration_533 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_534 skipwhite skipempty
+syntax region asemeComment_534 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_534 skipwhite skipempty
+syntax match asemeComment_534 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_534 skipwhite skipempty
+syntax cluster asemeActivitiesInBodyOfSrm contains=asemePunctuation_532
+syntax region asemePunctuation_532 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfActivities
+syntax cluster asemeBodyOfActivities contains=asemeName_531,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeName_531 /\v%(%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax cluster asemeActivityInBodyOfActivities contains=asemeClause_498,asemeClause_501,asemeClause_504,asemeClause_507,asemeClause_510,asemeClause_513,asemeClause_516,asemeClause_519,asemeClause_522,asemePunctuation_529
+syntax match asemePunctuation_529 /\v\,/ contained nextgroup=asemeChoice_525,asemeReference_527,asemeReference_528,asemeComment_530 skipwhite skipempty
+syntax region asemeComment_530 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_525,asemeReference_527,asemeReference_528,asemeComment_530 skipwhite skipempty
+syntax match asemeComment_530 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_525,asemeReference_527,asemeReference_528,asemeComment_530 skipwhite skipempty
+syntax match asemeReference_528 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeReference_527 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeChoice_525 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_524,asemeComment_526 skipwhite skipempty
+syntax region asemeComment_526 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_524,asemeComment_526 skipwhite skipempty
+syntax match asemeComment_526 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_524,asemeComment_526 skipwhite skipempty
+syntax match asemeReference_524 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeClause_522 /\vends%(<|>)/ contained nextgroup=asemeReference_521,asemeComment_523 skipwhite skipempty
 syntax region asemeComment_523 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_521,asemeComment_523 skipwhite skipempty
 syntax match asemeComment_523 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_521,asemeComment_523 skipwhite skipempty
-syntax match asemeReference_521 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeClause_519 /\vends%(<|>)/ contained nextgroup=asemeReference_518,asemeComment_520 skipwhite skipempty
+syntax match asemeReference_521 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeClause_519 /\vwrites%(<|>)/ contained nextgroup=asemeReference_518,asemeComment_520 skipwhite skipempty
 syntax region asemeComment_520 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_518,asemeComment_520 skipwhite skipempty
 syntax match asemeComment_520 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_518,asemeComment_520 skipwhite skipempty
-syntax match asemeReference_518 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeClause_516 /\vwrites%(<|>)/ contained nextgroup=asemeReference_515,asemeComment_517 skipwhite skipempty
-syntax region asemeComment_517 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_515,asemeComment_517 skipwhite skipempty
-syntax match asemeComment_517 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_515,asemeComment_517 skipwhite skipempty
-syntax match asemeReference_515 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeClause_513 /\vfor%(<|>)/ contained nextgroup=asemeNumber_512,asemeComment_514 skipwhite skipempty
-syntax region asemeComment_514 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_512,asemeComment_514 skipwhite skipempty
-syntax match asemeComment_514 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_512,asemeComment_514 skipwhite skipempty
-syntax match asemeNumber_512 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeClause_510 /\vuses%(<|>)/ contained nextgroup=asemeReference_509,asemeComment_511 skipwhite skipempty
-syntax region asemeComment_511 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_509,asemeComment_511 skipwhite skipempty
-syntax match asemeComment_511 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_509,asemeComment_511 skipwhite skipempty
-syntax match asemeReference_509 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeClause_507 /\vas%(<|>)/ contained nextgroup=asemeChoice_506,asemeComment_508 skipwhite skipempty
-syntax region asemeComment_508 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_506,asemeComment_508 skipwhite skipempty
-syntax match asemeComment_508 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_506,asemeComment_508 skipwhite skipempty
-syntax match asemeChoice_506 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeClause_504 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_503,asemeComment_505 skipwhite skipempty
+syntax match asemeReference_518 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeClause_516 /\vfor%(<|>)/ contained nextgroup=asemeNumber_515,asemeComment_517 skipwhite skipempty
+syntax region asemeComment_517 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_515,asemeComment_517 skipwhite skipempty
+syntax match asemeComment_517 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_515,asemeComment_517 skipwhite skipempty
+syntax match asemeNumber_515 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeClause_513 /\vuses%(<|>)/ contained nextgroup=asemeReference_512,asemeComment_514 skipwhite skipempty
+syntax region asemeComment_514 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_512,asemeComment_514 skipwhite skipempty
+syntax match asemeComment_514 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_512,asemeComment_514 skipwhite skipempty
+syntax match asemeReference_512 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeClause_510 /\vas%(<|>)/ contained nextgroup=asemeChoice_509,asemeComment_511 skipwhite skipempty
+syntax region asemeComment_511 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_509,asemeComment_511 skipwhite skipempty
+syntax match asemeComment_511 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_509,asemeComment_511 skipwhite skipempty
+syntax match asemeChoice_509 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeClause_507 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_506,asemeComment_508 skipwhite skipempty
+syntax region asemeComment_508 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_506,asemeComment_508 skipwhite skipempty
+syntax match asemeComment_508 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_506,asemeComment_508 skipwhite skipempty
+syntax match asemeNumber_506 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeClause_504 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_503,asemeComment_505 skipwhite skipempty
 syntax region asemeComment_505 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_503,asemeComment_505 skipwhite skipempty
 syntax match asemeComment_505 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_503,asemeComment_505 skipwhite skipempty
-syntax match asemeNumber_503 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeClause_501 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_500,asemeComment_502 skipwhite skipempty
+syntax match asemeNumber_503 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeClause_501 /\vevery%(<|>)/ contained nextgroup=asemeNumber_500,asemeComment_502 skipwhite skipempty
 syntax region asemeComment_502 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_500,asemeComment_502 skipwhite skipempty
 syntax match asemeComment_502 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_500,asemeComment_502 skipwhite skipempty
-syntax match asemeNumber_500 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeClause_498 /\vevery%(<|>)/ contained nextgroup=asemeNumber_497,asemeComment_499 skipwhite skipempty
-syntax region asemeComment_499 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_497,asemeComment_499 skipwhite skipempty
-syntax match asemeComment_499 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_497,asemeComment_499 skipwhite skipempty
-syntax match asemeNumber_497 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeClause_495 /\vreads%(<|>)/ contained nextgroup=asemeChoice_492,asemeReference_494,asemeComment_496 skipwhite skipempty
-syntax region asemeComment_496 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_492,asemeReference_494,asemeComment_496 skipwhite skipempty
-syntax match asemeComment_496 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_492,asemeReference_494,asemeComment_496 skipwhite skipempty
-syntax match asemeReference_494 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeChoice_492 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_490,asemeComment_493 skipwhite skipempty
-syntax region asemeComment_493 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_490,asemeComment_493 skipwhite skipempty
-syntax match asemeComment_493 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_490,asemeComment_493 skipwhite skipempty
-syntax match asemeReference_490 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax region asemeComment_491 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeComment_491 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_491 skipwhite skipempty
-syntax match asemeDeclaration_488 /\v%(liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=liveness%(<|>)/ contained nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_489 skipwhite skipempty
-syntax region asemeComment_489 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_489 skipwhite skipempty
-syntax match asemeComment_489 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_489 skipwhite skipempty
-syntax cluster asemeLivenessInBodyOfSrm contains=asemePunctuation_487
-syntax region asemePunctuation_487 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfLiveness
-syntax cluster asemeBodyOfLiveness contains=asemeName_485,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeName_485 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_484,asemeComment_486 skipwhite skipempty
-syntax region asemeComment_486 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_484,asemeComment_486 skipwhite skipempty
-syntax match asemeComment_486 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_484,asemeComment_486 skipwhite skipempty
-syntax match asemeOperator_484 /\v\=%(\=)@!/ contained nextgroup=@asemeFormula,asemeComment_478 skipwhite skipempty
-syntax cluster asemeFormula contains=asemeText_477,asemeNumber_479,asemeReference_480,asemeNumber_481,asemeOperator_482,asemePunctuation_483
-syntax match asemePunctuation_483 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeFormula,asemeComment_478 skipwhite skipempty
-syntax match asemeOperator_482 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=%(\|\||\&\&|\-\>|\[\>|[.|*+~\^&ω])/ contained nextgroup=@asemeFormula,asemeComment_478 skipwhite skipempty
-syntax match asemeNumber_481 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[0-9]\w*/ contained nextgroup=@asemeFormula,asemeComment_478 skipwhite skipempty
-syntax match asemeReference_480 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*/ contained nextgroup=@asemeFormula,asemeComment_478 skipwhite skipempty
-syntax match asemeNumber_479 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeFormula,asemeComment_478 skipwhite skipempty
-syntax match asemeText_477 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeFormula,asemeComment_478 skipwhite skipempty
-syntax region asemeComment_478 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFormula,asemeComment_478 skipwhite skipempty
-syntax match asemeComment_478 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFormula,asemeComment_478 skipwhite skipempty
-syntax match asemeDeclaration_475 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_473,asemeComment_476 skipwhite skipempty
-syntax region asemeComment_476 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_473,asemeComment_476 skipwhite skipempty
-syntax match asemeComment_476 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_473,asemeComment_476 skipwhite skipempty
-syntax match asemeName_473 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_472,asemeComment_474 skipwhite skipempty
-syntax region asemeComment_474 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_472,asemeComment_474 skipwhite skipempty
-syntax match asemeComment_474 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_472,asemeComment_474 skipwhite skipempty
-syntax match asemeOperator_472 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_11 skipwhite skipempty
-syntax match asemeDeclaration_470 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_468,asemeComment_471 skipwhite skipempty
-syntax region asemeComment_471 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_468,asemeComment_471 skipwhite skipempty
-syntax match asemeComment_471 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_468,asemeComment_471 skipwhite skipempty
-syntax match asemeName_468 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_466,asemeComment_469 skipwhite skipempty
-syntax region asemeComment_469 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_466,asemeComment_469 skipwhite skipempty
-syntax match asemeComment_469 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_466,asemeComment_469 skipwhite skipempty
-syntax match asemePunctuation_466 /\v\:/ contained nextgroup=asemeBuiltIn_464,asemeType_465,asemeComment_467 skipwhite skipempty
-syntax region asemeComment_467 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_464,asemeType_465,asemeComment_467 skipwhite skipempty
-syntax match asemeComment_467 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_464,asemeType_465,asemeComment_467 skipwhite skipempty
-syntax match asemeType_465 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_451 skipwhite skipempty
-syntax match asemeBuiltIn_464 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_451 skipwhite skipempty
-syntax cluster asemeVarInBodyOfSrm contains=asemePunctuation_453,asemeOperator_455,asemeName_460,asemeBuiltIn_462,asemeType_463
-syntax match asemeType_463 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_451 skipwhite skipempty
-syntax match asemeBuiltIn_462 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_451 skipwhite skipempty
-syntax match asemeName_460 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_458,asemeComment_461 skipwhite skipempty
-syntax region asemeComment_461 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_458,asemeComment_461 skipwhite skipempty
-syntax match asemeComment_461 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_458,asemeComment_461 skipwhite skipempty
-syntax match asemePunctuation_458 /\v\:/ contained nextgroup=asemeBuiltIn_456,asemeType_457,asemeComment_459 skipwhite skipempty
-syntax region asemeComment_459 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_456,asemeType_457,asemeComment_459 skipwhite skipempty
-syntax match asemeComment_459 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_456,asemeType_457,asemeComment_459 skipwhite skipempty
-syntax match asemeType_457 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_451 skipwhite skipempty
-syntax match asemeBuiltIn_456 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_451 skipwhite skipempty
-syntax match asemeOperator_455 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionToken,asemeComment_205 skipwhite skipempty
-syntax match asemePunctuation_453 /\v\:/ contained nextgroup=asemeBuiltIn_450,asemeType_452,asemeComment_454 skipwhite skipempty
-syntax region asemeComment_454 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_450,asemeType_452,asemeComment_454 skipwhite skipempty
-syntax match asemeComment_454 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_450,asemeType_452,asemeComment_454 skipwhite skipempty
-syntax match asemeType_452 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_451 skipwhite skipempty
-syntax match asemeBuiltIn_450 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_451 skipwhite skipempty
-syntax region asemeComment_451 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfSrm,asemeComment_451 skipwhite skipempty
-syntax match asemeComment_451 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfSrm,asemeComment_451 skipwhite skipempty
-syntax match asemeDeclaration_448 /\v%(capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=capability%(<|>)/ contained nextgroup=asemeName_446,asemeComment_449 skipwhite skipempty
-syntax region asemeComment_449 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_446,asemeComment_449 skipwhite skipempty
-syntax match asemeComment_449 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_446,asemeComment_449 skipwhite skipempty
-syntax match asemeName_446 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeText_445,@asemeCapabilityInBodyOfSrm,asemeComment_447 skipwhite skipempty
+syntax match asemeNumber_500 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeClause_498 /\vreads%(<|>)/ contained nextgroup=asemeChoice_495,asemeReference_497,asemeComment_499 skipwhite skipempty
+syntax region asemeComment_499 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_495,asemeReference_497,asemeComment_499 skipwhite skipempty
+syntax match asemeComment_499 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_495,asemeReference_497,asemeComment_499 skipwhite skipempty
+syntax match asemeReference_497 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeChoice_495 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_493,asemeComment_496 skipwhite skipempty
+syntax region asemeComment_496 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_493,asemeComment_496 skipwhite skipempty
+syntax match asemeComment_496 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_493,asemeComment_496 skipwhite skipempty
+syntax match asemeReference_493 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax region asemeComment_494 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeComment_494 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
+syntax match asemeDeclaration_491 /\v%(liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=liveness%(<|>)/ contained nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_492 skipwhite skipempty
+syntax region asemeComment_492 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_492 skipwhite skipempty
+syntax match asemeComment_492 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_492 skipwhite skipempty
+syntax cluster asemeLivenessInBodyOfSrm contains=asemePunctuation_490
+syntax region asemePunctuation_490 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfLiveness
+syntax cluster asemeBodyOfLiveness contains=asemeName_488,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeName_488 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_487,asemeComment_489 skipwhite skipempty
+syntax region asemeComment_489 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_487,asemeComment_489 skipwhite skipempty
+syntax match asemeComment_489 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_487,asemeComment_489 skipwhite skipempty
+syntax match asemeOperator_487 /\v\=%(\=)@!/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
+syntax cluster asemeFormula contains=asemeText_480,asemeNumber_482,asemeReference_483,asemeNumber_484,asemeOperator_485,asemePunctuation_486
+syntax match asemePunctuation_486 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
+syntax match asemeOperator_485 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=%(\|\||\&\&|\-\>|\[\>|[.|*+~\^&ω])/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
+syntax match asemeNumber_484 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[0-9]\w*/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
+syntax match asemeReference_483 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
+syntax match asemeNumber_482 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
+syntax match asemeText_480 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
+syntax region asemeComment_481 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
+syntax match asemeComment_481 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
+syntax match asemeDeclaration_478 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_476,asemeComment_479 skipwhite skipempty
+syntax region asemeComment_479 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_476,asemeComment_479 skipwhite skipempty
+syntax match asemeComment_479 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_476,asemeComment_479 skipwhite skipempty
+syntax match asemeName_476 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_475,asemeComment_477 skipwhite skipempty
+syntax region asemeComment_477 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_475,asemeComment_477 skipwhite skipempty
+syntax match asemeComment_477 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_475,asemeComment_477 skipwhite skipempty
+syntax match asemeOperator_475 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_11 skipwhite skipempty
+syntax match asemeDeclaration_473 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_471,asemeComment_474 skipwhite skipempty
+syntax region asemeComment_474 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_471,asemeComment_474 skipwhite skipempty
+syntax match asemeComment_474 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_471,asemeComment_474 skipwhite skipempty
+syntax match asemeName_471 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_469,asemeComment_472 skipwhite skipempty
+syntax region asemeComment_472 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_469,asemeComment_472 skipwhite skipempty
+syntax match asemeComment_472 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_469,asemeComment_472 skipwhite skipempty
+syntax match asemePunctuation_469 /\v\:/ contained nextgroup=asemeBuiltIn_467,asemeType_468,asemeComment_470 skipwhite skipempty
+syntax region asemeComment_470 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_467,asemeType_468,asemeComment_470 skipwhite skipempty
+syntax match asemeComment_470 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_467,asemeType_468,asemeComment_470 skipwhite skipempty
+syntax match asemeType_468 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
+syntax match asemeBuiltIn_467 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
+syntax cluster asemeVarInBodyOfSrm contains=asemePunctuation_456,asemeOperator_458,asemeName_463,asemeBuiltIn_465,asemeType_466
+syntax match asemeType_466 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
+syntax match asemeBuiltIn_465 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
+syntax match asemeName_463 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_461,asemeComment_464 skipwhite skipempty
+syntax region asemeComment_464 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_461,asemeComment_464 skipwhite skipempty
+syntax match asemeComment_464 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_461,asemeComment_464 skipwhite skipempty
+syntax match asemePunctuation_461 /\v\:/ contained nextgroup=asemeBuiltIn_459,asemeType_460,asemeComment_462 skipwhite skipempty
+syntax region asemeComment_462 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_459,asemeType_460,asemeComment_462 skipwhite skipempty
+syntax match asemeComment_462 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_459,asemeType_460,asemeComment_462 skipwhite skipempty
+syntax match asemeType_460 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
+syntax match asemeBuiltIn_459 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
+syntax match asemeOperator_458 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionToken,asemeComment_205 skipwhite skipempty
+syntax match asemePunctuation_456 /\v\:/ contained nextgroup=asemeBuiltIn_453,asemeType_455,asemeComment_457 skipwhite skipempty
+syntax region asemeComment_457 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_453,asemeType_455,asemeComment_457 skipwhite skipempty
+syntax match asemeComment_457 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_453,asemeType_455,asemeComment_457 skipwhite skipempty
+syntax match asemeType_455 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
+syntax match asemeBuiltIn_453 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
+syntax region asemeComment_454 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
+syntax match asemeComment_454 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
+syntax match asemeDeclaration_451 /\v%(capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=capability%(<|>)/ contained nextgroup=asemeName_449,asemeComment_452 skipwhite skipempty
+syntax region asemeComment_452 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_449,asemeComment_452 skipwhite skipempty
+syntax match asemeComment_452 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_449,asemeComment_452 skipwhite skipempty
+syntax match asemeName_449 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeText_448,@asemeCapabilityInBodyOfSrm,asemeComment_450 skipwhite skipempty
+syntax region asemeComment_450 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_448,@asemeCapabilityInBodyOfSrm,asemeComment_450 skipwhite skipempty
+syntax match asemeComment_450 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_448,@asemeCapabilityInBodyOfSrm,asemeComment_450 skipwhite skipempty
+syntax match asemeText_448 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
+syntax cluster asemeCapabilityInBodyOfSrm contains=asemeOperator_439,asemePunctuation_442,asemeText_444,asemeName_446
+syntax match asemeName_446 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeText_445,@asemeCapabilityInBodyOfSrm,asemeComment_447 skipwhite skipempty
 syntax region asemeComment_447 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_445,@asemeCapabilityInBodyOfSrm,asemeComment_447 skipwhite skipempty
 syntax match asemeComment_447 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_445,@asemeCapabilityInBodyOfSrm,asemeComment_447 skipwhite skipempty
-syntax match asemeText_445 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_435 skipwhite skipempty
-syntax cluster asemeCapabilityInBodyOfSrm contains=asemeOperator_436,asemePunctuation_439,asemeText_441,asemeName_443
-syntax match asemeName_443 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeText_442,@asemeCapabilityInBodyOfSrm,asemeComment_444 skipwhite skipempty
-syntax region asemeComment_444 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_442,@asemeCapabilityInBodyOfSrm,asemeComment_444 skipwhite skipempty
-syntax match asemeComment_444 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_442,@asemeCapabilityInBodyOfSrm,asemeComment_444 skipwhite skipempty
-syntax match asemeText_442 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_435 skipwhite skipempty
-syntax match asemeText_441 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_435 skipwhite skipempty
-syntax match asemePunctuation_439 /\v\,/ contained nextgroup=asemeReference_438,asemeComment_440 skipwhite skipempty
-syntax region asemeComment_440 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_438,asemeComment_440 skipwhite skipempty
-syntax match asemeComment_440 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_438,asemeComment_440 skipwhite skipempty
-syntax match asemeReference_438 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_435 skipwhite skipempty
-syntax match asemeOperator_436 /\v\=%(\=)@!/ contained nextgroup=asemeReference_434,asemeComment_437 skipwhite skipempty
-syntax region asemeComment_437 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_434,asemeComment_437 skipwhite skipempty
-syntax match asemeComment_437 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_434,asemeComment_437 skipwhite skipempty
-syntax match asemeReference_434 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_435 skipwhite skipempty
-syntax region asemeComment_435 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_435 skipwhite skipempty
-syntax match asemeComment_435 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_435 skipwhite skipempty
-syntax match asemeDeclaration_432 /\v%(plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=plays%(<|>)/ contained nextgroup=asemeReference_430,asemeComment_433 skipwhite skipempty
-syntax region asemeComment_433 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_430,asemeComment_433 skipwhite skipempty
-syntax match asemeComment_433 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_430,asemeComment_433 skipwhite skipempty
-syntax match asemeReference_430 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_428,asemeComment_431 skipwhite skipempty
-syntax region asemeComment_431 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_428,asemeComment_431 skipwhite skipempty
-syntax match asemeComment_431 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_428,asemeComment_431 skipwhite skipempty
-syntax match asemePunctuation_428 /\v\./ contained nextgroup=asemeReference_427,asemeComment_429 skipwhite skipempty
-syntax region asemeComment_429 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_427,asemeComment_429 skipwhite skipempty
-syntax match asemeComment_429 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_427,asemeComment_429 skipwhite skipempty
-syntax match asemeReference_427 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_399 skipwhite skipempty
-syntax cluster asemePlaysInBodyOfSrm contains=asemeClause_404,asemeClause_407,asemePunctuation_417,asemePunctuation_420,asemeReference_425
-syntax match asemeReference_425 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_423,@asemePlaysInBodyOfSrm,asemeComment_426 skipwhite skipempty
-syntax region asemeComment_426 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_423,@asemePlaysInBodyOfSrm,asemeComment_426 skipwhite skipempty
-syntax match asemeComment_426 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_423,@asemePlaysInBodyOfSrm,asemeComment_426 skipwhite skipempty
+syntax match asemeText_445 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
+syntax match asemeText_444 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
+syntax match asemePunctuation_442 /\v\,/ contained nextgroup=asemeReference_441,asemeComment_443 skipwhite skipempty
+syntax region asemeComment_443 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_441,asemeComment_443 skipwhite skipempty
+syntax match asemeComment_443 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_441,asemeComment_443 skipwhite skipempty
+syntax match asemeReference_441 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
+syntax match asemeOperator_439 /\v\=%(\=)@!/ contained nextgroup=asemeReference_437,asemeComment_440 skipwhite skipempty
+syntax region asemeComment_440 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_437,asemeComment_440 skipwhite skipempty
+syntax match asemeComment_440 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_437,asemeComment_440 skipwhite skipempty
+syntax match asemeReference_437 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
+syntax region asemeComment_438 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
+syntax match asemeComment_438 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
+syntax match asemeDeclaration_435 /\v%(plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=plays%(<|>)/ contained nextgroup=asemeReference_433,asemeComment_436 skipwhite skipempty
+syntax region asemeComment_436 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_433,asemeComment_436 skipwhite skipempty
+syntax match asemeComment_436 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_433,asemeComment_436 skipwhite skipempty
+syntax match asemeReference_433 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_431,asemeComment_434 skipwhite skipempty
+syntax region asemeComment_434 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_431,asemeComment_434 skipwhite skipempty
+syntax match asemeComment_434 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_431,asemeComment_434 skipwhite skipempty
+syntax match asemePunctuation_431 /\v\./ contained nextgroup=asemeReference_430,asemeComment_432 skipwhite skipempty
+syntax region asemeComment_432 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_430,asemeComment_432 skipwhite skipempty
+syntax match asemeComment_432 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_430,asemeComment_432 skipwhite skipempty
+syntax match asemeReference_430 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
+syntax cluster asemePlaysInBodyOfSrm contains=asemeClause_407,asemeClause_410,asemePunctuation_420,asemePunctuation_423,asemeReference_428
+syntax match asemeReference_428 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_426,@asemePlaysInBodyOfSrm,asemeComment_429 skipwhite skipempty
+syntax region asemeComment_429 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_426,@asemePlaysInBodyOfSrm,asemeComment_429 skipwhite skipempty
+syntax match asemeComment_429 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_426,@asemePlaysInBodyOfSrm,asemeComment_429 skipwhite skipempty
+syntax match asemePunctuation_426 /\v\./ contained nextgroup=asemeReference_425,asemeComment_427 skipwhite skipempty
+syntax region asemeComment_427 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_425,asemeComment_427 skipwhite skipempty
+syntax match asemeComment_427 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_425,asemeComment_427 skipwhite skipempty
+syntax match asemeReference_425 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
 syntax match asemePunctuation_423 /\v\./ contained nextgroup=asemeReference_422,asemeComment_424 skipwhite skipempty
 syntax region asemeComment_424 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_422,asemeComment_424 skipwhite skipempty
 syntax match asemeComment_424 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_422,asemeComment_424 skipwhite skipempty
-syntax match asemeReference_422 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_399 skipwhite skipempty
-syntax match asemePunctuation_420 /\v\./ contained nextgroup=asemeReference_419,asemeComment_421 skipwhite skipempty
-syntax region asemeComment_421 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_419,asemeComment_421 skipwhite skipempty
-syntax match asemeComment_421 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_419,asemeComment_421 skipwhite skipempty
-syntax match asemeReference_419 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_399 skipwhite skipempty
-syntax match asemePunctuation_417 /\v\,/ contained nextgroup=asemeReference_415,asemeComment_418 skipwhite skipempty
-syntax region asemeComment_418 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_415,asemeComment_418 skipwhite skipempty
-syntax match asemeComment_418 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_415,asemeComment_418 skipwhite skipempty
-syntax match asemeReference_415 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_410,asemePunctuation_413,asemeComment_416 skipwhite skipempty
-syntax region asemeComment_416 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_410,asemePunctuation_413,asemeComment_416 skipwhite skipempty
-syntax match asemeComment_416 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_410,asemePunctuation_413,asemeComment_416 skipwhite skipempty
-syntax match asemePunctuation_413 /\v\./ contained nextgroup=asemeReference_412,asemeComment_414 skipwhite skipempty
+syntax match asemeReference_422 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
+syntax match asemePunctuation_420 /\v\,/ contained nextgroup=asemeReference_418,asemeComment_421 skipwhite skipempty
+syntax region asemeComment_421 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_418,asemeComment_421 skipwhite skipempty
+syntax match asemeComment_421 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_418,asemeComment_421 skipwhite skipempty
+syntax match asemeReference_418 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_413,asemePunctuation_416,asemeComment_419 skipwhite skipempty
+syntax region asemeComment_419 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_413,asemePunctuation_416,asemeComment_419 skipwhite skipempty
+syntax match asemeComment_419 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_413,asemePunctuation_416,asemeComment_419 skipwhite skipempty
+syntax match asemePunctuation_416 /\v\./ contained nextgroup=asemeReference_415,asemeComment_417 skipwhite skipempty
+syntax region asemeComment_417 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_415,asemeComment_417 skipwhite skipempty
+syntax match asemeComment_417 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_415,asemeComment_417 skipwhite skipempty
+syntax match asemeReference_415 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
+syntax match asemeOperator_413 /\v\=%(\=)@!/ contained nextgroup=asemeReference_412,asemeComment_414 skipwhite skipempty
 syntax region asemeComment_414 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_412,asemeComment_414 skipwhite skipempty
 syntax match asemeComment_414 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_412,asemeComment_414 skipwhite skipempty
-syntax match asemeReference_412 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_399 skipwhite skipempty
-syntax match asemeOperator_410 /\v\=%(\=)@!/ contained nextgroup=asemeReference_409,asemeComment_411 skipwhite skipempty
+syntax match asemeReference_412 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
+syntax match asemeClause_410 /\vas%(<|>)/ contained nextgroup=asemeReference_409,asemeComment_411 skipwhite skipempty
 syntax region asemeComment_411 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_409,asemeComment_411 skipwhite skipempty
 syntax match asemeComment_411 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_409,asemeComment_411 skipwhite skipempty
-syntax match asemeReference_409 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_399 skipwhite skipempty
-syntax match asemeClause_407 /\vas%(<|>)/ contained nextgroup=asemeReference_406,asemeComment_408 skipwhite skipempty
-syntax region asemeComment_408 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_406,asemeComment_408 skipwhite skipempty
-syntax match asemeComment_408 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_406,asemeComment_408 skipwhite skipempty
-syntax match asemeReference_406 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_399 skipwhite skipempty
-syntax match asemeClause_404 /\vwith%(<|>)/ contained nextgroup=asemeReference_402,asemeComment_405 skipwhite skipempty
-syntax region asemeComment_405 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_402,asemeComment_405 skipwhite skipempty
-syntax match asemeComment_405 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_402,asemeComment_405 skipwhite skipempty
-syntax match asemeReference_402 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_400,asemeComment_403 skipwhite skipempty
-syntax region asemeComment_403 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_400,asemeComment_403 skipwhite skipempty
-syntax match asemeComment_403 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_400,asemeComment_403 skipwhite skipempty
-syntax match asemeOperator_400 /\v\=%(\=)@!/ contained nextgroup=asemeReference_398,asemeComment_401 skipwhite skipempty
-syntax region asemeComment_401 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_398,asemeComment_401 skipwhite skipempty
-syntax match asemeComment_401 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_398,asemeComment_401 skipwhite skipempty
-syntax match asemeReference_398 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_399 skipwhite skipempty
-syntax region asemeComment_399 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePlaysInBodyOfSrm,asemeComment_399 skipwhite skipempty
-syntax match asemeComment_399 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePlaysInBodyOfSrm,asemeComment_399 skipwhite skipempty
-syntax match asemeDeclaration_396 /\v%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=includes%(<|>)/ contained nextgroup=asemeReference_395,asemeComment_397 skipwhite skipempty
-syntax region asemeComment_397 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_395,asemeComment_397 skipwhite skipempty
-syntax match asemeComment_397 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_395,asemeComment_397 skipwhite skipempty
-syntax match asemeReference_395 /\v%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_391 skipwhite skipempty
-syntax cluster asemeInclusionInBodyOfSrm contains=asemePunctuation_392,asemeReference_394
-syntax match asemeReference_394 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@!%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_391 skipwhite skipempty
-syntax match asemePunctuation_392 /\v\,/ contained nextgroup=asemeReference_390,asemeComment_393 skipwhite skipempty
-syntax region asemeComment_393 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_390,asemeComment_393 skipwhite skipempty
-syntax match asemeComment_393 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_390,asemeComment_393 skipwhite skipempty
-syntax match asemeReference_390 /\v%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_391 skipwhite skipempty
-syntax region asemeComment_391 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_391 skipwhite skipempty
-syntax match asemeComment_391 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_391 skipwhite skipempty
-syntax match asemeClause_388 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_386,asemeComment_389 skipwhite skipempty
-syntax region asemeComment_389 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_386,asemeComment_389 skipwhite skipempty
-syntax match asemeComment_389 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_386,asemeComment_389 skipwhite skipempty
-syntax match asemeBlock_386 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_387 skipwhite skipempty
-syntax region asemeComment_387 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSrmInFile,asemeComment_387 skipwhite skipempty
-syntax match asemeComment_387 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSrmInFile,asemeComment_387 skipwhite skipempty
-syntax match asemeDeclaration_384 /\v%(aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=aip%(<|>)/ nextgroup=asemeBlock_383,asemeComment_385 skipwhite skipempty
-syntax region asemeComment_385 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_383,asemeComment_385 skipwhite skipempty
-syntax match asemeComment_385 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_383,asemeComment_385 skipwhite skipempty
-syntax match asemeBlock_383 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeAipInFile,asemeComment_382 skipwhite skipempty
-syntax cluster asemeAipInFile contains=asemePunctuation_380,asemeBlock_381
-syntax match asemeBlock_381 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeAipInFile,asemeComment_382 skipwhite skipempty
-syntax region asemeComment_382 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAipInFile,asemeComment_382 skipwhite skipempty
-syntax match asemeComment_382 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAipInFile,asemeComment_382 skipwhite skipempty
-syntax region asemePunctuation_380 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfAip
-syntax cluster asemeBodyOfAip contains=asemeDeclaration_284,asemeDeclaration_287,asemeDeclaration_315,asemeDeclaration_319,asemeDeclaration_378,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeDeclaration_378 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_377,asemeComment_379 skipwhite skipempty
-syntax region asemeComment_379 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_377,asemeComment_379 skipwhite skipempty
-syntax match asemeComment_379 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_377,asemeComment_379 skipwhite skipempty
-syntax match asemeBlock_377 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfAip,asemeComment_376 skipwhite skipempty
-syntax cluster asemeControlInBodyOfAip contains=asemePunctuation_374,asemeBlock_375
-syntax match asemeBlock_375 /\v%(%(participant%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|outcome%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|clause%(<|>)%(\_s*%(at%(<|>)|every%(<|>)|\(|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfAip,asemeComment_376 skipwhite skipempty
-syntax region asemeComment_376 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfAip,asemeComment_376 skipwhite skipempty
-syntax match asemeComment_376 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfAip,asemeComment_376 skipwhite skipempty
-syntax region asemePunctuation_374 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfControl
-syntax cluster asemeBodyOfControl contains=asemeDeclaration_349,asemeNumber_372,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeNumber_372 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_370,asemeComment_373 skipwhite skipempty
-syntax region asemeComment_373 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_370,asemeComment_373 skipwhite skipempty
-syntax match asemeComment_373 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_370,asemeComment_373 skipwhite skipempty
-syntax match asemeOperator_370 /\v\-\>/ contained nextgroup=asemeNumber_368,asemeComment_371 skipwhite skipempty
-syntax region asemeComment_371 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_368,asemeComment_371 skipwhite skipempty
-syntax match asemeComment_371 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_368,asemeComment_371 skipwhite skipempty
-syntax match asemeNumber_368 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_367,asemeComment_369 skipwhite skipempty
-syntax region asemeComment_369 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_367,asemeComment_369 skipwhite skipempty
-syntax match asemeComment_369 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_367,asemeComment_369 skipwhite skipempty
-syntax match asemePunctuation_367 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax cluster asemeLabelledWay contains=asemeText_350,asemeNumber_352,asemeTruth_353,asemeLogic_354,asemeClause_355,asemeClause_356,asemeClause_357,asemeClause_358,asemeClause_359,asemeClause_360,asemeClause_361,asemeClause_362,asemeCall_363,asemeReference_364,asemeOperator_365,asemePunctuation_366
-syntax match asemePunctuation_366 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeOperator_365 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeReference_364 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeCall_363 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeClause_362 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeClause_361 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeClause_360 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeClause_359 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeClause_358 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeClause_357 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeClause_356 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeClause_355 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeLogic_354 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeTruth_353 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeNumber_352 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeText_350 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax region asemeComment_351 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeComment_351 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeLabelledWay,asemeComment_351 skipwhite skipempty
-syntax match asemeDeclaration_349 /\v%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,]))|%($|\/\/|\/\*)))@=)@=%(enter|skip|repeat|leave|start|finish)%(<|>)/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
-syntax cluster asemeWayInBodyOfControl contains=asemeOperator_323,asemePunctuation_342,asemeText_343,asemeNumber_344,asemeReference_345,asemeNumber_346,asemeOperator_347,asemePunctuation_348
-syntax match asemePunctuation_348 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
-syntax match asemeOperator_347 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=%(\|\||\&\&|\-\>|\[\>|[.|*+~\^&ω])/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
-syntax match asemeNumber_346 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=[0-9]\w*/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
-syntax match asemeReference_345 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=[A-Za-z_][A-Za-z0-9_]*/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
-syntax match asemeNumber_344 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
-syntax match asemeText_343 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
-syntax match asemePunctuation_342 /\v\:/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax cluster asemeControlToken contains=asemeText_325,asemeNumber_327,asemeTruth_328,asemeLogic_329,asemeClause_330,asemeClause_331,asemeClause_332,asemeClause_333,asemeClause_334,asemeClause_335,asemeClause_336,asemeClause_337,asemeCall_338,asemeReference_339,asemeOperator_340,asemePunctuation_341
-syntax match asemePunctuation_341 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeOperator_340 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeReference_339 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeCall_338 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeClause_337 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeClause_336 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeClause_335 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeClause_334 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeClause_333 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeClause_332 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeClause_331 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeClause_330 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeLogic_329 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeTruth_328 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeNumber_327 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeText_325 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax region asemeComment_326 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeComment_326 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlToken,asemeComment_326 skipwhite skipempty
-syntax match asemeOperator_323 /\v\#/ contained nextgroup=asemeNumber_321,asemeComment_324 skipwhite skipempty
+syntax match asemeReference_409 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
+syntax match asemeClause_407 /\vwith%(<|>)/ contained nextgroup=asemeReference_405,asemeComment_408 skipwhite skipempty
+syntax region asemeComment_408 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_405,asemeComment_408 skipwhite skipempty
+syntax match asemeComment_408 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_405,asemeComment_408 skipwhite skipempty
+syntax match asemeReference_405 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_403,asemeComment_406 skipwhite skipempty
+syntax region asemeComment_406 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_403,asemeComment_406 skipwhite skipempty
+syntax match asemeComment_406 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_403,asemeComment_406 skipwhite skipempty
+syntax match asemeOperator_403 /\v\=%(\=)@!/ contained nextgroup=asemeReference_401,asemeComment_404 skipwhite skipempty
+syntax region asemeComment_404 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_401,asemeComment_404 skipwhite skipempty
+syntax match asemeComment_404 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_401,asemeComment_404 skipwhite skipempty
+syntax match asemeReference_401 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
+syntax region asemeComment_402 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
+syntax match asemeComment_402 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
+syntax match asemeDeclaration_399 /\v%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=includes%(<|>)/ contained nextgroup=asemeReference_398,asemeComment_400 skipwhite skipempty
+syntax region asemeComment_400 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_398,asemeComment_400 skipwhite skipempty
+syntax match asemeComment_400 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_398,asemeComment_400 skipwhite skipempty
+syntax match asemeReference_398 /\v%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_394 skipwhite skipempty
+syntax cluster asemeInclusionInBodyOfSrm contains=asemePunctuation_395,asemeReference_397
+syntax match asemeReference_397 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@!%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_394 skipwhite skipempty
+syntax match asemePunctuation_395 /\v\,/ contained nextgroup=asemeReference_393,asemeComment_396 skipwhite skipempty
+syntax region asemeComment_396 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_393,asemeComment_396 skipwhite skipempty
+syntax match asemeComment_396 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_393,asemeComment_396 skipwhite skipempty
+syntax match asemeReference_393 /\v%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_394 skipwhite skipempty
+syntax region asemeComment_394 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_394 skipwhite skipempty
+syntax match asemeComment_394 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_394 skipwhite skipempty
+syntax match asemeClause_391 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_389,asemeComment_392 skipwhite skipempty
+syntax region asemeComment_392 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_389,asemeComment_392 skipwhite skipempty
+syntax match asemeComment_392 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_389,asemeComment_392 skipwhite skipempty
+syntax match asemeBlock_389 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
+syntax region asemeComment_390 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
+syntax match asemeComment_390 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
+syntax match asemeDeclaration_387 /\v%(aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=aip%(<|>)/ nextgroup=asemeBlock_386,asemeComment_388 skipwhite skipempty
+syntax region asemeComment_388 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_386,asemeComment_388 skipwhite skipempty
+syntax match asemeComment_388 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_386,asemeComment_388 skipwhite skipempty
+syntax match asemeBlock_386 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeAipInFile,asemeComment_385 skipwhite skipempty
+syntax cluster asemeAipInFile contains=asemePunctuation_383,asemeBlock_384
+syntax match asemeBlock_384 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeAipInFile,asemeComment_385 skipwhite skipempty
+syntax region asemeComment_385 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAipInFile,asemeComment_385 skipwhite skipempty
+syntax match asemeComment_385 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAipInFile,asemeComment_385 skipwhite skipempty
+syntax region asemePunctuation_383 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfAip
+syntax cluster asemeBodyOfAip contains=asemeDeclaration_284,asemeDeclaration_287,asemeDeclaration_315,asemeDeclaration_319,asemeDeclaration_381,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeDeclaration_381 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_380,asemeComment_382 skipwhite skipempty
+syntax region asemeComment_382 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_380,asemeComment_382 skipwhite skipempty
+syntax match asemeComment_382 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_380,asemeComment_382 skipwhite skipempty
+syntax match asemeBlock_380 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfAip,asemeComment_379 skipwhite skipempty
+syntax cluster asemeControlInBodyOfAip contains=asemePunctuation_377,asemeBlock_378
+syntax match asemeBlock_378 /\v%(%(participant%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|outcome%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|clause%(<|>)%(\_s*%(at%(<|>)|every%(<|>)|\(|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfAip,asemeComment_379 skipwhite skipempty
+syntax region asemeComment_379 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfAip,asemeComment_379 skipwhite skipempty
+syntax match asemeComment_379 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfAip,asemeComment_379 skipwhite skipempty
+syntax region asemePunctuation_377 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfControl
+syntax cluster asemeBodyOfControl contains=asemeDeclaration_352,asemeNumber_375,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeNumber_375 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_373,asemeComment_376 skipwhite skipempty
+syntax region asemeComment_376 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_373,asemeComment_376 skipwhite skipempty
+syntax match asemeComment_376 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_373,asemeComment_376 skipwhite skipempty
+syntax match asemeOperator_373 /\v\-\>/ contained nextgroup=asemeNumber_371,asemeComment_374 skipwhite skipempty
+syntax region asemeComment_374 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_371,asemeComment_374 skipwhite skipempty
+syntax match asemeComment_374 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_371,asemeComment_374 skipwhite skipempty
+syntax match asemeNumber_371 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_370,asemeComment_372 skipwhite skipempty
+syntax region asemeComment_372 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_370,asemeComment_372 skipwhite skipempty
+syntax match asemeComment_372 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_370,asemeComment_372 skipwhite skipempty
+syntax match asemePunctuation_370 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax cluster asemeLabelledWay contains=asemeText_353,asemeNumber_355,asemeTruth_356,asemeLogic_357,asemeClause_358,asemeClause_359,asemeClause_360,asemeClause_361,asemeClause_362,asemeClause_363,asemeClause_364,asemeClause_365,asemeCall_366,asemeReference_367,asemeOperator_368,asemePunctuation_369
+syntax match asemePunctuation_369 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeOperator_368 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeReference_367 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeCall_366 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeClause_365 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeClause_364 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeClause_363 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeClause_362 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeClause_361 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeClause_360 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeClause_359 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeClause_358 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeLogic_357 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeTruth_356 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeNumber_355 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeText_353 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax region asemeComment_354 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeComment_354 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeDeclaration_352 /\v%(%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>)%(\_s*%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(every\_s+[0-9]|%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,]))|%($|\/\/|\/\*)))@=)@=%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>)/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
+syntax cluster asemeWayInBodyOfControl contains=asemeClause_323,asemeOperator_326,asemePunctuation_345,asemeText_346,asemeNumber_347,asemeReference_348,asemeNumber_349,asemeOperator_350,asemePunctuation_351
+syntax match asemePunctuation_351 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(every\_s+[0-9]|%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
+syntax match asemeOperator_350 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(every\_s+[0-9]|%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=%(\|\||\&\&|\-\>|\[\>|[.|*+~\^&ω])/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
+syntax match asemeNumber_349 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(every\_s+[0-9]|%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=[0-9]\w*/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
+syntax match asemeReference_348 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(every\_s+[0-9]|%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=[A-Za-z_][A-Za-z0-9_]*/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
+syntax match asemeNumber_347 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(every\_s+[0-9]|%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
+syntax match asemeText_346 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\?\w*\?|%(%(every\_s+[0-9]|%(enter|skip|repeat|leave|start|finish|else|when|and|or|not)%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|[0-9]\w*|\-%(\>)@!|[.|()\[\]~*+&;,])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
+syntax match asemePunctuation_345 /\v\:/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax cluster asemeControlToken contains=asemeText_328,asemeNumber_330,asemeTruth_331,asemeLogic_332,asemeClause_333,asemeClause_334,asemeClause_335,asemeClause_336,asemeClause_337,asemeClause_338,asemeClause_339,asemeClause_340,asemeCall_341,asemeReference_342,asemeOperator_343,asemePunctuation_344
+syntax match asemePunctuation_344 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeOperator_343 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeReference_342 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeCall_341 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeClause_340 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeClause_339 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeClause_338 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeClause_337 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeClause_336 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeClause_335 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeClause_334 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=when%(<|>)/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeClause_333 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=else%(<|>)/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeLogic_332 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeTruth_331 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeNumber_330 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeText_328 /\v%(%(%(%(%(enter|skip|repeat|leave|start|finish)%(<|>)%(\_s*\.)@!|%(on|exit|resume)\_s+%(%(%(<|>)%(enter|skip|repeat|leave|start|finish|on|exit|resume)%(<|>))@![0-9A-Za-z_ \t.|()\[\]~*+#>])+\:|[0-9]+%(\.[0-9]+)*\_s*\-\>|state\_s+[0-9]|%(outcome\_s*\"|clause\_s+\w|let\_s+\w+\_s*\=%(\=)@!|var\_s+\w+\_s*\:|plays\_s+\w+\_s*\.)))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*|\_s+%(%(enter|skip|repeat|leave|start|finish)%(<|>))@!)[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax region asemeComment_329 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeComment_329 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlToken,asemeComment_329 skipwhite skipempty
+syntax match asemeOperator_326 /\v\#/ contained nextgroup=asemeNumber_325,asemeComment_327 skipwhite skipempty
+syntax region asemeComment_327 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_325,asemeComment_327 skipwhite skipempty
+syntax match asemeComment_327 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_325,asemeComment_327 skipwhite skipempty
+syntax match asemeNumber_325 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
+syntax match asemeClause_323 /\vevery%(<|>)/ contained nextgroup=asemeNumber_321,asemeComment_324 skipwhite skipempty
 syntax region asemeComment_324 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_321,asemeComment_324 skipwhite skipempty
 syntax match asemeComment_324 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_321,asemeComment_324 skipwhite skipempty
-syntax match asemeNumber_321 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
+syntax match asemeNumber_321 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
 syntax region asemeComment_322 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
 syntax match asemeComment_322 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeWayInBodyOfControl,asemeComment_322 skipwhite skipempty
 syntax match asemeDeclaration_319 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_317,asemeComment_320 skipwhite skipempty
@@ -1042,24 +1046,24 @@ highlight default link asemeBlock_148 asemeBlock
 highlight default link asemeBlock_150 asemeBlock
 highlight default link asemeBlock_282 asemeBlock
 highlight default link asemeBlock_283 asemeBlock
-highlight default link asemeBlock_375 asemeBlock
-highlight default link asemeBlock_377 asemeBlock
-highlight default link asemeBlock_381 asemeBlock
-highlight default link asemeBlock_383 asemeBlock
+highlight default link asemeBlock_378 asemeBlock
+highlight default link asemeBlock_380 asemeBlock
+highlight default link asemeBlock_384 asemeBlock
 highlight default link asemeBlock_386 asemeBlock
+highlight default link asemeBlock_389 asemeBlock
 highlight default link asemeBlock_45 asemeBlock
 highlight default link asemeBlock_47 asemeBlock
-highlight default link asemeBlock_581 asemeBlock
-highlight default link asemeBlock_583 asemeBlock
+highlight default link asemeBlock_584 asemeBlock
 highlight default link asemeBlock_586 asemeBlock
-highlight default link asemeBlock_588 asemeBlock
-highlight default link asemeBlock_592 asemeBlock
-highlight default link asemeBlock_593 asemeBlock
-highlight default link asemeBlock_598 asemeBlock
-highlight default link asemeBlock_664 asemeBlock
-highlight default link asemeBlock_666 asemeBlock
-highlight default link asemeBlock_687 asemeBlock
-highlight default link asemeBlock_689 asemeBlock
+highlight default link asemeBlock_589 asemeBlock
+highlight default link asemeBlock_591 asemeBlock
+highlight default link asemeBlock_595 asemeBlock
+highlight default link asemeBlock_596 asemeBlock
+highlight default link asemeBlock_601 asemeBlock
+highlight default link asemeBlock_667 asemeBlock
+highlight default link asemeBlock_669 asemeBlock
+highlight default link asemeBlock_690 asemeBlock
+highlight default link asemeBlock_692 asemeBlock
 highlight default link asemeBlock_71 asemeBlock
 highlight default link asemeBlock_73 asemeBlock
 highlight default link asemeBlock_99 asemeBlock
@@ -1070,32 +1074,32 @@ highlight default link asemeBuiltIn_199 asemeBuiltIn
 highlight default link asemeBuiltIn_222 asemeBuiltIn
 highlight default link asemeBuiltIn_228 asemeBuiltIn
 highlight default link asemeBuiltIn_230 asemeBuiltIn
-highlight default link asemeBuiltIn_450 asemeBuiltIn
-highlight default link asemeBuiltIn_456 asemeBuiltIn
-highlight default link asemeBuiltIn_462 asemeBuiltIn
-highlight default link asemeBuiltIn_464 asemeBuiltIn
+highlight default link asemeBuiltIn_453 asemeBuiltIn
+highlight default link asemeBuiltIn_459 asemeBuiltIn
+highlight default link asemeBuiltIn_465 asemeBuiltIn
+highlight default link asemeBuiltIn_467 asemeBuiltIn
 highlight default link asemeBuiltIn_56 asemeBuiltIn
 highlight default link asemeBuiltIn_61 asemeBuiltIn
-highlight default link asemeBuiltIn_632 asemeBuiltIn
-highlight default link asemeBuiltIn_638 asemeBuiltIn
-highlight default link asemeBuiltIn_644 asemeBuiltIn
-highlight default link asemeBuiltIn_646 asemeBuiltIn
+highlight default link asemeBuiltIn_635 asemeBuiltIn
+highlight default link asemeBuiltIn_641 asemeBuiltIn
+highlight default link asemeBuiltIn_647 asemeBuiltIn
+highlight default link asemeBuiltIn_649 asemeBuiltIn
 highlight default link asemeBuiltIn_67 asemeBuiltIn
 highlight default link asemeCall_217 asemeCall
 highlight default link asemeCall_23 asemeCall
-highlight default link asemeCall_338 asemeCall
-highlight default link asemeCall_363 asemeCall
+highlight default link asemeCall_341 asemeCall
+highlight default link asemeCall_366 asemeCall
 highlight default link asemeChoice_160 asemeChoice
 highlight default link asemeChoice_289 asemeChoice
-highlight default link asemeChoice_492 asemeChoice
-highlight default link asemeChoice_506 asemeChoice
-highlight default link asemeChoice_522 asemeChoice
-highlight default link asemeChoice_534 asemeChoice
-highlight default link asemeChoice_548 asemeChoice
-highlight default link asemeChoice_564 asemeChoice
-highlight default link asemeChoice_607 asemeChoice
-highlight default link asemeChoice_611 asemeChoice
-highlight default link asemeChoice_619 asemeChoice
+highlight default link asemeChoice_495 asemeChoice
+highlight default link asemeChoice_509 asemeChoice
+highlight default link asemeChoice_525 asemeChoice
+highlight default link asemeChoice_537 asemeChoice
+highlight default link asemeChoice_551 asemeChoice
+highlight default link asemeChoice_567 asemeChoice
+highlight default link asemeChoice_610 asemeChoice
+highlight default link asemeChoice_614 asemeChoice
+highlight default link asemeChoice_622 asemeChoice
 highlight default link asemeChoice_90 asemeChoice
 highlight default link asemeClause_135 asemeClause
 highlight default link asemeClause_137 asemeClause
@@ -1126,26 +1130,26 @@ highlight default link asemeClause_300 asemeClause
 highlight default link asemeClause_303 asemeClause
 highlight default link asemeClause_305 asemeClause
 highlight default link asemeClause_306 asemeClause
-highlight default link asemeClause_330 asemeClause
-highlight default link asemeClause_331 asemeClause
-highlight default link asemeClause_332 asemeClause
+highlight default link asemeClause_323 asemeClause
 highlight default link asemeClause_333 asemeClause
 highlight default link asemeClause_334 asemeClause
 highlight default link asemeClause_335 asemeClause
 highlight default link asemeClause_336 asemeClause
 highlight default link asemeClause_337 asemeClause
-highlight default link asemeClause_355 asemeClause
-highlight default link asemeClause_356 asemeClause
-highlight default link asemeClause_357 asemeClause
+highlight default link asemeClause_338 asemeClause
+highlight default link asemeClause_339 asemeClause
+highlight default link asemeClause_340 asemeClause
 highlight default link asemeClause_358 asemeClause
 highlight default link asemeClause_359 asemeClause
 highlight default link asemeClause_360 asemeClause
 highlight default link asemeClause_361 asemeClause
 highlight default link asemeClause_362 asemeClause
-highlight default link asemeClause_388 asemeClause
-highlight default link asemeClause_404 asemeClause
+highlight default link asemeClause_363 asemeClause
+highlight default link asemeClause_364 asemeClause
+highlight default link asemeClause_365 asemeClause
+highlight default link asemeClause_391 asemeClause
 highlight default link asemeClause_407 asemeClause
-highlight default link asemeClause_495 asemeClause
+highlight default link asemeClause_410 asemeClause
 highlight default link asemeClause_498 asemeClause
 highlight default link asemeClause_501 asemeClause
 highlight default link asemeClause_504 asemeClause
@@ -1154,7 +1158,7 @@ highlight default link asemeClause_510 asemeClause
 highlight default link asemeClause_513 asemeClause
 highlight default link asemeClause_516 asemeClause
 highlight default link asemeClause_519 asemeClause
-highlight default link asemeClause_537 asemeClause
+highlight default link asemeClause_522 asemeClause
 highlight default link asemeClause_540 asemeClause
 highlight default link asemeClause_543 asemeClause
 highlight default link asemeClause_546 asemeClause
@@ -1163,8 +1167,9 @@ highlight default link asemeClause_552 asemeClause
 highlight default link asemeClause_555 asemeClause
 highlight default link asemeClause_558 asemeClause
 highlight default link asemeClause_561 asemeClause
-highlight default link asemeClause_594 asemeClause
-highlight default link asemeClause_603 asemeClause
+highlight default link asemeClause_564 asemeClause
+highlight default link asemeClause_597 asemeClause
+highlight default link asemeClause_606 asemeClause
 highlight default link asemeClause_78 asemeClause
 highlight default link asemeClause_81 asemeClause
 highlight default link asemeClause_85 asemeClause
@@ -1246,59 +1251,59 @@ highlight default link asemeComment_318 asemeComment
 highlight default link asemeComment_320 asemeComment
 highlight default link asemeComment_322 asemeComment
 highlight default link asemeComment_324 asemeComment
-highlight default link asemeComment_326 asemeComment
+highlight default link asemeComment_327 asemeComment
+highlight default link asemeComment_329 asemeComment
 highlight default link asemeComment_33 asemeComment
 highlight default link asemeComment_35 asemeComment
-highlight default link asemeComment_351 asemeComment
-highlight default link asemeComment_369 asemeComment
-highlight default link asemeComment_371 asemeComment
-highlight default link asemeComment_373 asemeComment
+highlight default link asemeComment_354 asemeComment
+highlight default link asemeComment_372 asemeComment
+highlight default link asemeComment_374 asemeComment
 highlight default link asemeComment_376 asemeComment
 highlight default link asemeComment_379 asemeComment
 highlight default link asemeComment_382 asemeComment
 highlight default link asemeComment_385 asemeComment
-highlight default link asemeComment_387 asemeComment
-highlight default link asemeComment_389 asemeComment
-highlight default link asemeComment_391 asemeComment
-highlight default link asemeComment_393 asemeComment
-highlight default link asemeComment_397 asemeComment
-highlight default link asemeComment_399 asemeComment
-highlight default link asemeComment_401 asemeComment
-highlight default link asemeComment_403 asemeComment
-highlight default link asemeComment_405 asemeComment
+highlight default link asemeComment_388 asemeComment
+highlight default link asemeComment_390 asemeComment
+highlight default link asemeComment_392 asemeComment
+highlight default link asemeComment_394 asemeComment
+highlight default link asemeComment_396 asemeComment
+highlight default link asemeComment_400 asemeComment
+highlight default link asemeComment_402 asemeComment
+highlight default link asemeComment_404 asemeComment
+highlight default link asemeComment_406 asemeComment
 highlight default link asemeComment_408 asemeComment
 highlight default link asemeComment_411 asemeComment
 highlight default link asemeComment_414 asemeComment
-highlight default link asemeComment_416 asemeComment
-highlight default link asemeComment_418 asemeComment
+highlight default link asemeComment_417 asemeComment
+highlight default link asemeComment_419 asemeComment
 highlight default link asemeComment_421 asemeComment
 highlight default link asemeComment_424 asemeComment
-highlight default link asemeComment_426 asemeComment
+highlight default link asemeComment_427 asemeComment
 highlight default link asemeComment_429 asemeComment
-highlight default link asemeComment_431 asemeComment
-highlight default link asemeComment_433 asemeComment
-highlight default link asemeComment_435 asemeComment
-highlight default link asemeComment_437 asemeComment
+highlight default link asemeComment_432 asemeComment
+highlight default link asemeComment_434 asemeComment
+highlight default link asemeComment_436 asemeComment
+highlight default link asemeComment_438 asemeComment
 highlight default link asemeComment_440 asemeComment
-highlight default link asemeComment_444 asemeComment
+highlight default link asemeComment_443 asemeComment
 highlight default link asemeComment_447 asemeComment
-highlight default link asemeComment_449 asemeComment
-highlight default link asemeComment_451 asemeComment
+highlight default link asemeComment_450 asemeComment
+highlight default link asemeComment_452 asemeComment
 highlight default link asemeComment_454 asemeComment
-highlight default link asemeComment_459 asemeComment
+highlight default link asemeComment_457 asemeComment
 highlight default link asemeComment_46 asemeComment
-highlight default link asemeComment_461 asemeComment
-highlight default link asemeComment_467 asemeComment
-highlight default link asemeComment_469 asemeComment
-highlight default link asemeComment_471 asemeComment
+highlight default link asemeComment_462 asemeComment
+highlight default link asemeComment_464 asemeComment
+highlight default link asemeComment_470 asemeComment
+highlight default link asemeComment_472 asemeComment
 highlight default link asemeComment_474 asemeComment
-highlight default link asemeComment_476 asemeComment
-highlight default link asemeComment_478 asemeComment
-highlight default link asemeComment_486 asemeComment
+highlight default link asemeComment_477 asemeComment
+highlight default link asemeComment_479 asemeComment
+highlight default link asemeComment_481 asemeComment
 highlight default link asemeComment_489 asemeComment
 highlight default link asemeComment_49 asemeComment
-highlight default link asemeComment_491 asemeComment
-highlight default link asemeComment_493 asemeComment
+highlight default link asemeComment_492 asemeComment
+highlight default link asemeComment_494 asemeComment
 highlight default link asemeComment_496 asemeComment
 highlight default link asemeComment_499 asemeComment
 highlight default link asemeComment_5 asemeComment
@@ -1311,11 +1316,11 @@ highlight default link asemeComment_514 asemeComment
 highlight default link asemeComment_517 asemeComment
 highlight default link asemeComment_520 asemeComment
 highlight default link asemeComment_523 asemeComment
-highlight default link asemeComment_527 asemeComment
+highlight default link asemeComment_526 asemeComment
 highlight default link asemeComment_53 asemeComment
-highlight default link asemeComment_531 asemeComment
-highlight default link asemeComment_533 asemeComment
-highlight default link asemeComment_535 asemeComment
+highlight default link asemeComment_530 asemeComment
+highlight default link asemeComment_534 asemeComment
+highlight default link asemeComment_536 asemeComment
 highlight default link asemeComment_538 asemeComment
 highlight default link asemeComment_541 asemeComment
 highlight default link asemeComment_544 asemeComment
@@ -1326,59 +1331,60 @@ highlight default link asemeComment_556 asemeComment
 highlight default link asemeComment_559 asemeComment
 highlight default link asemeComment_562 asemeComment
 highlight default link asemeComment_565 asemeComment
-highlight default link asemeComment_569 asemeComment
+highlight default link asemeComment_568 asemeComment
 highlight default link asemeComment_57 asemeComment
 highlight default link asemeComment_572 asemeComment
-highlight default link asemeComment_576 asemeComment
+highlight default link asemeComment_575 asemeComment
 highlight default link asemeComment_579 asemeComment
 highlight default link asemeComment_582 asemeComment
 highlight default link asemeComment_585 asemeComment
-highlight default link asemeComment_587 asemeComment
+highlight default link asemeComment_588 asemeComment
 highlight default link asemeComment_590 asemeComment
-highlight default link asemeComment_595 asemeComment
-highlight default link asemeComment_597 asemeComment
+highlight default link asemeComment_593 asemeComment
+highlight default link asemeComment_598 asemeComment
 highlight default link asemeComment_600 asemeComment
-highlight default link asemeComment_602 asemeComment
-highlight default link asemeComment_604 asemeComment
-highlight default link asemeComment_608 asemeComment
-highlight default link asemeComment_612 asemeComment
-highlight default link asemeComment_614 asemeComment
+highlight default link asemeComment_603 asemeComment
+highlight default link asemeComment_605 asemeComment
+highlight default link asemeComment_607 asemeComment
+highlight default link asemeComment_611 asemeComment
+highlight default link asemeComment_615 asemeComment
+highlight default link asemeComment_617 asemeComment
 highlight default link asemeComment_62 asemeComment
-highlight default link asemeComment_620 asemeComment
-highlight default link asemeComment_622 asemeComment
-highlight default link asemeComment_624 asemeComment
+highlight default link asemeComment_623 asemeComment
+highlight default link asemeComment_625 asemeComment
 highlight default link asemeComment_627 asemeComment
-highlight default link asemeComment_629 asemeComment
-highlight default link asemeComment_631 asemeComment
-highlight default link asemeComment_633 asemeComment
+highlight default link asemeComment_630 asemeComment
+highlight default link asemeComment_632 asemeComment
+highlight default link asemeComment_634 asemeComment
 highlight default link asemeComment_636 asemeComment
-highlight default link asemeComment_641 asemeComment
-highlight default link asemeComment_643 asemeComment
-highlight default link asemeComment_649 asemeComment
+highlight default link asemeComment_639 asemeComment
+highlight default link asemeComment_644 asemeComment
+highlight default link asemeComment_646 asemeComment
 highlight default link asemeComment_65 asemeComment
-highlight default link asemeComment_651 asemeComment
-highlight default link asemeComment_653 asemeComment
+highlight default link asemeComment_652 asemeComment
+highlight default link asemeComment_654 asemeComment
 highlight default link asemeComment_656 asemeComment
-highlight default link asemeComment_658 asemeComment
-highlight default link asemeComment_660 asemeComment
-highlight default link asemeComment_662 asemeComment
+highlight default link asemeComment_659 asemeComment
+highlight default link asemeComment_661 asemeComment
+highlight default link asemeComment_663 asemeComment
 highlight default link asemeComment_665 asemeComment
 highlight default link asemeComment_668 asemeComment
-highlight default link asemeComment_670 asemeComment
-highlight default link asemeComment_672 asemeComment
-highlight default link asemeComment_674 asemeComment
-highlight default link asemeComment_676 asemeComment
-highlight default link asemeComment_678 asemeComment
+highlight default link asemeComment_671 asemeComment
+highlight default link asemeComment_673 asemeComment
+highlight default link asemeComment_675 asemeComment
+highlight default link asemeComment_677 asemeComment
+highlight default link asemeComment_679 asemeComment
 highlight default link asemeComment_68 asemeComment
 highlight default link asemeComment_681 asemeComment
 highlight default link asemeComment_684 asemeComment
-highlight default link asemeComment_688 asemeComment
+highlight default link asemeComment_687 asemeComment
 highlight default link asemeComment_691 asemeComment
-highlight default link asemeComment_717 asemeComment
+highlight default link asemeComment_694 asemeComment
 highlight default link asemeComment_72 asemeComment
 highlight default link asemeComment_720 asemeComment
-highlight default link asemeComment_728 asemeComment
+highlight default link asemeComment_723 asemeComment
 highlight default link asemeComment_731 asemeComment
+highlight default link asemeComment_734 asemeComment
 highlight default link asemeComment_75 asemeComment
 highlight default link asemeComment_77 asemeComment
 highlight default link asemeComment_79 asemeComment
@@ -1408,41 +1414,41 @@ highlight default link asemeDeclaration_287 asemeDeclaration
 highlight default link asemeDeclaration_30 asemeDeclaration
 highlight default link asemeDeclaration_315 asemeDeclaration
 highlight default link asemeDeclaration_319 asemeDeclaration
-highlight default link asemeDeclaration_349 asemeDeclaration
-highlight default link asemeDeclaration_378 asemeDeclaration
-highlight default link asemeDeclaration_384 asemeDeclaration
-highlight default link asemeDeclaration_396 asemeDeclaration
+highlight default link asemeDeclaration_352 asemeDeclaration
+highlight default link asemeDeclaration_381 asemeDeclaration
+highlight default link asemeDeclaration_387 asemeDeclaration
+highlight default link asemeDeclaration_399 asemeDeclaration
 highlight default link asemeDeclaration_4 asemeDeclaration
-highlight default link asemeDeclaration_432 asemeDeclaration
-highlight default link asemeDeclaration_448 asemeDeclaration
-highlight default link asemeDeclaration_470 asemeDeclaration
-highlight default link asemeDeclaration_475 asemeDeclaration
+highlight default link asemeDeclaration_435 asemeDeclaration
+highlight default link asemeDeclaration_451 asemeDeclaration
+highlight default link asemeDeclaration_473 asemeDeclaration
+highlight default link asemeDeclaration_478 asemeDeclaration
 highlight default link asemeDeclaration_48 asemeDeclaration
-highlight default link asemeDeclaration_488 asemeDeclaration
-highlight default link asemeDeclaration_530 asemeDeclaration
-highlight default link asemeDeclaration_575 asemeDeclaration
+highlight default link asemeDeclaration_491 asemeDeclaration
+highlight default link asemeDeclaration_533 asemeDeclaration
 highlight default link asemeDeclaration_578 asemeDeclaration
-highlight default link asemeDeclaration_584 asemeDeclaration
-highlight default link asemeDeclaration_589 asemeDeclaration
-highlight default link asemeDeclaration_596 asemeDeclaration
+highlight default link asemeDeclaration_581 asemeDeclaration
+highlight default link asemeDeclaration_587 asemeDeclaration
+highlight default link asemeDeclaration_592 asemeDeclaration
 highlight default link asemeDeclaration_599 asemeDeclaration
-highlight default link asemeDeclaration_623 asemeDeclaration
+highlight default link asemeDeclaration_602 asemeDeclaration
+highlight default link asemeDeclaration_626 asemeDeclaration
 highlight default link asemeDeclaration_64 asemeDeclaration
-highlight default link asemeDeclaration_652 asemeDeclaration
-highlight default link asemeDeclaration_657 asemeDeclaration
-highlight default link asemeDeclaration_659 asemeDeclaration
-highlight default link asemeDeclaration_661 asemeDeclaration
-highlight default link asemeDeclaration_667 asemeDeclaration
-highlight default link asemeDeclaration_690 asemeDeclaration
-highlight default link asemeDeclaration_719 asemeDeclaration
-highlight default link asemeDeclaration_730 asemeDeclaration
+highlight default link asemeDeclaration_655 asemeDeclaration
+highlight default link asemeDeclaration_660 asemeDeclaration
+highlight default link asemeDeclaration_662 asemeDeclaration
+highlight default link asemeDeclaration_664 asemeDeclaration
+highlight default link asemeDeclaration_670 asemeDeclaration
+highlight default link asemeDeclaration_693 asemeDeclaration
+highlight default link asemeDeclaration_722 asemeDeclaration
+highlight default link asemeDeclaration_733 asemeDeclaration
 highlight default link asemeDeclaration_74 asemeDeclaration
 highlight default link asemeDeclaration_8 asemeDeclaration
 highlight default link asemeDeclaration_96 asemeDeclaration
 highlight default link asemeLogic_14 asemeLogic
 highlight default link asemeLogic_208 asemeLogic
-highlight default link asemeLogic_329 asemeLogic
-highlight default link asemeLogic_354 asemeLogic
+highlight default link asemeLogic_332 asemeLogic
+highlight default link asemeLogic_357 asemeLogic
 highlight default link asemeName_114 asemeName
 highlight default link asemeName_121 asemeName
 highlight default link asemeName_126 asemeName
@@ -1462,27 +1468,27 @@ highlight default link asemeName_307 asemeName
 highlight default link asemeName_314 asemeName
 highlight default link asemeName_317 asemeName
 highlight default link asemeName_37 asemeName
-highlight default link asemeName_443 asemeName
 highlight default link asemeName_446 asemeName
-highlight default link asemeName_460 asemeName
-highlight default link asemeName_468 asemeName
-highlight default link asemeName_473 asemeName
-highlight default link asemeName_485 asemeName
-highlight default link asemeName_528 asemeName
+highlight default link asemeName_449 asemeName
+highlight default link asemeName_463 asemeName
+highlight default link asemeName_471 asemeName
+highlight default link asemeName_476 asemeName
+highlight default link asemeName_488 asemeName
+highlight default link asemeName_531 asemeName
 highlight default link asemeName_55 asemeName
-highlight default link asemeName_573 asemeName
+highlight default link asemeName_576 asemeName
 highlight default link asemeName_59 asemeName
 highlight default link asemeName_60 asemeName
-highlight default link asemeName_605 asemeName
-highlight default link asemeName_609 asemeName
-highlight default link asemeName_615 asemeName
-highlight default link asemeName_617 asemeName
-highlight default link asemeName_642 asemeName
-highlight default link asemeName_650 asemeName
-highlight default link asemeName_655 asemeName
+highlight default link asemeName_608 asemeName
+highlight default link asemeName_612 asemeName
+highlight default link asemeName_618 asemeName
+highlight default link asemeName_620 asemeName
+highlight default link asemeName_645 asemeName
+highlight default link asemeName_653 asemeName
+highlight default link asemeName_658 asemeName
 highlight default link asemeName_66 asemeName
-highlight default link asemeName_679 asemeName
-highlight default link asemeName_685 asemeName
+highlight default link asemeName_682 asemeName
+highlight default link asemeName_688 asemeName
 highlight default link asemeNumber_0 asemeNumber
 highlight default link asemeNumber_12 asemeNumber
 highlight default link asemeNumber_188 asemeNumber
@@ -1494,36 +1500,37 @@ highlight default link asemeNumber_291 asemeNumber
 highlight default link asemeNumber_302 asemeNumber
 highlight default link asemeNumber_32 asemeNumber
 highlight default link asemeNumber_321 asemeNumber
-highlight default link asemeNumber_327 asemeNumber
-highlight default link asemeNumber_344 asemeNumber
-highlight default link asemeNumber_346 asemeNumber
-highlight default link asemeNumber_352 asemeNumber
-highlight default link asemeNumber_368 asemeNumber
-highlight default link asemeNumber_372 asemeNumber
+highlight default link asemeNumber_325 asemeNumber
+highlight default link asemeNumber_330 asemeNumber
+highlight default link asemeNumber_347 asemeNumber
+highlight default link asemeNumber_349 asemeNumber
+highlight default link asemeNumber_355 asemeNumber
+highlight default link asemeNumber_371 asemeNumber
+highlight default link asemeNumber_375 asemeNumber
 highlight default link asemeNumber_40 asemeNumber
-highlight default link asemeNumber_479 asemeNumber
-highlight default link asemeNumber_481 asemeNumber
-highlight default link asemeNumber_497 asemeNumber
+highlight default link asemeNumber_482 asemeNumber
+highlight default link asemeNumber_484 asemeNumber
 highlight default link asemeNumber_50 asemeNumber
 highlight default link asemeNumber_500 asemeNumber
 highlight default link asemeNumber_503 asemeNumber
-highlight default link asemeNumber_512 asemeNumber
-highlight default link asemeNumber_539 asemeNumber
+highlight default link asemeNumber_506 asemeNumber
+highlight default link asemeNumber_515 asemeNumber
 highlight default link asemeNumber_542 asemeNumber
 highlight default link asemeNumber_545 asemeNumber
-highlight default link asemeNumber_554 asemeNumber
-highlight default link asemeNumber_613 asemeNumber
-highlight default link asemeNumber_621 asemeNumber
-highlight default link asemeNumber_626 asemeNumber
-highlight default link asemeNumber_630 asemeNumber
-highlight default link asemeNumber_671 asemeNumber
-highlight default link asemeNumber_675 asemeNumber
-highlight default link asemeNumber_693 asemeNumber
-highlight default link asemeNumber_699 asemeNumber
-highlight default link asemeNumber_705 asemeNumber
-highlight default link asemeNumber_711 asemeNumber
-highlight default link asemeNumber_722 asemeNumber
-highlight default link asemeNumber_734 asemeNumber
+highlight default link asemeNumber_548 asemeNumber
+highlight default link asemeNumber_557 asemeNumber
+highlight default link asemeNumber_616 asemeNumber
+highlight default link asemeNumber_624 asemeNumber
+highlight default link asemeNumber_629 asemeNumber
+highlight default link asemeNumber_633 asemeNumber
+highlight default link asemeNumber_674 asemeNumber
+highlight default link asemeNumber_678 asemeNumber
+highlight default link asemeNumber_696 asemeNumber
+highlight default link asemeNumber_702 asemeNumber
+highlight default link asemeNumber_708 asemeNumber
+highlight default link asemeNumber_714 asemeNumber
+highlight default link asemeNumber_725 asemeNumber
+highlight default link asemeNumber_737 asemeNumber
 highlight default link asemeNumber_80 asemeNumber
 highlight default link asemeNumber_87 asemeNumber
 highlight default link asemeOperator_105 asemeOperator
@@ -1536,29 +1543,29 @@ highlight default link asemeOperator_276 asemeOperator
 highlight default link asemeOperator_278 asemeOperator
 highlight default link asemeOperator_311 asemeOperator
 highlight default link asemeOperator_316 asemeOperator
-highlight default link asemeOperator_323 asemeOperator
+highlight default link asemeOperator_326 asemeOperator
 highlight default link asemeOperator_34 asemeOperator
-highlight default link asemeOperator_340 asemeOperator
-highlight default link asemeOperator_347 asemeOperator
-highlight default link asemeOperator_365 asemeOperator
-highlight default link asemeOperator_370 asemeOperator
-highlight default link asemeOperator_400 asemeOperator
-highlight default link asemeOperator_410 asemeOperator
-highlight default link asemeOperator_436 asemeOperator
-highlight default link asemeOperator_455 asemeOperator
-highlight default link asemeOperator_472 asemeOperator
-highlight default link asemeOperator_482 asemeOperator
-highlight default link asemeOperator_484 asemeOperator
+highlight default link asemeOperator_343 asemeOperator
+highlight default link asemeOperator_350 asemeOperator
+highlight default link asemeOperator_368 asemeOperator
+highlight default link asemeOperator_373 asemeOperator
+highlight default link asemeOperator_403 asemeOperator
+highlight default link asemeOperator_413 asemeOperator
+highlight default link asemeOperator_439 asemeOperator
+highlight default link asemeOperator_458 asemeOperator
+highlight default link asemeOperator_475 asemeOperator
+highlight default link asemeOperator_485 asemeOperator
+highlight default link asemeOperator_487 asemeOperator
 highlight default link asemeOperator_52 asemeOperator
-highlight default link asemeOperator_571 asemeOperator
-highlight default link asemeOperator_628 asemeOperator
-highlight default link asemeOperator_637 asemeOperator
-highlight default link asemeOperator_654 asemeOperator
-highlight default link asemeOperator_695 asemeOperator
-highlight default link asemeOperator_701 asemeOperator
-highlight default link asemeOperator_707 asemeOperator
-highlight default link asemeOperator_713 asemeOperator
-highlight default link asemeOperator_724 asemeOperator
+highlight default link asemeOperator_574 asemeOperator
+highlight default link asemeOperator_631 asemeOperator
+highlight default link asemeOperator_640 asemeOperator
+highlight default link asemeOperator_657 asemeOperator
+highlight default link asemeOperator_698 asemeOperator
+highlight default link asemeOperator_704 asemeOperator
+highlight default link asemeOperator_710 asemeOperator
+highlight default link asemeOperator_716 asemeOperator
+highlight default link asemeOperator_727 asemeOperator
 highlight default link asemePunctuation_110 asemePunctuation
 highlight default link asemePunctuation_112 asemePunctuation
 highlight default link asemePunctuation_118 asemePunctuation
@@ -1586,58 +1593,58 @@ highlight default link asemePunctuation_277 asemePunctuation
 highlight default link asemePunctuation_281 asemePunctuation
 highlight default link asemePunctuation_308 asemePunctuation
 highlight default link asemePunctuation_313 asemePunctuation
-highlight default link asemePunctuation_341 asemePunctuation
-highlight default link asemePunctuation_342 asemePunctuation
-highlight default link asemePunctuation_348 asemePunctuation
+highlight default link asemePunctuation_344 asemePunctuation
+highlight default link asemePunctuation_345 asemePunctuation
+highlight default link asemePunctuation_351 asemePunctuation
 highlight default link asemePunctuation_36 asemePunctuation
-highlight default link asemePunctuation_366 asemePunctuation
-highlight default link asemePunctuation_367 asemePunctuation
-highlight default link asemePunctuation_374 asemePunctuation
-highlight default link asemePunctuation_380 asemePunctuation
-highlight default link asemePunctuation_392 asemePunctuation
-highlight default link asemePunctuation_413 asemePunctuation
-highlight default link asemePunctuation_417 asemePunctuation
+highlight default link asemePunctuation_369 asemePunctuation
+highlight default link asemePunctuation_370 asemePunctuation
+highlight default link asemePunctuation_377 asemePunctuation
+highlight default link asemePunctuation_383 asemePunctuation
+highlight default link asemePunctuation_395 asemePunctuation
+highlight default link asemePunctuation_416 asemePunctuation
 highlight default link asemePunctuation_420 asemePunctuation
 highlight default link asemePunctuation_423 asemePunctuation
-highlight default link asemePunctuation_428 asemePunctuation
+highlight default link asemePunctuation_426 asemePunctuation
 highlight default link asemePunctuation_43 asemePunctuation
-highlight default link asemePunctuation_439 asemePunctuation
+highlight default link asemePunctuation_431 asemePunctuation
 highlight default link asemePunctuation_44 asemePunctuation
-highlight default link asemePunctuation_453 asemePunctuation
-highlight default link asemePunctuation_458 asemePunctuation
-highlight default link asemePunctuation_466 asemePunctuation
-highlight default link asemePunctuation_483 asemePunctuation
-highlight default link asemePunctuation_487 asemePunctuation
-highlight default link asemePunctuation_526 asemePunctuation
+highlight default link asemePunctuation_442 asemePunctuation
+highlight default link asemePunctuation_456 asemePunctuation
+highlight default link asemePunctuation_461 asemePunctuation
+highlight default link asemePunctuation_469 asemePunctuation
+highlight default link asemePunctuation_486 asemePunctuation
+highlight default link asemePunctuation_490 asemePunctuation
 highlight default link asemePunctuation_529 asemePunctuation
+highlight default link asemePunctuation_532 asemePunctuation
 highlight default link asemePunctuation_54 asemePunctuation
-highlight default link asemePunctuation_568 asemePunctuation
-highlight default link asemePunctuation_574 asemePunctuation
-highlight default link asemePunctuation_580 asemePunctuation
-highlight default link asemePunctuation_591 asemePunctuation
-highlight default link asemePunctuation_625 asemePunctuation
-highlight default link asemePunctuation_635 asemePunctuation
-highlight default link asemePunctuation_640 asemePunctuation
-highlight default link asemePunctuation_648 asemePunctuation
-highlight default link asemePunctuation_663 asemePunctuation
-highlight default link asemePunctuation_669 asemePunctuation
-highlight default link asemePunctuation_673 asemePunctuation
-highlight default link asemePunctuation_677 asemePunctuation
+highlight default link asemePunctuation_571 asemePunctuation
+highlight default link asemePunctuation_577 asemePunctuation
+highlight default link asemePunctuation_583 asemePunctuation
+highlight default link asemePunctuation_594 asemePunctuation
+highlight default link asemePunctuation_628 asemePunctuation
+highlight default link asemePunctuation_638 asemePunctuation
+highlight default link asemePunctuation_643 asemePunctuation
+highlight default link asemePunctuation_651 asemePunctuation
+highlight default link asemePunctuation_666 asemePunctuation
+highlight default link asemePunctuation_672 asemePunctuation
+highlight default link asemePunctuation_676 asemePunctuation
 highlight default link asemePunctuation_680 asemePunctuation
 highlight default link asemePunctuation_683 asemePunctuation
 highlight default link asemePunctuation_686 asemePunctuation
-highlight default link asemePunctuation_696 asemePunctuation
-highlight default link asemePunctuation_697 asemePunctuation
+highlight default link asemePunctuation_689 asemePunctuation
+highlight default link asemePunctuation_699 asemePunctuation
 highlight default link asemePunctuation_70 asemePunctuation
-highlight default link asemePunctuation_702 asemePunctuation
-highlight default link asemePunctuation_703 asemePunctuation
-highlight default link asemePunctuation_708 asemePunctuation
-highlight default link asemePunctuation_709 asemePunctuation
-highlight default link asemePunctuation_714 asemePunctuation
-highlight default link asemePunctuation_715 asemePunctuation
-highlight default link asemePunctuation_725 asemePunctuation
-highlight default link asemePunctuation_726 asemePunctuation
-highlight default link asemePunctuation_737 asemePunctuation
+highlight default link asemePunctuation_700 asemePunctuation
+highlight default link asemePunctuation_705 asemePunctuation
+highlight default link asemePunctuation_706 asemePunctuation
+highlight default link asemePunctuation_711 asemePunctuation
+highlight default link asemePunctuation_712 asemePunctuation
+highlight default link asemePunctuation_717 asemePunctuation
+highlight default link asemePunctuation_718 asemePunctuation
+highlight default link asemePunctuation_728 asemePunctuation
+highlight default link asemePunctuation_729 asemePunctuation
+highlight default link asemePunctuation_740 asemePunctuation
 highlight default link asemePunctuation_92 asemePunctuation
 highlight default link asemePunctuation_98 asemePunctuation
 highlight default link asemeReference_133 asemeReference
@@ -1665,54 +1672,54 @@ highlight default link asemeReference_266 asemeReference
 highlight default link asemeReference_267 asemeReference
 highlight default link asemeReference_274 asemeReference
 highlight default link asemeReference_310 asemeReference
-highlight default link asemeReference_339 asemeReference
-highlight default link asemeReference_345 asemeReference
-highlight default link asemeReference_364 asemeReference
-highlight default link asemeReference_390 asemeReference
-highlight default link asemeReference_394 asemeReference
-highlight default link asemeReference_395 asemeReference
+highlight default link asemeReference_342 asemeReference
+highlight default link asemeReference_348 asemeReference
+highlight default link asemeReference_367 asemeReference
+highlight default link asemeReference_393 asemeReference
+highlight default link asemeReference_397 asemeReference
 highlight default link asemeReference_398 asemeReference
-highlight default link asemeReference_402 asemeReference
-highlight default link asemeReference_406 asemeReference
+highlight default link asemeReference_401 asemeReference
+highlight default link asemeReference_405 asemeReference
 highlight default link asemeReference_409 asemeReference
 highlight default link asemeReference_41 asemeReference
 highlight default link asemeReference_412 asemeReference
 highlight default link asemeReference_415 asemeReference
-highlight default link asemeReference_419 asemeReference
+highlight default link asemeReference_418 asemeReference
 highlight default link asemeReference_42 asemeReference
 highlight default link asemeReference_422 asemeReference
 highlight default link asemeReference_425 asemeReference
-highlight default link asemeReference_427 asemeReference
+highlight default link asemeReference_428 asemeReference
 highlight default link asemeReference_430 asemeReference
-highlight default link asemeReference_434 asemeReference
-highlight default link asemeReference_438 asemeReference
-highlight default link asemeReference_480 asemeReference
-highlight default link asemeReference_490 asemeReference
-highlight default link asemeReference_494 asemeReference
-highlight default link asemeReference_509 asemeReference
-highlight default link asemeReference_515 asemeReference
+highlight default link asemeReference_433 asemeReference
+highlight default link asemeReference_437 asemeReference
+highlight default link asemeReference_441 asemeReference
+highlight default link asemeReference_483 asemeReference
+highlight default link asemeReference_493 asemeReference
+highlight default link asemeReference_497 asemeReference
+highlight default link asemeReference_512 asemeReference
 highlight default link asemeReference_518 asemeReference
 highlight default link asemeReference_521 asemeReference
 highlight default link asemeReference_524 asemeReference
-highlight default link asemeReference_525 asemeReference
-highlight default link asemeReference_532 asemeReference
-highlight default link asemeReference_536 asemeReference
-highlight default link asemeReference_551 asemeReference
-highlight default link asemeReference_557 asemeReference
+highlight default link asemeReference_527 asemeReference
+highlight default link asemeReference_528 asemeReference
+highlight default link asemeReference_535 asemeReference
+highlight default link asemeReference_539 asemeReference
+highlight default link asemeReference_554 asemeReference
 highlight default link asemeReference_560 asemeReference
 highlight default link asemeReference_563 asemeReference
 highlight default link asemeReference_566 asemeReference
-highlight default link asemeReference_567 asemeReference
+highlight default link asemeReference_569 asemeReference
+highlight default link asemeReference_570 asemeReference
 highlight default link asemeReference_6 asemeReference
-highlight default link asemeReference_601 asemeReference
-highlight default link asemeReference_682 asemeReference
-highlight default link asemeReference_694 asemeReference
-highlight default link asemeReference_700 asemeReference
-highlight default link asemeReference_706 asemeReference
-highlight default link asemeReference_712 asemeReference
-highlight default link asemeReference_723 asemeReference
-highlight default link asemeReference_735 asemeReference
-highlight default link asemeReference_736 asemeReference
+highlight default link asemeReference_604 asemeReference
+highlight default link asemeReference_685 asemeReference
+highlight default link asemeReference_697 asemeReference
+highlight default link asemeReference_703 asemeReference
+highlight default link asemeReference_709 asemeReference
+highlight default link asemeReference_715 asemeReference
+highlight default link asemeReference_726 asemeReference
+highlight default link asemeReference_738 asemeReference
+highlight default link asemeReference_739 asemeReference
 highlight default link asemeReference_76 asemeReference
 highlight default link asemeReference_83 asemeReference
 highlight default link asemeReference_91 asemeReference
@@ -1726,37 +1733,37 @@ highlight default link asemeText_196 asemeText
 highlight default link asemeText_204 asemeText
 highlight default link asemeText_271 asemeText
 highlight default link asemeText_286 asemeText
-highlight default link asemeText_325 asemeText
-highlight default link asemeText_343 asemeText
-highlight default link asemeText_350 asemeText
+highlight default link asemeText_328 asemeText
+highlight default link asemeText_346 asemeText
+highlight default link asemeText_353 asemeText
 highlight default link asemeText_38 asemeText
 highlight default link asemeText_39 asemeText
-highlight default link asemeText_441 asemeText
-highlight default link asemeText_442 asemeText
+highlight default link asemeText_444 asemeText
 highlight default link asemeText_445 asemeText
-highlight default link asemeText_477 asemeText
-highlight default link asemeText_570 asemeText
-highlight default link asemeText_577 asemeText
-highlight default link asemeText_606 asemeText
-highlight default link asemeText_610 asemeText
-highlight default link asemeText_616 asemeText
-highlight default link asemeText_618 asemeText
-highlight default link asemeText_692 asemeText
-highlight default link asemeText_698 asemeText
+highlight default link asemeText_448 asemeText
+highlight default link asemeText_480 asemeText
+highlight default link asemeText_573 asemeText
+highlight default link asemeText_580 asemeText
+highlight default link asemeText_609 asemeText
+highlight default link asemeText_613 asemeText
+highlight default link asemeText_619 asemeText
+highlight default link asemeText_621 asemeText
+highlight default link asemeText_695 asemeText
 highlight default link asemeText_7 asemeText
-highlight default link asemeText_704 asemeText
-highlight default link asemeText_710 asemeText
-highlight default link asemeText_716 asemeText
-highlight default link asemeText_718 asemeText
+highlight default link asemeText_701 asemeText
+highlight default link asemeText_707 asemeText
+highlight default link asemeText_713 asemeText
+highlight default link asemeText_719 asemeText
 highlight default link asemeText_721 asemeText
-highlight default link asemeText_727 asemeText
-highlight default link asemeText_729 asemeText
+highlight default link asemeText_724 asemeText
+highlight default link asemeText_730 asemeText
 highlight default link asemeText_732 asemeText
-highlight default link asemeText_733 asemeText
+highlight default link asemeText_735 asemeText
+highlight default link asemeText_736 asemeText
 highlight default link asemeTruth_13 asemeTruth
 highlight default link asemeTruth_207 asemeTruth
-highlight default link asemeTruth_328 asemeTruth
-highlight default link asemeTruth_353 asemeTruth
+highlight default link asemeTruth_331 asemeTruth
+highlight default link asemeTruth_356 asemeTruth
 highlight default link asemeType_109 asemeType
 highlight default link asemeType_117 asemeType
 highlight default link asemeType_124 asemeType
@@ -1764,16 +1771,16 @@ highlight default link asemeType_201 asemeType
 highlight default link asemeType_223 asemeType
 highlight default link asemeType_229 asemeType
 highlight default link asemeType_231 asemeType
-highlight default link asemeType_452 asemeType
-highlight default link asemeType_457 asemeType
-highlight default link asemeType_463 asemeType
-highlight default link asemeType_465 asemeType
+highlight default link asemeType_455 asemeType
+highlight default link asemeType_460 asemeType
+highlight default link asemeType_466 asemeType
+highlight default link asemeType_468 asemeType
 highlight default link asemeType_58 asemeType
 highlight default link asemeType_63 asemeType
-highlight default link asemeType_634 asemeType
-highlight default link asemeType_639 asemeType
-highlight default link asemeType_645 asemeType
-highlight default link asemeType_647 asemeType
+highlight default link asemeType_637 asemeType
+highlight default link asemeType_642 asemeType
+highlight default link asemeType_648 asemeType
+highlight default link asemeType_650 asemeType
 highlight default link asemeType_69 asemeType
 highlight default link asemeDeclaration Statement
 highlight default link asemeClause Keyword

@@ -1,0 +1,96 @@
+"""State values: `in(T)`, `done(T)` and `count(T)`, typed; whether a chart has the states that they name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from aseme_dsl.amola.expression import StateValue, values_of, walk
+from aseme_dsl.amola.meant import states_meant
+from aseme_dsl.amola.messages import BOOL, INT
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+from aseme_dsl.compiler.calls import wrong_form
+from aseme_dsl.compiler.checker import Checker
+from aseme_dsl.compiler.formulas import cut
+from aseme_dsl.compiler.names import unknown
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.grammar import tree
+from aseme_dsl.source import Span
+
+
+def state_value(checker: Checker, question: str, written: tree.Call) -> StateValue | None:
+    """`in(chase)`: of which states it asks is known only in a chart."""
+    if len(written.arguments) != 1:
+        problem = f"`{question}` takes 1 argument, not {len(written.arguments)}"
+        wrong_form(checker, question, written.span, problem)
+        return None
+    argument = written.arguments[0]
+    if not isinstance(argument, tree.Path) or len(argument.segments) != 1:
+        wrong_form(
+            checker, question, argument.span, f"`{question}` wants the name of a formula or an activity"
+        )
+        return None
+    kind = INT if question == "count" else BOOL
+    return StateValue(question, argument.text, kind, argument.span, written.span)
+
+
+def check_states(charts: Iterable[Statechart]) -> Iterator[Diagnostic]:
+    """E430 where a chart has no state of the name, E431 where `count` means several, E433 in actions."""
+    told: set[Span] = set()
+    for chart in charts:
+        for transition in chart.transitions:
+            condition = transition.expression.condition
+            asked = () if condition is None else tuple(walk(condition))
+            for value in values_of(transition.expression):
+                if isinstance(value, StateValue) and value.span not in told:
+                    problem = _problem(chart, transition.source, value, value in asked)
+                    if problem is not None:
+                        told.add(value.span)
+                        yield problem
+
+
+def _problem(chart: Statechart, source: str, value: StateValue, in_condition: bool) -> Diagnostic | None:
+    found = states_meant(chart, source, value.state)
+    if value.question != "count" and not in_condition:
+        return Diagnostic(
+            "E433",
+            f"`{value.question}` is asked in conditions: while actions run, states are left and entered",
+            value.span,
+            hint="ask it in the condition, in two lines if need be",
+        )
+    if not found:
+        names = {node.name for node in chart.nodes if _has_name(node)}
+        hint = "ask for a formula, an activity or a played participant of this role"
+        return unknown("E430", f"{chart.name} has no state", tree.Name(value.state, value.named), names, hint)
+    if value.question == "count" and len(found) > 1:
+        return Diagnostic(
+            "E431",
+            f"`{cut(value.state)}` stands in {len(found)} places here, and each has its own count",
+            value.span,
+            tuple(Related(node.span, f"{node.label}") for node in found[:5]),
+            hint="give one of them a formula with a name of its own, and count that",
+        )
+    if value.question == "done" and not any(_completes(chart, node) for node in found):
+        return Diagnostic(
+            "W435",
+            f"`{cut(value.state)}` never completes, so that this is never true",
+            value.span,
+            (Related(found[0].span, f"`{cut(value.state)}`"),),
+            hint="ask `in(…)`, or let it end",
+        )
+    return None
+
+
+def _has_name(node: Node) -> bool:
+    return node.name != node.label and node.name.isidentifier()
+
+
+def _completes(chart: Statechart, node: Node) -> bool:
+    match node.type:
+        case NodeType.OR:
+            return chart.end_of(node.label) is not None
+        case NodeType.AND:
+            return all(chart.end_of(region.label) is not None for region in chart.children(node.label))
+    return True
+
+
+__all__ = ["check_states", "state_value"]
