@@ -662,11 +662,16 @@ def _drawings(server: Server) -> None:
         server.moved(*_asked_place(params))
 
     async def go(view: View, span: Span) -> None:
-        """Show a place in the editor, if it can be told to."""
+        """Show a place in the editor."""
         uri = server.uri(view.program.path_of(span.source))
-        place = lsp.ShowDocumentParams(uri, take_focus=True, selection=server.range(span))
-        with contextlib.suppress(JsonRpcException):
-            await server.window_show_document_async(place)
+        await shown(lsp.ShowDocumentParams(uri, take_focus=True, selection=server.range(span)))
+
+    async def shown(document: lsp.ShowDocumentParams) -> None:
+        """Have the editor show something, if it can be told to."""
+        window = server.client_capabilities.window
+        if window is not None and window.show_document is not None and window.show_document.support:
+            with contextlib.suppress(JsonRpcException):
+                await server.window_show_document_async(document)
 
     @server.command(VIEW)
     async def view() -> str:
@@ -676,8 +681,7 @@ def _drawings(server: Server) -> None:
             server.moved = page[0].moved
             server.renewed = page[0].renew
         url = page[0].viewer.url
-        with contextlib.suppress(JsonRpcException):  # not every editor can
-            await server.window_show_document_async(lsp.ShowDocumentParams(url, external=True))
+        await shown(lsp.ShowDocumentParams(url, external=True))
         return url
 
 

@@ -13,6 +13,7 @@ import pytest
 import pytest_lsp
 from lsprotocol import types as lsp
 from pygls.exceptions import JsonRpcException
+from pygls.lsp.client import LanguageClient as BaseLanguageClient
 from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
 
 from aseme_dsl.editor.positions import Lines
@@ -619,3 +620,23 @@ async def test_a_page_in_a_browser_follows_the_cursor(project: Project) -> None:
     project.change("team.aseme", TEAM.replace("Give . Rest", "Give . Rest . Again"))
     state = await asyncio.to_thread(browser.next)
     assert "Again" in state["title"]
+
+
+async def test_an_editor_that_can_show_nothing_is_not_asked_to() -> None:
+    client = BaseLanguageClient("plain", "1")
+    asked: list[object] = []
+
+    @client.feature(lsp.WINDOW_SHOW_DOCUMENT)
+    def show(params: lsp.ShowDocumentParams) -> lsp.ShowDocumentResult:
+        asked.append(params)
+        return lsp.ShowDocumentResult(False)
+
+    await client.start_io(sys.executable, "-m", "aseme_dsl", "lsp")
+    await client.initialize_async(lsp.InitializeParams(lsp.ClientCapabilities()))
+    client.initialized(lsp.InitializedParams())
+    url = await client.workspace_execute_command_async(lsp.ExecuteCommandParams("asemec.view"))
+    assert isinstance(url, str) and url.startswith("http://127.0.0.1:")
+    await client.shutdown_async(None)
+    client.exit(None)
+    await client.stop()
+    assert asked == []
