@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 from importlib.util import find_spec
@@ -43,6 +44,7 @@ def command(port: int | None, stdio: bool) -> int:
     from aseme_dsl import __version__
     from aseme_dsl.editor.server import make_server
 
+    gc.disable()  # the server does it when nobody waits
     server = make_server(__version__, project(), _python_folders)
     if port is None:
         # The protocol has standard output to itself; what else is printed goes where people may read it.

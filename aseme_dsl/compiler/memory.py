@@ -93,6 +93,11 @@ class Memory:
         object.__setattr__(found, "_target", value)
         return cast(_T, found)
 
+    def is_about(self, name: object, value: object) -> bool:
+        """Whether what is shared by this name answers as this very object does."""
+        found = self._shared.get(name)
+        return found is not None and object.__getattribute__(found, "_target") is value
+
     def end(self) -> None:
         """An analysis is over."""
         self._number += 1

@@ -90,13 +90,15 @@ class World:
     roles: frozenset[str] = frozenset()
     realised: Mapping[str, Symbol] = field(default_factory=dict)
     """What use cases are in other models: protocols, formulas, capabilities, by their folded names."""
+    included: Mapping[str, tuple[tree.Srm, ...]] = field(default_factory=dict)
+    """What each role takes over, directly or not."""
 
 
-def world_of(
-    symbols: Symbols, protocols: Iterable[tree.Aip], roles: Sequence[tree.Srm | tree.Statechart]
-) -> World:
+def world_of(symbols: Symbols, files: Iterable[tree.File]) -> World:
     """The world of all declarations."""
-    protocols = tuple(protocols)
+    declarations = [item for file in files for item in file.declarations]
+    protocols = [item for item in declarations if isinstance(item, tree.Aip)]
+    roles = [item for item in declarations if isinstance(item, (tree.Srm, tree.Statechart))]
     realised: dict[str, Symbol] = {}
     for protocol in protocols:
         realised.setdefault(folded(protocol.name.text), Symbol(Kind.PROTOCOL, protocol.name.text))
@@ -106,7 +108,24 @@ def world_of(
         for capability in role.capabilities if isinstance(role, tree.Srm) else ():
             name = capability.name.text
             realised.setdefault(folded(name), Symbol(Kind.CAPABILITY, name, role.name.text))
-    return World(symbols, frozenset(role.name.text for role in roles), realised)
+    included = _included([role for role in roles if isinstance(role, tree.Srm)])
+    return World(symbols, frozenset(role.name.text for role in roles), realised, included)
+
+
+def _included(roles: Iterable[tree.Srm]) -> dict[str, tuple[tree.Srm, ...]]:
+    by_name = {role.name.text: role for role in reversed(list(roles))}
+    found: dict[str, tuple[tree.Srm, ...]] = {}
+    for name, role in by_name.items():
+        parts: dict[str, tree.Srm] = {}
+        waiting = [item.text for item in reversed(role.includes)]
+        while waiting:
+            other = waiting.pop()
+            if other in by_name and other not in parts and other != name:
+                parts[other] = by_name[other]
+                waiting += [item.text for item in reversed(by_name[other].includes)]
+        if parts:
+            found[name] = tuple(parts.values())
+    return found
 
 
 def formula_owners(
@@ -503,22 +522,32 @@ def _in_participant(party: tree.Participant, around: Around) -> Around:
 
 
 def _in_role(role: tree.Srm | tree.Statechart, around: Around) -> Around:
-    owner = role.name.text
-    values = dict(around.values)
-    values |= {item.name.text: Symbol(Kind.VARIABLE, item.name.text, owner) for item in role.variables}
-    values |= _lets(role.lets, owner)
+    """What a role says itself goes before what it takes over, and that before what is around it."""
+    values, lets = dict(around.values), dict(around.lets)
     terms: dict[str, Symbol] = {}
-    if isinstance(role, tree.Srm):
-        for item in role.plays:
-            played = Symbol(Kind.PARTICIPANT, item.participant.text, item.protocol.text)
-            terms.setdefault(item.participant.text, played)
-        for item in role.plays:
-            if item.alias is not None:
-                terms[item.alias.text] = Symbol(Kind.ALIAS, item.alias.text, owner)
-        for formula in role.formulas:
-            terms[formula.name.text] = Symbol(Kind.FORMULA, formula.name.text, owner)
-    lets = {**around.lets, **_meanings(role.lets, owner)}
-    return replace(around, block=role, owner=owner, values=values, lets=lets, terms=terms)
+    for part in (*reversed(around.world.included.get(role.name.text, ())), role):
+        owner = part.name.text
+        values |= {item.name.text: Symbol(Kind.VARIABLE, item.name.text, owner) for item in part.variables}
+        values |= _lets(part.lets, owner)
+        lets |= _meanings(part.lets, owner)
+        if isinstance(part, tree.Srm):
+            terms |= _terms(part)
+    return replace(around, block=role, owner=role.name.text, values=values, lets=lets, terms=terms)
+
+
+def _terms(role: tree.Srm) -> dict[str, Symbol]:
+    """What formulas of a role name besides activities."""
+    owner = role.name.text
+    terms: dict[str, Symbol] = {}
+    for item in role.plays:
+        played = Symbol(Kind.PARTICIPANT, item.participant.text, item.protocol.text)
+        terms.setdefault(item.participant.text, played)
+    for item in role.plays:
+        if item.alias is not None:
+            terms[item.alias.text] = Symbol(Kind.ALIAS, item.alias.text, owner)
+    for formula in role.formulas:
+        terms[formula.name.text] = Symbol(Kind.FORMULA, formula.name.text, owner)
+    return terms
 
 
 def _lets(written: Iterable[tree.Let], owner: str) -> dict[str, Symbol]:
@@ -542,6 +571,7 @@ class Index:
         self._parts = parts
         self._of = of
         self._found: dict[Source, tuple[Occurrence, ...]] = {}
+        self._by_symbol: dict[Symbol, list[Occurrence]] | None = None
 
     def part(self, part: Source) -> tuple[Occurrence, ...]:
         """All of one part of a file, in the order of the text."""
@@ -570,8 +600,11 @@ class Index:
 
     def of(self, *symbols: Symbol) -> tuple[Occurrence, ...]:
         """Everywhere the symbols stand."""
-        wanted = set(symbols)
-        return tuple(item for item in self.all() if item.symbol in wanted)
+        if self._by_symbol is None:
+            self._by_symbol = {}
+            for item in self.all():
+                self._by_symbol.setdefault(item.symbol, []).append(item)
+        return tuple(item for symbol in symbols for item in self._by_symbol.get(symbol, ()))
 
     def declarations(self, symbol: Symbol) -> tuple[Occurrence, ...]:
         """Where the symbol is declared; where nothing declares it, nothing."""
@@ -579,6 +612,7 @@ class Index:
 
 
 _Indexer = Callable[[tree.Declaration, World], tuple[Occurrence, ...]]
+"""`occurrences`, from memory if it can be."""
 
 __all__ = [
     "NAMES",

@@ -60,10 +60,10 @@ class Known:
     def events(self) -> tuple[str, ...]:
         """The events that some transition waits for."""
         found = {
-            node.name.text
+            name
             for file in self.files
-            for node in nodes(file.declarations)
-            if isinstance(node, tree.Raised)
+            for item in file.declarations
+            for name in self.program.recall(_events_in, item)
         }
         return tuple(sorted(found))
 
@@ -115,6 +115,10 @@ class Known:
             for case in suc.usecases:
                 found += [case.name.text, *(item.text for item in case.includes)]
         return tuple(dict.fromkeys(found))
+
+
+def _events_in(declaration: tree.Declaration) -> frozenset[str]:
+    return frozenset(node.name.text for node in nodes(declaration) if isinstance(node, tree.Raised))
 
 
 def known_in(view: View) -> Known:

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
+from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.phases import Inspection
 from aseme_dsl.diagnostics import Diagnostic, Suppressed
-from aseme_dsl.editor.index import Index, occurrences, world_of
+from aseme_dsl.editor.index import Index, Occurrence, World, occurrences, world_of
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import Layout
 from aseme_dsl.source import Source, Span
+
+Indexer = Callable[[tree.Declaration, World], tuple[Occurrence, ...]]
+"""`index.occurrences`, from memory if it can be."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +30,9 @@ class Program:
     inspection: Inspection
     diagnostics: tuple[Diagnostic, ...]
     suppressed: tuple[Suppressed, ...] = ()
+    indexer: Indexer = occurrences
+    recall: Recall = lambda function, *inputs: function(*inputs)
+    """What follows from a declaration alone, from memory if it can be (see `compiler.memory`)."""
 
     @property
     def layout(self) -> Layout:
@@ -78,9 +85,9 @@ class Program:
     def index(self) -> Index:
         """What every name in the files means."""
         known = self.inspection
-        world = world_of(known.symbols, known.blocks.aips, known.blocks.roles)
+        world = world_of(known.symbols, known.loaded.files)
         parts: dict[Source, list[tree.Declaration]] = {}
         for file in known.loaded.files:
             for item in file.declarations:
                 parts.setdefault(item.span.source, []).append(item)
-        return Index(world, parts, occurrences)
+        return Index(world, parts, self.indexer)

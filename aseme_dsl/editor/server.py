@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import gc
 import logging
 import os
 from collections.abc import Callable, Iterable, Sequence
@@ -37,6 +38,9 @@ VIEW = "asemec.view"
 
 DEBOUNCE = 0.05
 """Seconds without a change after which there is something to say of a file."""
+
+IDLE = 5.0
+"""Seconds without a change after which there is time to tidy up."""
 
 _log = logging.getLogger(__name__)
 
@@ -100,6 +104,7 @@ class Server(LanguageServer):
         self.drawing = asyncio.Lock()
         self.moved: Callable[[str, lsp.Position], None] = lambda uri, position: None
         self.renewed: Callable[[], None] = lambda: None
+        self.idle: asyncio.TimerHandle | None = None
 
     @property
     def encoding(self) -> str:
@@ -156,6 +161,11 @@ class Server(LanguageServer):
         for other in self.files.affected(path):
             self.publish_one(other)
         self.renewed()
+        if self.idle is not None:
+            self.idle.cancel()
+        # Models are many objects that live long: to look for cycles among them takes longer than to make
+        # them anew, so it is done when nobody waits (cli/lsp.py turns it off otherwise).
+        self.idle = asyncio.get_running_loop().call_later(IDLE, gc.collect)
 
     def publish_one(self, path: str) -> None:
         view = self.files.view(path)

@@ -11,10 +11,13 @@ from pathlib import Path
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import Options
 from aseme_dsl.compiler.memory import Memory
-from aseme_dsl.compiler.phases import inspect_files
+from aseme_dsl.compiler.phases import Inspection, inspect_files
+from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
-from aseme_dsl.editor.program import Program
+from aseme_dsl.editor.index import Occurrence, Symbol, World, occurrences
+from aseme_dsl.editor.program import Indexer, Program
 from aseme_dsl.editor.view import View
+from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import InParts, Parts
 from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
@@ -45,6 +48,13 @@ class Buffer:
     version: int | None
 
 
+def _occurrences(declaration: tree.Declaration, *world: *_World) -> tuple[Occurrence, ...]:
+    return occurrences(declaration, World(*world))
+
+
+_World = tuple[Symbols, frozenset[str], Mapping[str, Symbol], Mapping[str, tuple[tree.Srm, ...]]]
+
+_MAY_IMPORT = re.compile(r"^[ \t]*(?:import|system)\b[^\n]*(?:\n[^\n]*)?", re.MULTILINE)
 _IMPORT = re.compile(
     r'//[^\n]*|/\*[\s\S]*?\*/|\bimport\s+(?:"([^"\n]*)"|([A-Za-z_]\w*))|\b(system)\s+\w|"[^"\n]*"'
 )
@@ -61,7 +71,9 @@ class Header:
 
 def header_of(text: str) -> Header:
     """What a text imports, and whether it declares a system."""
-    found = list(_IMPORT.finditer(text))
+    # Most of a file is of no interest: look at all of it only if comments may hide something.
+    lines = text if "/*" in text else "\n".join(_MAY_IMPORT.findall(text))
+    found = list(_IMPORT.finditer(lines))
     return Header(
         tuple(item[1] for item in found if item[1]),
         tuple(item[2] for item in found if item[2]),
@@ -166,7 +178,21 @@ class Workspace:
         is_root = self._header(root).is_system and not analysis.is_library
         if not is_root:
             diagnostics = tuple(item for item in diagnostics if item.code != "E008")
-        return Program(root, inspection, diagnostics, suppressed)
+        indexer = self._indexer(memory, inspection)
+        return Program(root, inspection, diagnostics, suppressed, indexer, memory.recall)
+
+    def _indexer(self, memory: Memory, inspection: Inspection) -> Indexer:
+        """`occurrences`, with what is known of declarations that have not changed since."""
+        symbols = memory.shared("symbols", inspection.symbols)
+
+        def indexed(declaration: tree.Declaration, world: World) -> tuple[Occurrence, ...]:
+            if memory.is_about("symbols", inspection.symbols):
+                return memory.recall(
+                    _occurrences, declaration, symbols, world.roles, world.realised, world.included
+                )
+            return occurrences(declaration, world)  # of an earlier moment
+
+        return indexed
 
     def _viewed(self, path: str, text: str) -> View:
         programs = [self.program(root) for root in self.roots(path)]
