@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,10 +10,8 @@ from aseme_dsl.build.difference import unified
 from aseme_dsl.build.inputs import STANDARD_INPUT, Inputs
 from aseme_dsl.build.project import Checked, check
 from aseme_dsl.build.write import DISK, Disk, Written, write_over
-from aseme_dsl.diagnostics import Diagnostic, Edit
-
-UNSURE = frozenset(("W200",))
-"""Codes whose fix is for people to decide: two names may be meant to be close."""
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.changes import UNSURE, apply, by_file, choose
 
 ROUNDS = 50
 """How often files are checked again, at most: each mended mistake may uncover others."""
@@ -83,49 +80,6 @@ def difference(fixed: Fixed) -> str:
     return "".join(unified(path, fixed.before[path], text) for path, text in sorted(fixed.after.items()))
 
 
-def choose(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """Those whose changes do not overlap: of two that do, the first. All changes of one go together."""
-    taken: dict[str, list[Edit]] = {}
-    chosen = []
-    for item in diagnostics:
-        mine = by_file([item])
-        if not any(
-            _overlap(edit, other)
-            for path, edits in mine.items()
-            for edit in edits
-            for other in taken.get(path, ())
-        ):
-            chosen.append(item)
-            for path, edits in mine.items():
-                taken.setdefault(path, []).extend(edits)
-    return chosen
-
-
-def by_file(diagnostics: Iterable[Diagnostic]) -> dict[str, list[Edit]]:
-    """The changes of all, by the path of the file; several systems may have read it, each for itself."""
-    names: dict[str, str] = {}
-    found: dict[str, list[Edit]] = {}
-    for item in diagnostics:
-        for edit in item.changes:
-            shown = edit.span.source.path
-            found.setdefault(names.setdefault(os.path.realpath(shown), shown), []).append(edit)
-    return found
-
-
-def apply(text: str, edits: Sequence[Edit]) -> str:
-    """The text with changes that do not overlap."""
-    for edit in sorted(edits, key=lambda item: (item.span.start, item.span.end), reverse=True):
-        text = text[: edit.span.start] + edit.text + text[edit.span.end :]
-    return text
-
-
-def _overlap(first: Edit, second: Edit) -> bool:
-    a, b = first.span, second.span
-    if a.start == a.end or b.start == b.end:
-        return a.start <= b.end and b.start <= a.end
-    return a.start < b.end and b.start < a.end
-
-
 def is_mendable(item: Diagnostic) -> bool:
     """Whether `fix` would mend it."""
     paths = [edit.span.source.path for edit in item.changes]
@@ -140,4 +94,4 @@ def _state(texts: Mapping[str, str]) -> tuple[tuple[str, str], ...]:
     return tuple(sorted(texts.items()))
 
 
-__all__ = ["Fixed", "apply", "by_file", "choose", "difference", "fix", "is_mendable", "write_fixed"]
+__all__ = ["Fixed", "difference", "fix", "is_mendable", "write_fixed"]

@@ -87,8 +87,9 @@ def _python_folders(root: Path) -> PythonFolders:
 
     configuration, _ = configuration_for(root)
     output = configuration.output or configuration.folder / OUTPUT
-    activities = activities_folder(output, choose(configuration))
-    return PythonFolders(activities, (configuration.folder, root.parent))
+    choice = choose(configuration)
+    activities = activities_folder(output, choice)
+    return PythonFolders(activities, (configuration.folder, root.parent), choice.templates)
 
 
 __all__ = ["command", "project"]

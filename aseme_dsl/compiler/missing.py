@@ -20,4 +20,44 @@ class Missing:
     inside: Span | None = None
 
 
-__all__ = ["Missing"]
+_STEP = "  "
+
+
+def insertion(text: str, missing: Missing) -> tuple[int, str] | None:
+    """Where a skeleton goes in the text of its file, and what is written; None if it is there already."""
+    lines = missing.skeleton.split("\n")
+    if lines[0].startswith("//") and lines[0] in text:
+        return None
+    at, piece = _at_end(text, lines) if missing.inside is None else in_block(text, missing.inside, lines)
+    return at, piece.replace("\n", "\r\n" if "\r\n" in text else "\n")
+
+
+def _at_end(text: str, lines: list[str]) -> tuple[int, str]:
+    """After an empty line at the end of the file."""
+    gap = "\n" if text.endswith("\n") or not text else "\n\n"
+    return len(text), gap + "\n".join(lines) + ("\n" if text.endswith("\n") else "")
+
+
+def in_block(text: str, block: Span, lines: list[str]) -> tuple[int, str]:
+    """Before the last brace of a block, as far in as what is already there."""
+    brace = block.end - 1
+    start = text.rfind("\n", 0, brace) + 1
+    before = text[start:brace]
+    indent = before[: len(before) - len(before.lstrip())]
+    inner = _indent_inside(text[block.start : brace]) or indent + _STEP
+    body = "".join(f"{inner}{line}\n" if line else "\n" for line in lines)
+    if not before.strip():
+        return start, body if lines[0].startswith("//") else "\n" + body
+    # The brace shares its line: the skeleton and the brace get lines of their own.
+    return brace, "\n" + body + indent
+
+
+def _indent_inside(block: str) -> str:
+    """The indentation of the first line inside a block; none where it begins on the line of its brace."""
+    for line in block.split("\n")[1:]:
+        if line.strip():
+            return line[: len(line) - len(line.lstrip())]
+    return ""
+
+
+__all__ = ["Missing", "in_block", "insertion"]

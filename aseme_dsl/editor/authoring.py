@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import zlib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types as lsp
 
+from aseme_dsl.diagnostics import Edit
+from aseme_dsl.diagnostics.pages import file_of
+from aseme_dsl.editor.actions import CLASS, Action, ActionKind, actions, carry_out
+from aseme_dsl.editor.activities import activity_class
 from aseme_dsl.editor.completion import MOST, complete
 from aseme_dsl.editor.items import Item, ItemKind
 from aseme_dsl.editor.known import Known, known_in
+from aseme_dsl.editor.rewriting import Refused
 from aseme_dsl.editor.signatures import Signature, signatures
 from aseme_dsl.source import Source, Span
 
@@ -54,6 +62,12 @@ TRIGGERS = (".", " ", "(", "[", ":", "/", '"', "@", "=", ",")
 
 
 def answer_authors(server: Server) -> None:
+    """Answer all requests of this file."""
+    _offer(server)
+    _act(server)
+
+
+def _offer(server: Server) -> None:
     """Answer completion and signature help."""
     kept: dict[str, tuple[View, Known]] = {}
 
@@ -97,6 +111,142 @@ def answer_authors(server: Server) -> None:
         return lsp.SignatureHelp(
             [_signature(item) for item in found.signatures], found.active, found.parameter
         )
+
+
+# ---- actions ---------------------------------------------------------------------------------------
+
+CARRY_OUT = "aseme.carryOut"
+"""The command that carries out a refactoring, for editors that do not ask for an action's edits."""
+EXPLAIN = "aseme.explain"
+"""The command that shows the page of a code, and answers with its text."""
+
+_ACTION_KINDS = {
+    ActionKind.QUICK_FIX: lsp.CodeActionKind.QuickFix,
+    ActionKind.FIX_ALL: lsp.CodeActionKind.SourceFixAll,
+    ActionKind.EXTRACT: lsp.CodeActionKind.RefactorExtract,
+    ActionKind.INLINE: lsp.CodeActionKind.RefactorInline,
+    ActionKind.REWRITE: lsp.CodeActionKind.RefactorRewrite,
+}
+
+
+def _act(server: Server) -> None:
+    """Answer code actions, and carry them out."""
+
+    @server.feature(
+        lsp.TEXT_DOCUMENT_CODE_ACTION,
+        lsp.CodeActionOptions(code_action_kinds=list(_ACTION_KINDS.values()), resolve_provider=True),
+    )
+    def code_action(params: lsp.CodeActionParams) -> list[lsp.CodeAction] | None:
+        view = server.view(params.text_document.uri)
+        if view is None:
+            return None
+        start = server.offset(view, params.range.start)
+        end = server.offset(view, params.range.end)
+        wanted = params.context.only
+        return [
+            _code_action(server, view, item, params.context.diagnostics)
+            for item in actions(view, start, end, server.folders_of(Path(view.program.root)))
+            if wanted is None or any(_is_of_kind(item, kind) for kind in wanted)
+        ]
+
+    @server.feature(lsp.CODE_ACTION_RESOLVE)
+    def resolve(params: lsp.CodeAction) -> lsp.CodeAction:
+        if params.edit is None and params.data is not None:
+            params.edit = _carried_out(server, params.data)
+        return params
+
+    @server.command(CARRY_OUT)
+    def carry(data: Any) -> None:
+        edit = _carried_out(server, data)
+        if edit is not None:
+            server.workspace_apply_edit(lsp.ApplyWorkspaceEditParams(edit))
+
+    @server.command(EXPLAIN)
+    def explain(code: str) -> str | None:
+        file = file_of(code)
+        window = server.client_capabilities.window
+        if file is not None and window is not None and window.show_document is not None:
+            server.window_show_document(lsp.ShowDocumentParams(file.as_uri(), take_focus=True))
+        return file.read_text("utf-8") if file is not None else None
+
+
+def _is_of_kind(item: Action, kind: lsp.CodeActionKind | str) -> bool:
+    """Whether an action is of a kind or of one below it (`refactor` has `refactor.extract` below it)."""
+    wanted = str(getattr(kind, "value", kind))
+    return item.kind.value == wanted or item.kind.value.startswith(f"{wanted}.")
+
+
+def _code_action(server: Server, view: View, item: Action, shown: Sequence[lsp.Diagnostic]) -> lsp.CodeAction:
+    made = lsp.CodeAction(item.title, kind=_ACTION_KINDS[item.kind], is_preferred=item.preferred or None)
+    places = {(mended.code, server.range(mended.span).start.line) for mended in item.mends if mended.span}
+    made.diagnostics = [one for one in shown if (one.code, one.range.start.line) in places] or None
+    if item.explains:
+        made.command = lsp.Command(item.title, EXPLAIN, arguments=[item.explains])
+    elif item.edits:
+        made.edit = _workspace_edit(server, view, item.edits)
+    else:
+        data = {"path": view.path, "name": item.name, "start": item.start, "end": item.end}
+        data["text"] = _checksum(view.source.text)
+        if _asks_for_edits(server):
+            made.data = data
+        else:
+            made.command = lsp.Command(item.title, CARRY_OUT, arguments=[data])
+    return made
+
+
+def _carried_out(server: Server, data: Any) -> lsp.WorkspaceEdit | None:
+    """The edit of a refactoring; None, and a message that says why, if it cannot be done."""
+    path, name = str(_part(data, "path")), str(_part(data, "name"))
+    start, end = int(_part(data, "start")), int(_part(data, "end"))
+    view = server.files.view(path)
+    try:
+        if view is None or _checksum(view.source.text) != _part(data, "text"):
+            raise Refused("the file has changed since: ask again")
+        if name == CLASS:
+            file, text = activity_class(view, start, server.folders_of(Path(view.program.root)))
+            return _new_file(file, text)
+        return _workspace_edit(server, view, carry_out(view, name, start, end))
+    except Refused as reason:
+        server.window_show_message(lsp.ShowMessageParams(lsp.MessageType.Warning, f"Not done: {reason}"))
+        return None
+
+
+def _workspace_edit(server: Server, view: View, edits: Sequence[Edit]) -> lsp.WorkspaceEdit:
+    changes: dict[str, list[lsp.TextEdit]] = {}
+    for edit in edits:
+        uri = server.uri(view.program.path_of(edit.span.source))
+        changes.setdefault(uri, []).append(lsp.TextEdit(server.range(edit.span), edit.text))
+    return lsp.WorkspaceEdit(changes=changes)
+
+
+def _new_file(path: Path, text: str) -> lsp.WorkspaceEdit:
+    uri = path.as_uri()
+    nowhere = lsp.Range(lsp.Position(0, 0), lsp.Position(0, 0))
+    created = lsp.CreateFile(uri, options=lsp.CreateFileOptions(ignore_if_exists=True))
+    document = lsp.OptionalVersionedTextDocumentIdentifier(uri)
+    return lsp.WorkspaceEdit(
+        document_changes=[created, lsp.TextDocumentEdit(document, [lsp.TextEdit(nowhere, text)])]
+    )
+
+
+def _asks_for_edits(server: Server) -> bool:
+    """Whether the editor asks for the edits of the action that is chosen."""
+    document = server.client_capabilities.text_document
+    action = document.code_action if document is not None else None
+    resolved = action.resolve_support if action is not None else None
+    return resolved is not None and "edit" in resolved.properties
+
+
+def _checksum(text: str) -> int:
+    return zlib.crc32(text.encode("utf-8", "surrogatepass"))
+
+
+def _part(data: Any, name: str) -> Any:
+    """A member of what an editor has sent back."""
+    return data[name] if isinstance(data, dict) else getattr(data, name)
+
+
+# ---- items ------------------------------------------------------------------------------------------
 
 
 def _takes_snippets(server: Server) -> bool:
@@ -157,4 +307,4 @@ def _signature(item: Signature) -> lsp.SignatureInformation:
     )
 
 
-__all__ = ["answer_authors"]
+__all__ = ["CARRY_OUT", "EXPLAIN", "answer_authors"]

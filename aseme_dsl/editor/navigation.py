@@ -25,10 +25,14 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class PythonFolders:
-    """Where the Python of a program is looked for: its activities, and the modules that functions name."""
+    """Where the Python of a program is looked for: its activities, and the modules that functions name.
+
+    `templates` are the project's own, if it has some for new activities.
+    """
 
     activities: Path | None = None
     modules: tuple[Path, ...] = ()
+    templates: Path | None = None
 
 
 def definition(view: View, offset: int) -> tuple[Place, ...]:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from difflib import SequenceMatcher
 
-from aseme_dsl.amola.statechart import NodeType, Statechart, transition_text
+from aseme_dsl.amola.expression import action_text, events_text, value_text
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
 from aseme_dsl.compiler import Analysis, analyse
 from aseme_dsl.compiler import formulas as formula_tables
 from aseme_dsl.compiler.aip_to_eac import PROCESS
@@ -185,24 +186,35 @@ def look(view: View, text: str | None = None) -> Looked:
     return Looked(analysis, Counter(item.code for item in analysis.diagnostics))
 
 
+def nothing_new(view: View, text: str, allowed: frozenset[str] = frozenset()) -> tuple[Looked, Looked]:
+    """Compile the program as it is and as it would be with a new text of the file.
+
+    Raises:
+        Refused: There would be something new to complain of, but for `allowed` codes.
+    """
+    before, changed = look(view), look(view, text)
+    new = changed.codes - before.codes
+    for item in changed.analysis.diagnostics:
+        if item.code in new and item.code not in allowed:
+            raise Refused(f"there would be something new to say: {_said(item)}")
+    return before, changed
+
+
 def same_meaning(
     view: View, text: str, *, exactly: bool = True, allowed: frozenset[str] = frozenset()
 ) -> None:
     """Make sure that a new text of the file says nothing else than the one that is open.
 
     Every chart has the same transitions between the same states: with the same labels or (not `exactly`) up
-    to the states that hold others. There is nothing new to complain of but `allowed` codes.
+    to the states that hold others, and whatever the expressions are called (`let`). There is nothing new to
+    complain of but `allowed` codes.
 
     Raises:
         Refused: It does not, or that cannot be said because there are errors.
     """
-    before, changed = look(view), look(view, text)
+    before, changed = nothing_new(view, text, allowed)
     if before.analysis.system is None:
         raise Refused("mend the errors first: what the model means is not known")
-    new = changed.codes - before.codes
-    for item in changed.analysis.diagnostics:
-        if item.code in new and item.code not in allowed:
-            raise Refused(f"there would be something new to say: {_said(item)}")
     if changed.analysis.system is None:
         raise Refused("the new text would have errors")
     read = _exact if exactly else _up_to_nesting
@@ -220,16 +232,33 @@ def _said(item: Diagnostic) -> str:
 
 
 def _exact(chart: Statechart) -> object:
-    nodes = {(node.label, node.type, node.activity) for node in chart.nodes}
-    ways = [(item.source, item.priority, item.target, transition_text(item)) for item in chart.transitions]
-    return nodes, sorted(ways)
+    """All but what things are called, where they come from and where they are written."""
+    states = [_plain(node) for node in chart.nodes]
+    ways = [(_plain(item), _meaning(item)) for item in chart.transitions]
+    variables = [(item.name, item.type, item.scope) for item in chart.variables]
+    return sorted(states, key=str), sorted(ways, key=str), variables, chart.regions
+
+
+def _plain(part: Node | Transition) -> tuple[object, ...]:
+    aside = ("name", "origin", "span", "expression")
+    return tuple(getattr(part, item.name) for item in fields(part) if item.name not in aside)
 
 
 def _up_to_nesting(chart: Statechart) -> object:
     activities = Counter(node.activity for node in chart.nodes if node.type is NodeType.BASIC)
-    texts = Counter(transition_text(item) for item in chart.transitions)
-    texts.pop("", None)
+    texts = Counter(_meaning(item) for item in chart.transitions)
+    texts.pop(TransitionKind.WAY.value, None)
     return activities, texts
+
+
+def _meaning(transition: Transition) -> str:
+    """What a transition waits for and does, with the expressions that names stand for."""
+    written = transition.expression
+    parts = ["[>" if transition.first else "", transition.kind.value, events_text(written) or ""]
+    if written.condition is not None:
+        parts.append(f"[{value_text(written.condition, expand=True)}]")
+    parts += [f"/ {action_text(action, expand=True)}" for action in written.actions]
+    return " ".join(filter(None, parts))
 
 
 __all__ = [
@@ -243,6 +272,7 @@ __all__ = [
     "differences",
     "edits",
     "look",
+    "nothing_new",
     "piece_at",
     "read_piece",
     "same_meaning",

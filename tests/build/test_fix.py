@@ -8,11 +8,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from aseme_dsl.build.fix import ROUNDS, UNSURE, apply, choose, difference, fix, write_fixed
+from aseme_dsl.build.fix import ROUNDS, difference, fix, write_fixed
 from aseme_dsl.build.inputs import Inputs
 from aseme_dsl.build.write import Disk
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import CODES, Diagnostic, Edit
+from aseme_dsl.diagnostics.changes import UNSURE, apply, choose
 from aseme_dsl.source import Source, Span
 from tests.support.compiling import analysis
 

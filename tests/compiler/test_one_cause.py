@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from aseme_dsl.build.fix import apply
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.changes import apply
 from aseme_dsl.source import Source
 
 

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import asyncio
+from collections.abc import Sequence
+
 import pytest
 from lsprotocol import types as lsp
 
+from aseme_dsl.editor.authoring import EXPLAIN
+from aseme_dsl.editor.positions import Lines, Position
 from tests.editor.test_server import TEAM, Project, at, client, folder, project
 
 __all__ = ["client", "folder", "project"]
@@ -67,3 +72,87 @@ async def test_signature_help(project: Project) -> None:
     (parameter,) = signature.parameters
     assert tuple(parameter.label) == (8, 17)
     assert found.active_parameter == 0
+
+
+# ---- actions -------------------------------------------------------------------------------------
+
+
+async def actions(
+    project: Project, place: lsp.Range, *only: str, diagnostics: Sequence[lsp.Diagnostic] = ()
+) -> list[lsp.CodeAction]:
+    context = lsp.CodeActionContext(list(diagnostics), only=list(only) or None)
+    found = await project.client.text_document_code_action_async(
+        lsp.CodeActionParams(project.document(), place, context)
+    )
+    return list(found or ())
+
+
+def between(first: str, last: str, text: str = TEAM) -> lsp.Range:
+    return lsp.Range(at(first, text), at(last, text))
+
+
+def written(project: Project, edit: lsp.WorkspaceEdit | None, text: str = TEAM) -> str:
+    """The text of the file after an edit."""
+    assert edit is not None and edit.changes is not None
+    lines = Lines(text)
+    for item in reversed(sorted(edit.changes[project.uri()], key=lambda one: one.range.start.line)):
+        start, end = item.range.start, item.range.end
+        before = lines.offset(Position(start.line, start.character))
+        behind = lines.offset(Position(end.line, end.character))
+        text = text[:before] + item.new_text + text[behind:]
+    return text
+
+
+async def test_a_mistake_is_mended(project: Project) -> None:
+    text = TEAM.replace("[near]", "[naer]")
+    project.change("team.aseme", text)
+    shown = [item for item in await project.diagnostics("team.aseme") if item.code == "E200"]
+    found = await actions(project, between("[^naer]", "[naer^]", text), diagnostics=shown)
+    assert found[0].title == "Write `near` instead of `naer`"
+    assert found[0].is_preferred and list(found[0].diagnostics or ()) == shown
+    assert written(project, found[0].edit, text) == TEAM
+
+
+async def test_a_code_is_explained(project: Project) -> None:
+    project.change("team.aseme", TEAM.replace("[near]", "[naer]"))
+    found = await actions(project, between("[^near]", "[^near]"), "quickfix")
+    assert found[-1].title == "Explain E200: an unknown name"
+    said = await project.client.workspace_execute_command_async(
+        lsp.ExecuteCommandParams(EXPLAIN, arguments=["E200"])
+    )
+    assert isinstance(said, str) and "```aseme wrong" in said
+
+
+async def test_a_part_of_a_formula_gets_a_name(project: Project) -> None:
+    (action,) = await actions(project, between("(^look | handing | taker)~", "(look | handing | taker^)~"))
+    assert action.title == "Make a formula of what is selected" and action.edit is None
+    resolved = await project.client.code_action_resolve_async(action)
+    changed = written(project, resolved.edit)
+    assert "keeper = look_part~\n    look_part = look | handing | taker\n" in changed
+
+
+async def test_what_cannot_be_done_is_said(project: Project) -> None:
+    (action,) = await actions(project, between("(^look | handing | taker)~", "(look | handing^ | taker)~"))
+    message = asyncio.ensure_future(
+        project.client.protocol.wait_for_notification_async(lsp.WINDOW_SHOW_MESSAGE)
+    )
+    await asyncio.sleep(0)
+    resolved = await project.client.code_action_resolve_async(action)
+    assert resolved.edit is None
+    said = await asyncio.wait_for(message, 10)
+    assert said.message == "Not done: some of the branches of `|` would mean something else alone"
+
+
+async def test_an_activity_gets_its_class(project: Project) -> None:
+    place = at("[^Jump]")
+    found = await actions(project, lsp.Range(place, place), "refactor")
+    action = next(item for item in found if item.title == "Write the Python class of `Jump`")
+    resolved = await project.client.code_action_resolve_async(action)
+    assert resolved.edit is not None and resolved.edit.document_changes is not None
+    created, filled = resolved.edit.document_changes
+    assert isinstance(created, lsp.CreateFile) and created.uri.endswith("/act/jump.py")
+    assert isinstance(filled, lsp.TextDocumentEdit)
+    assert "class Jump" in str(filled.edits[0].new_text)
+    place = at("look = ^Scan")
+    found = await actions(project, lsp.Range(place, place), "refactor")
+    assert not any(item.title.startswith("Write the Python class") for item in found)

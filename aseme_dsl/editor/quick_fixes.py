@@ -1,0 +1,85 @@
+"""Quick fixes: what can be done about one problem: mend it, allow it, declare what is missing, read of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from aseme_dsl.compiler.allow import OWN
+from aseme_dsl.compiler.missing import Missing, insertion
+from aseme_dsl.diagnostics import CODES, Diagnostic, Edit, Severity
+from aseme_dsl.editor.declaring import declarations
+from aseme_dsl.editor.view import View
+from aseme_dsl.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """`is_the_one`: nothing else can have been meant. `mends`: the problem is gone then."""
+
+    title: str
+    edits: tuple[Edit, ...] = ()
+    is_the_one: bool = False
+    mends: bool = True
+    explains: str = ""
+
+
+def fixes(view: View, item: Diagnostic) -> Iterator[Fix]:
+    """What can be done about a problem of the file."""
+    if item.changes:
+        yield Fix(_title(item), item.changes, is_the_one=True)
+    yield from (Fix(title, edits) for title, edits in declarations(view, item))
+    skeleton = _skeleton(view, item)
+    if skeleton is not None:
+        yield Fix("Write what is missing, to be filled in", (skeleton,))
+    if item.severity is not Severity.ERROR and item.code not in OWN and item.span is not None:
+        yield Fix(f"Allow {item.code} here, and say why", (_allow(view, item.span, item.code),), mends=False)
+    yield Fix(f"Explain {item.code}: {CODES[item.code].title}", mends=False, explains=item.code)
+
+
+def _title(item: Diagnostic) -> str:
+    changes = item.changes
+    if len(changes) > 1:
+        return "Mend it" if item.hint is None else _sentence(item.hint)
+    (edit,) = changes
+    old, new = (" ".join(text.split()) for text in (edit.span.text, edit.text))
+    if not old:
+        return f"Insert `{new}`"
+    return f"Write `{new}` instead of `{old}`" if new else f"Remove `{_cut(old)}`"
+
+
+def _sentence(hint: str) -> str:
+    first = hint.split("\n")[0]
+    return first[:1].upper() + first[1:]
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= 40 else text[:39] + "…"
+
+
+def _skeleton(view: View, item: Diagnostic) -> Edit | None:
+    """The edit that writes what a note says is missing."""
+    for missing in view.program.inspection.analysis.missing:
+        note = missing.note
+        if (note.code, note.message) != (item.code, item.message):
+            continue
+        inside = view.program.whole(missing.inside) if missing.inside is not None else None
+        place = inside or item.span
+        if place is None or view.program.path_of(place.source) != view.path:
+            continue
+        found = insertion(view.source.text, Missing(note, missing.skeleton, inside))
+        if found is not None:
+            at, text = found
+            return Edit(Span(view.source, at, at), text)
+    return None
+
+
+def _allow(view: View, span: Span, code: str) -> Edit:
+    """A comment above the line on which a problem begins; its reason is for the author to say."""
+    text = view.source.text
+    line = text.rfind("\n", 0, span.start) + 1
+    indent = text[line : line + len(text[line:]) - len(text[line:].lstrip(" \t"))]
+    return Edit(Span(view.source, line, line), f"{indent}// asemec: allow({code}) \n")
+
+
+__all__ = ["Fix", "fixes"]
