@@ -12,6 +12,7 @@ import argparse
 import hashlib
 import json
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -235,7 +236,31 @@ def syntax(further: list[str]) -> int:
     return in_environment(["-m", "aseme_dsl.grammar.syntax", *further])
 
 
-COMMANDS = {"play": play, "test": test, "long": long, "syntax": syntax}
+def vsix(further: list[str]) -> int:
+    """Bundle and package the extension of VS Code; what npm needs stays in editors/vscode/node_modules."""
+    npm = shutil.which("npm")
+    if npm is None:
+        raise SetupError("There is no npm: install Node.js 20 or newer.")
+    folder = ROOT / "editors" / "vscode"
+    lock = (folder / "package-lock.json").read_bytes()
+    stamp = folder / "node_modules" / ".aseme-dsl"  # the lock file of what was installed last
+    if not stamp.exists() or stamp.read_bytes() != lock:
+        say("Installing what the extension is built with ...")
+        code = subprocess.call([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder)
+        if code != 0:
+            return code
+        stamp.write_bytes(lock)
+    target = ROOT / "build" / "aseme.vsix"
+    target.parent.mkdir(exist_ok=True)
+    for command in (["run", "--silent", "bundle"], ["run", "package", "--", "--out", str(target), *further]):
+        code = subprocess.call([npm, *command], cwd=folder)
+        if code != 0:
+            return code
+    say(f"Install it with: code --install-extension {target}")
+    return 0
+
+
+COMMANDS = {"play": play, "test": test, "long": long, "syntax": syntax, "vsix": vsix}
 
 
 def say(text: str, to: TextIO | None = None) -> None:
@@ -254,7 +279,7 @@ def main(arguments: list[str]) -> int:
         "command",
         choices=list(COMMANDS),
         help="play the example; run every check; run benchmarks and long random tests; "
-        "make the colours of all editors from the grammar",
+        "make the colours of all editors from the grammar; package the extension of VS Code",
     )
     parser.add_argument(
         "further", nargs=argparse.REMAINDER, help="more arguments for asemec run (play) or pytest (test)"

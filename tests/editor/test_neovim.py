@@ -1,0 +1,121 @@
+"""A walk through a project in Neovim, with the files of `editors/vim` and the real server."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+HERE = Path(__file__).parent
+ROOT = HERE.parents[1]
+
+WORLD = """\
+message Ball { bool visible  double distance }
+
+topic vision { state Ball }
+"""
+
+TEAM = """\
+system Team
+import "world.aseme"
+
+let near = vision.state.Ball.distance < 0.3
+
+srm player {
+  var ready : bool = true
+  liveness { player = (Look | Kick)~ }
+  control player {
+    enter Kik  : [ready && near]
+    enter Look : else
+  }
+  activities { Look every 100ms writes vision.state.Ball }
+}
+
+team All { robot : player }
+"""
+
+SETTINGS = """\
+vim.opt.runtimepath:prepend({folder})
+vim.opt.swapfile = false
+vim.cmd("filetype plugin indent on | syntax on")
+require("aseme").setup({{ cmd = {command} }})
+"""
+
+
+@pytest.fixture(scope="module")
+def seen(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    """What the walk has seen."""
+    if shutil.which("nvim") is None:
+        pytest.skip("NOT TRIED, for there is no nvim here: apt install neovim")
+    folder = tmp_path_factory.mktemp("project")
+    (folder / "pyproject.toml").write_text("[tool.asemec]\n")
+    (folder / "world.aseme").write_text(WORLD)
+    (folder / "team.aseme").write_text(TEAM)
+    settings = folder / "init.lua"
+    command = "{ " + ", ".join(json.dumps(part) for part in (sys.executable, "-m", "aseme_dsl", "lsp")) + " }"
+    settings.write_text(SETTINGS.format(folder=json.dumps(str(ROOT / "editors/vim")), command=command))
+    result = folder / "result.json"
+    environment = {**os.environ, "NVIM_RESULT": str(result), "PYTHONPATH": str(ROOT)}
+    environment |= {f"XDG_{name}_HOME": str(folder / name) for name in ("CONFIG", "DATA", "STATE", "CACHE")}
+    command_line = ["nvim", "--headless", "-i", "NONE", "-n", "-u", str(settings)]
+    done = subprocess.run(
+        [*command_line, "-c", f"luafile {HERE / 'neovim.lua'}"],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        stdin=subprocess.DEVNULL,
+    )
+    assert result.exists(), done.stdout + done.stderr
+    found: dict[str, Any] = json.loads(result.read_text())
+    assert "problem" not in found, found
+    return found | {
+        "folder": str(folder),
+        "files": {path.name: path.read_text() for path in folder.glob("*.aseme")},
+    }
+
+
+def test_the_server_is_started_in_the_projects_folder(seen: dict[str, Any]) -> None:
+    assert seen["filetype"] == "aseme"
+    assert seen["clients"] == [["asemec", seen["folder"]]]
+
+
+def test_mistakes_are_shown_where_they_are(seen: dict[str, Any]) -> None:
+    assert [each.partition(":")[0] for each in seen["mistakes"]] == ["10"]
+    assert "Kik" in seen["mistakes"][0]
+
+
+def test_completion_offers_the_terms_of_this_formula(seen: dict[str, Any]) -> None:
+    assert {"Look", "Kick"} <= set(seen["completion"])
+    assert "topic" not in seen["completion"]
+
+
+def test_hover_says_what_a_name_is(seen: dict[str, Any]) -> None:
+    assert "bool" in seen["hover"]
+
+
+def test_the_definition_is_in_the_imported_file(seen: dict[str, Any]) -> None:
+    assert seen["definition"].startswith("message Ball")
+
+
+def test_a_name_is_changed_everywhere(seen: dict[str, Any]) -> None:
+    assert seen["renamed"].count("Shoot") == 2
+    assert "Kick" not in seen["renamed"]
+
+
+def test_the_file_is_laid_out(seen: dict[str, Any]) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "aseme_dsl", "fmt", "-"],
+        input=seen["renamed"],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )
+    assert seen["formatted"] == done.stdout
+    assert seen["files"]["team.aseme"] == seen["formatted"]
