@@ -181,6 +181,8 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
             marks["kind"] = item.kind.value
         if item.resume:
             marks["resume"] = True
+        if item.reactive:
+            marks["reactive"] = True
         transitions.append(
             {
                 "name": item.name,

@@ -141,6 +141,15 @@ class StateValue:
 
 
 @dataclass(frozen=True, slots=True)
+class Holds:
+    """Whether a condition holds: never absent. Nobody writes it: `reactive` says it of other conditions."""
+
+    operand: Value
+    span: Span
+    type: Type = BOOL
+
+
+@dataclass(frozen=True, slots=True)
 class Not:
     operand: Value
     span: Span
@@ -205,6 +214,7 @@ Value = (
     | At
     | Mean
     | Expired
+    | Holds
     | Outcome
     | StateValue
     | Not
@@ -346,7 +356,7 @@ def operands(value: Value) -> tuple[Value, ...]:
     match value:
         case Call(arguments=arguments):
             return arguments
-        case Not(operand=operand) | Negate(operand=operand):
+        case Not(operand=operand) | Negate(operand=operand) | Holds(operand=operand):
             return (operand,)
         case Logic(operands=parts):
             return parts
@@ -370,7 +380,7 @@ def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
             return replace(value, arguments=parts)
         case Logic():
             return replace(value, operands=parts)
-        case Not() | Negate():
+        case Not() | Negate() | Holds():
             return replace(value, operand=parts[0])
         case Compare() | Arithmetic():
             return replace(value, left=parts[0], right=parts[1])
@@ -538,6 +548,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = f"outcome({activity})"
             case StateValue(question=question, state=state):
                 text = f"{question}({state})"
+            case Holds(operand=operand):
+                text = f"holds({show(operand)})"
             case Not(operand=operand):
                 text = f"!{show(operand, _UNARY)}"
             case Negate(operand=operand):

@@ -74,7 +74,8 @@ class Transition:
 
     Those with neither event nor condition come after the others, and `else` last of all. One that is `first`
     cuts its source short (`A [> B`): it is tried before anything inside the source, the outermost first. With
-    `resume` the target goes on where it was last left before it was complete.
+    `resume` the target goes on where it was last left before it was complete. One that is `reactive` was not
+    written: it leads back to a choice which would now be made in another way.
     """
 
     name: str
@@ -87,6 +88,7 @@ class Transition:
     first: bool = False
     kind: TransitionKind = TransitionKind.WAY
     resume: bool = False
+    reactive: bool = False
 
     @property
     def is_way(self) -> bool:
@@ -98,7 +100,7 @@ def transition_text(transition: Transition) -> str:
     """What people read on a transition: its expression, after `[>` where it cuts its source short, after `on`
     or `exit` where it stays, after `resume` where its target goes on."""
     word = "[>" if transition.first else "" if transition.is_way else transition.kind.value
-    verb = "resume" if transition.resume else ""
+    verb = "resume" if transition.resume else "reactive" if transition.reactive else ""
     return " ".join(filter(None, (word, verb, expression_text(transition.expression))))
 
 

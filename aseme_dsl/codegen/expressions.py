@@ -19,6 +19,7 @@ from aseme_dsl.amola.expression import (
     EnumConstant,
     Expired,
     Has,
+    Holds,
     Literal,
     Logic,
     Mean,
@@ -116,6 +117,9 @@ def _is(truth: bool, value: Value, names: Names, known: Known) -> tuple[str, Kno
             return (" and ".join(codes) if every else f"({' or '.join(codes)})"), known
         case Has(message=message):
             return f"b.{_slot(message, names)} is {'not ' if truth else ''}None", known
+        case Holds(operand=operand):
+            code, _ = _is(True, operand, names, known)
+            return (f"({code})" if truth else f"not ({code})"), known
         case Literal(value=constant):
             return str(bool(constant) is truth), known
     piece = evaluate(value, names, known)
@@ -188,7 +192,7 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
         case Negate(operand=operand):
             piece = evaluate(operand, names, known)
             return Piece(f"(-{piece.code})", piece.needs, piece.known)
-        case Not() | Logic() | Has():
+        case Not() | Logic() | Has() | Holds():
             return _truth(value, names, known)
 
 
@@ -210,6 +214,8 @@ def _truth(value: Value, names: Names, known: Known) -> Piece:
     """A logic expression as a plain value: True, False, or absent where it neither holds nor fails."""
     if isinstance(value, Has):
         return Piece(f"(b.{_slot(value.message, names)} is not None)", known=known)
+    if isinstance(value, Holds):
+        return Piece(f"({holds(value.operand, names, known)[0]})", known=known)
     yes, _ = holds(value, names, known)
     no, _ = fails(value, names, known)
     local = names.local()

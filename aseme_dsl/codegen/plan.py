@@ -53,6 +53,8 @@ def value_term(value: e.Value) -> Term:
             return ("outcome", activity)
         case e.StateValue(question=question, state=state):
             return (question, state)
+        case e.Holds(operand=operand):
+            return ("holds", value_term(operand))
         case e.Not(operand=operand):
             return ("!", value_term(operand))
         case e.Logic(operator=operator, operands=parts):

@@ -84,7 +84,7 @@ def read_protocol(
             continue
         readings.append(reading)
         if is_sound:
-            lines = Lines(reading.lines.by_way)
+            lines = Lines(reading.lines.by_way, reactive=reading.lines.reactive)
             parts[name] = Part(
                 written.name.text,
                 name,

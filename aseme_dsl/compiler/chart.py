@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from aseme_dsl.amola.aip import DeclaredVariable
+from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Origin, OriginKind, Statechart, Variable
 from aseme_dsl.compiler.control import LabelledLine, Line, Lines, Placed, Renames, transitions
@@ -79,7 +80,10 @@ def chart_of(
         keys = {v.name: f"{v.name}@{label}" for v in part.variables}
         renamed[label] = Renames(keys, branch.bindings)
         own += [Variable(keys[v.name], v.type, v.initial, label, v.span) for v in part.variables]
-    found = transitions(outline, by_way, placed, renamed)
+    reactive = frozenset[Formula]().union(
+        *(part.lines.reactive for part in parts.values()), lines.reactive if lines is not None else ()
+    )
+    found = transitions(outline, by_way, placed, renamed, reactive)
     modules = world.modules.get(name, ()) if kind == "IAC" else ()
     regions = regions_of(outline.nodes, found, world.activities, modules, world.symbols)
     return Statechart(name, world.system, kind, outline.nodes, found, tuple(own), regions, span, modules)

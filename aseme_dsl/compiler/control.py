@@ -11,9 +11,11 @@ from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola import expression
 from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression
+from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.statechart import Node, NodeType, Origin, Transition, TransitionKind
 from aseme_dsl.compiler.formula_to_statechart import Arrow, Outline, Standing, Way
 from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.reactive import choices_in, no_choice, reconsidered
 from aseme_dsl.compiler.resuming import RESUME, check_resuming
 from aseme_dsl.compiler.scope import Scope
 from aseme_dsl.compiler.staying import STAYING, check_staying
@@ -49,13 +51,14 @@ class Lines:
     """All control lines of a role or participant: by way, in the order in which they are written.
 
     `blocks` gives each formula that has a `control` block its block; of those in `unsure` a line could not be
-    placed, so that a missing one means nothing.
+    placed, so that a missing one means nothing. `reactive` are the branches of reactive choices.
     """
 
     by_way: Mapping[Way, tuple[Line, ...]] = field(default_factory=dict)
     labelled: tuple[LabelledLine, ...] = ()
     blocks: Mapping[str, tree.Control] = field(default_factory=dict)
     unsure: frozenset[str] = frozenset()
+    reactive: frozenset[Formula] = frozenset()
 
     def of(self, verb_and_term: Way) -> tuple[Line, ...]:
         return self.by_way.get(verb_and_term, ())
@@ -79,6 +82,7 @@ def read_lines(
     blocks: dict[str, tree.Control] = {}
     found: list[Diagnostic] = []
     unsure: set[str] = set()
+    reactive: set[Formula] = set()
     position = 0
     for control, name in controls:
         first = blocks.setdefault(name, control)
@@ -93,6 +97,11 @@ def read_lines(
                 )
             )
         terms = terms_of(formulas, name, control.name.text, played)
+        if control.reactive is not None:
+            branches = choices_in(terms)
+            reactive.update(branches)
+            if not branches:
+                found.append(no_choice(control, control.reactive, formulas.named[name]))
         for entry in control.entries:
             typed, problems = type_expression(entry.expression, scope)
             found += problems
@@ -114,7 +123,8 @@ def read_lines(
             elif key is not None:
                 by_way.setdefault(key, []).append(line)
     placed = {key: tuple(items) for key, items in by_way.items()}
-    return Lines(placed, tuple(labelled), blocks, frozenset(unsure)), tuple(found)
+    lines = Lines(placed, tuple(labelled), blocks, frozenset(unsure), frozenset(reactive))
+    return lines, tuple(found)
 
 
 def _pace(entry: tree.Way) -> Iterator[Diagnostic]:
@@ -152,6 +162,7 @@ def transitions(
     lines: Mapping[Way, tuple[Line, ...]],
     placed: Sequence[Placed] = (),
     renamed: Mapping[str, Renames] | None = None,
+    reactive: frozenset[Formula] = frozenset(),
 ) -> tuple[Transition, ...]:
     """The transitions of a chart, in the template's order; several lines of one way are parallel ones.
 
@@ -196,7 +207,9 @@ def transitions(
         ends = state.label, state.label
         drafts.append(Transition(name, *ends, expression, 0, state.origin, line.span, kind=kind))
         positions.append(line.position)
-    return prioritised(drafts, positions)
+    found = prioritised(drafts, positions)
+    choices = {arrow.source: arrow for arrow in outline.arrows if arrow.way[1] in reactive}
+    return (*found, *reconsidered(found, outline.nodes, choices)) if choices else found
 
 
 def _staying(

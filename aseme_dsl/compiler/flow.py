@@ -323,7 +323,8 @@ they do: none where there are several ways."""
 def _is_quick(chart: Statechart, edge: _Edge, at_once: AtOnce) -> bool:
     """Whether a transition may be taken again and again while nothing arrives and no time passes."""
     expression = edge.transition.expression
-    if expression.events or expression.every or expression is NEVER or _rests(expression):
+    never = expression is NEVER or edge.transition.reactive
+    if expression.events or expression.every or never or _rests(expression):
         return False
     source = chart.by_label[edge.transition.source]
     return expression.when or source.type in _POINTS or source.label in at_once

@@ -9,6 +9,7 @@ from aseme_dsl.amola.expression import (
     Compare,
     Evaluate,
     Has,
+    Holds,
     Logic,
     Member,
     Named,
@@ -67,6 +68,8 @@ def there_if_holds(value: Value) -> Channels:
             return there_if_holds(inner)
         case Has(message=message):
             return frozenset((message.channel,))
+        case Holds(operand=operand):
+            return there_if_holds(operand)
     return _read(value)
 
 
@@ -80,7 +83,7 @@ def _there_if_fails(value: Value) -> Channels:
             return frozenset().union(*(_there_if_fails(part) for part in parts))
         case Named(expression=inner):
             return _there_if_fails(inner)
-        case Has():
+        case Has() | Holds():
             return NONE
     return _read(value)
 
@@ -93,7 +96,7 @@ def _read(value: Value) -> Channels:
         item = stack.pop()
         if isinstance(item, Member):
             found.add(item.channel)
-        elif not isinstance(item, (Has, Logic)):
+        elif not isinstance(item, (Has, Holds, Logic)):
             stack += operands(item)
     return frozenset(found)
 
@@ -211,7 +214,7 @@ def _beside_else(chart: Statechart, activities: Mapping[str, Activity]) -> Itera
     if not groups:
         return
     for transition in chart.transitions:
-        if transition.source in groups and transition.is_way:
+        if transition.source in groups and transition.is_way and not transition.reactive:
             groups[transition.source].append(transition)
     own: set[Channel] = set()
     for node in chart.nodes:

@@ -31,7 +31,7 @@ def check_signals(
         return
     incoming: dict[str, list[tuple[Transition, Asked]]] = {}
     for item in chart.transitions:
-        if not item.is_way:
+        if not item.is_way or item.reactive:
             continue
         incoming.setdefault(item.target, []).append((item, _signals(item, symbols)))
     for transition, signals in asking:

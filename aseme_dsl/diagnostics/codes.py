@@ -114,6 +114,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E422": ("error", "an `on` that waits for what it cannot take"),
     "E423": ("error", "an `on` or `exit` that does nothing"),
     "E424": ("error", "an `exit` that waits for something"),
+    "E425": ("error", "a `reactive` control without a choice"),
     "E430": ("error", "a question about a state that is not there"),
     "E431": ("error", "a count of several states"),
     "E432": ("error", "a pace of what is no loop"),

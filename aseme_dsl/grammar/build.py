@@ -378,7 +378,10 @@ class _Builder:
     # ---- control -------------------------------------------------------------------------------
 
     def control(self, node: Any) -> tree.Control:
-        return tree.Control(self.name(node.name), self.all(self.control_entry, node.entries), self.span(node))
+        reactive = self.name(node.reactive).span if node.reactive else None
+        return tree.Control(
+            self.name(node.name), self.all(self.control_entry, node.entries), self.span(node), reactive
+        )
 
     def control_entry(self, node: Any) -> tree.Way | tree.LabelledWay | None:
         return self.way(node) if type(node).__name__ == "Way" else self.labelled_way(node)

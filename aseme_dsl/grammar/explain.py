@@ -15,6 +15,7 @@ _CHOICES = {
     "FieldLabel": ("optional", "repeated"),
     "TopicFlagWord": ("queued", "persist"),
     "Verb": BLOCKS["JunkControl"].words,
+    "Reactive": ("reactive",),
     "RoleType": ("system", "abstract", "human", "legacy", "external"),
     "ActivityKind": ("thread", "async", "process", "step"),
     "FunctionalityWord": BLOCKS["JunkFunctionality"].words,

@@ -94,10 +94,10 @@ _ENTRY_WORDS = frozenset(("abstract", *(word for block in BLOCKS.values() for wo
 _OUTER = {
     "JunkActor": re.compile(rf"actor\s+{_NAME}\s*\{{"),
     "JunkAip": re.compile(
-        rf'participant\s+{_NAME}\s*[\[{{]|outcome\s*"|clause\s+(?:at\s+most|every|\(|{_NAME}\s*@)|control\s+{_NAME}\s*\{{'
+        rf'participant\s+{_NAME}\s*[\[{{]|outcome\s*"|clause\s+(?:at\s+most|every|\(|{_NAME}\s*@)|control\s+{_NAME}(?:\s+reactive)?\s*\{{'
     ),
     "JunkSrm": re.compile(
-        rf"includes\s+{_NAME}|plays\s+{_NAME}\s*\.|liveness\s*\{{|activities\s*\{{|modules\s*\{{|functionality\s+{_NAME}\s*\{{|control\s+{_NAME}\s*\{{"
+        rf"includes\s+{_NAME}|plays\s+{_NAME}\s*\.|liveness\s*\{{|activities\s*\{{|modules\s*\{{|functionality\s+{_NAME}\s*\{{|control\s+{_NAME}(?:\s+reactive)?\s*\{{"
         rf'|capability\s+{_NAME}\s*["=]|var\s+{_NAME}\s*:'
     ),
 }

@@ -237,11 +237,15 @@ class LabelledWay:
 
 @dataclass(frozen=True, slots=True)
 class Control:
-    """`control NAME { … }`: of a formula, or (in an aip) of a participant or one of its helper formulas."""
+    """`control NAME { … }`: of a formula, or (in an aip) of a participant or one of its helper formulas.
+
+    `reactive` is the word behind the name, where it stands.
+    """
 
     name: Name
     entries: tuple[Way | LabelledWay, ...]
     span: Span
+    reactive: Span | None = None
 
 
 # ---- declarations ------------------------------------------------------------------------------

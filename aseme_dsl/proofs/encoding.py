@@ -176,6 +176,9 @@ class Encoder:
             case e.Has(message=message):
                 there = self.symbols[HAS, message.host, message.channel]
                 return Truth(there if truth else self.not_(there), False)
+            case e.Holds(operand=operand):
+                held = self._is(True, operand)
+                return Truth(held.yes if truth else self.not_(held.yes), held.fault)
             case e.Literal(value=constant):
                 return Truth(bool(constant) is truth, False)
         there, missing = self._look(value)
@@ -213,6 +216,8 @@ class Encoder:
                 return self._present(presences(message, self._vocabulary)[:1]), False
             case e.At() | e.Mean():
                 return self.symbols[THERE, *identity(value)], False
+            case e.Holds():
+                return True, self._is(True, value).fault
             case e.Not() | e.Logic():
                 yes, no = self._is(True, value), self._is(False, value)
                 there = self.or_(yes.yes, self.and_(self.not_(yes.fault), no.yes))
@@ -237,7 +242,7 @@ class Encoder:
                 return self.literal(constant, kind), False
             case e.EnumConstant(number=number):
                 return self._z3.IntVal(number, self._context), False
-            case e.Not() | e.Logic():
+            case e.Not() | e.Logic() | e.Holds():
                 return self._is(True, value).yes, False
             case e.Has(message=message):
                 return self.symbols[HAS, message.host, message.channel], False

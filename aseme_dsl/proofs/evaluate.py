@@ -56,6 +56,9 @@ def _is(truth: bool, value: e.Value, values: Values, vocabulary: Vocabulary) -> 
             return _is(truth, inner, values, vocabulary)
         case e.Not(operand=operand):
             return _is(not truth, operand, values, vocabulary)
+        case e.Holds(operand=operand):
+            held = _is(True, operand, values, vocabulary)
+            return None if held is None else held is truth
         case e.Logic(operator=word, operands=operands):
             every = (word == "&&") is truth
             return _decided(every, truth, operands, values, vocabulary)
@@ -116,6 +119,7 @@ def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
             | e.Outcome()
             | e.StateValue()
             | e.Has()
+            | e.Holds()
         ):
             return True
         case e.Not() | e.Logic():
@@ -159,7 +163,7 @@ def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> Any:
             return constant
         case e.EnumConstant(number=number):
             return number
-        case e.Not() | e.Logic():
+        case e.Not() | e.Logic() | e.Holds():
             found = _is(True, value, values, vocabulary)
             return _UNKNOWN if found is None else found
         case e.Call(function=function) if function.target.startswith("builtin:"):

@@ -91,6 +91,8 @@ def identity(value: e.Value) -> Key:
             return (operator, identity(left), identity(right))
         case e.Not(operand=operand):
             return ("!", identity(operand))
+        case e.Holds(operand=operand):
+            return ("holds", identity(operand))
         case e.Negate(operand=operand):
             return ("neg", identity(operand))
 
@@ -157,7 +159,7 @@ def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 yield from itertools.islice(_presence_unknowns(message, vocabulary), 1)
             case e.At() | e.Mean():
                 yield Unknown((THERE, *identity(item)), e.value_text(item), BOOL)
-            case e.Has() | e.Logic() | e.Not():
+            case e.Has() | e.Holds() | e.Logic() | e.Not():
                 pass  # may be there whatever is not
             case _:
                 stack.extend(reversed(e.operands(item)))

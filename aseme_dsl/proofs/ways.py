@@ -59,7 +59,9 @@ MOST = 200
 def paths(chart: Statechart, source: str) -> tuple[Path, ...]:
     """The compound transitions out of a state, in the order in which they are tried: the first MOST."""
     found: list[Path] = []
-    stack: list[tuple[Transition, ...]] = [(item,) for item in reversed(chart.ways_from(source))]
+    stack: list[tuple[Transition, ...]] = [
+        (item,) for item in reversed(chart.ways_from(source)) if not item.reactive
+    ]
     while stack and len(found) < MOST:
         segments = stack.pop()
         target = segments[-1].target
@@ -90,7 +92,7 @@ def forks(chart: Statechart) -> Iterator[Fork]:
             at_once = node.type is NodeType.START or label != node.label
             groups: dict[frozenset[str], list[Transition]] = {}
             for transition in chart.outgoing(label):
-                if transition.expression is e.NEVER:
+                if transition.expression is e.NEVER or transition.reactive:
                     continue
                 if not transition.is_way:  # it takes nothing from the others, nor they from it
                     number += 1

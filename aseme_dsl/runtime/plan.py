@@ -9,7 +9,7 @@ Conditions and values are nested tuples whose first item says what they are:
     ("call", name, value, …)  ("builtin", name, value, …)
     ("has", member)  ("age", member)  ("at", member, value)  ("mean", member, value)  ("expired", timer)
     ("outcome", activity)  ("in" | "done" | "count", state name)
-    ("!", value)  ("&&", value, …)  ("||", value, …)  ("neg", value)
+    ("!", value)  ("&&", value, …)  ("||", value, …)  ("neg", value)  ("holds", value)
     ("==" | "!=" | "<" | "<=" | ">" | ">=", value, value)
     ("+" | "-" | "*" | "/" | "//" | "%", value, value)
 

@@ -480,17 +480,18 @@ class Words:
     def staying(self, verb: str) -> str:
         """What stands on an `on` or `exit` line."""
         pick = self.choices
+        asking = replace(self, in_condition=True)
         text = ""
         if verb == "on":
             match pick.weighted(nothing=1, condition=3, event=4, when=6):
                 case "condition":
-                    text = f"[{self.value('bool', 2)}] "
+                    text = f"[{asking.value('bool', 2)}] "
                 case "when":
-                    text = f"when [{self.value('bool', 2)}] "
+                    text = f"when [{asking.value('bool', 2)}] "
                 case "event":
                     text = " or ".join(self._event(error=False) for _ in range(pick.number(1, 2))) + " "
                     if pick.one_in(3):
-                        text += ("or when " if pick.one_in(3) else "") + f"[{self.value('bool', 2)}] "
+                        text += ("or when " if pick.one_in(3) else "") + f"[{asking.value('bool', 2)}] "
         return f"{text}/ " + "; ".join(self._action() for _ in range(pick.number(1, 3)))
 
     def _event(self, *, error: bool = True) -> str:
@@ -604,7 +605,9 @@ def control(words: Words, of: Formula, name: str, extra: Sequence[str] = ()) -> 
     if pick.one_in(3):
         written.reverse()
     written += extra
-    return "\n".join([f"  control {name} {{", *written, "  }"]) if written else ""
+    has_choice = any(way.choice for way in ways)
+    head = f"{name} reactive" if has_choice and pick.one_in(3) else name
+    return "\n".join([f"  control {head} {{", *written, "  }"]) if written else ""
 
 
 # ---- texts -------------------------------------------------------------------------------------

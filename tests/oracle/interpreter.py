@@ -946,6 +946,9 @@ class Reference:
                     values = [member(m.message, path) for m in history if m.time >= self.now - found]
                     there = [value for value in values if value is not ABSENT]
                     found = reduce(add, there) / len(there) if there else ABSENT
+            case ("holds", operand):
+                # "`holds(c)` is two-valued"
+                found = self.holds(operand, region)
             case ("!" | "&&" | "||", *_):
                 # "As a plain value, a logic expression is True if it holds, False if it fails, else absent."
                 found = True if self.holds(term, region) else False if self.fails(term, region) else ABSENT

@@ -5,13 +5,13 @@ if exists("b:current_syntax")
 endif
 scriptencoding utf-8
 syntax sync fromstart
-syntax match asemeReference_739 /\v[^ \t0-9A-Za-z_{}]/
-syntax match asemeReference_738 /\v\w+/
-syntax match asemeNumber_737 /\v[0-9]+%(\.[0-9]+)*\w*/
-syntax match asemeText_736 /\v\"[^"\n]*/ contains=@Spell
-syntax match asemeText_735 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
-syntax region asemePunctuation_740 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
-syntax cluster asemeStrayTrue contains=asemeText_735,asemeText_736,asemeNumber_737,asemeReference_738,asemeReference_739,asemePunctuation_740,asemeComment
+syntax match asemeReference_749 /\v[^ \t0-9A-Za-z_{}]/
+syntax match asemeReference_748 /\v\w+/
+syntax match asemeNumber_747 /\v[0-9]+%(\.[0-9]+)*\w*/
+syntax match asemeText_746 /\v\"[^"\n]*/ contains=@Spell
+syntax match asemeText_745 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
+syntax region asemePunctuation_750 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
+syntax cluster asemeStrayTrue contains=asemeText_745,asemeText_746,asemeNumber_747,asemeReference_748,asemeReference_749,asemePunctuation_750,asemeComment
 syntax match asemeReference_42 /\v[^ \t0-9A-Za-z_{}]/ contained
 syntax match asemeReference_41 /\v\w+/ contained
 syntax match asemeNumber_40 /\v[0-9]+%(\.[0-9]+)*\w*/ contained
@@ -19,515 +19,529 @@ syntax match asemeText_39 /\v\"[^"\n]*/ contained contains=@Spell
 syntax match asemeText_38 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
 syntax region asemePunctuation_43 matchgroup=asemePunctuation start=/{/ end=/}/ contained contains=@asemeStrayFalse transparent
 syntax cluster asemeStrayFalse contains=asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_8,asemeDeclaration_30,asemeDeclaration_48,asemeDeclaration_74,asemeDeclaration_101,asemeDeclaration_131,asemeDeclaration_154,asemeDeclaration_186,asemeDeclaration_387,asemeDeclaration_599,asemeDeclaration_602,asemeDeclaration_670,asemeDeclaration_693,asemeDeclaration_722,asemeDeclaration_733,asemeText_735,asemeText_736,asemeNumber_737,asemeReference_738,asemeReference_739,asemePunctuation_740,asemeComment
-syntax match asemeDeclaration_733 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_732,asemeComment_734 skipwhite skipempty
-syntax region asemeComment_734 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_732,asemeComment_734 skipwhite skipempty
-syntax match asemeComment_734 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_732,asemeComment_734 skipwhite skipempty
-syntax match asemeText_732 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_731 skipwhite skipempty
-syntax cluster asemePropertyInFile contains=asemePunctuation_729,asemeText_730
-syntax match asemeText_730 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_731 skipwhite skipempty
-syntax region asemeComment_731 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_731 skipwhite skipempty
-syntax match asemeComment_731 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_731 skipwhite skipempty
-syntax region asemePunctuation_729 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
-syntax cluster asemeBodyOfProperty contains=asemePunctuation_712,asemeText_724,asemeNumber_725,asemeReference_726,asemeOperator_727,asemePunctuation_728,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemePunctuation_728 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_727 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_726 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_725 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_724 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_722 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_721,asemeComment_723 skipwhite skipempty
-syntax region asemeComment_723 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_721,asemeComment_723 skipwhite skipempty
-syntax match asemeComment_723 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_721,asemeComment_723 skipwhite skipempty
-syntax match asemeText_721 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_720 skipwhite skipempty
-syntax cluster asemeScenarioInFile contains=asemePunctuation_718,asemeText_719
-syntax match asemeText_719 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_720 skipwhite skipempty
-syntax region asemeComment_720 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_720 skipwhite skipempty
-syntax match asemeComment_720 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_720 skipwhite skipempty
-syntax region asemePunctuation_718 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
-syntax cluster asemeBodyOfScenario contains=asemePunctuation_712,asemeText_713,asemeNumber_714,asemeReference_715,asemeOperator_716,asemePunctuation_717,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemePunctuation_717 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_716 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_715 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_714 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_713 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_712 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
-syntax cluster asemeBodyOfBraced contains=asemePunctuation_706,asemeText_707,asemeNumber_708,asemeReference_709,asemeOperator_710,asemePunctuation_711,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemePunctuation_711 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_710 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_709 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_708 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_707 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_706 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
-syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_700,asemeText_701,asemeNumber_702,asemeReference_703,asemeOperator_704,asemePunctuation_705,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemePunctuation_705 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_704 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_703 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_702 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_701 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_700 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
-syntax cluster asemeBodyOfBraced3 contains=asemeText_695,asemeNumber_696,asemeReference_697,asemeOperator_698,asemePunctuation_699,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemePunctuation_699 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_698 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_697 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_696 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_695 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_693 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_692,asemeComment_694 skipwhite skipempty
-syntax region asemeComment_694 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_692,asemeComment_694 skipwhite skipempty
-syntax match asemeComment_694 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_692,asemeComment_694 skipwhite skipempty
-syntax match asemeBlock_692 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_691 skipwhite skipempty
-syntax cluster asemeTeamInFile contains=asemePunctuation_689,asemeBlock_690
-syntax match asemeBlock_690 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_691 skipwhite skipempty
-syntax region asemeComment_691 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_691 skipwhite skipempty
-syntax match asemeComment_691 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_691 skipwhite skipempty
-syntax region asemePunctuation_689 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
-syntax cluster asemeBodyOfTeam contains=asemeName_688,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeName_688 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
-syntax cluster asemeAgentsInBodyOfTeam contains=asemePunctuation_680,asemePunctuation_683,asemePunctuation_686
-syntax match asemePunctuation_686 /\v\:/ contained nextgroup=asemeReference_685,asemeComment_687 skipwhite skipempty
-syntax region asemeComment_687 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_685,asemeComment_687 skipwhite skipempty
-syntax match asemeComment_687 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_685,asemeComment_687 skipwhite skipempty
-syntax match asemeReference_685 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
-syntax match asemePunctuation_683 /\v\,/ contained nextgroup=asemeName_682,asemeComment_684 skipwhite skipempty
-syntax region asemeComment_684 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_682,asemeComment_684 skipwhite skipempty
-syntax match asemeComment_684 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_682,asemeComment_684 skipwhite skipempty
-syntax match asemeName_682 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
-syntax match asemePunctuation_680 /\v\[/ contained nextgroup=asemeNumber_678,asemeComment_681 skipwhite skipempty
-syntax region asemeComment_681 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_678,asemeComment_681 skipwhite skipempty
-syntax match asemeComment_681 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_678,asemeComment_681 skipwhite skipempty
-syntax match asemeNumber_678 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_676,asemeComment_679 skipwhite skipempty
-syntax region asemeComment_679 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_676,asemeComment_679 skipwhite skipempty
-syntax match asemeComment_679 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_676,asemeComment_679 skipwhite skipempty
-syntax match asemePunctuation_676 /\v\.\./ contained nextgroup=asemeNumber_674,asemeComment_677 skipwhite skipempty
-syntax region asemeComment_677 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_674,asemeComment_677 skipwhite skipempty
-syntax match asemeComment_677 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_674,asemeComment_677 skipwhite skipempty
-syntax match asemeNumber_674 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_672,asemeComment_675 skipwhite skipempty
-syntax region asemeComment_675 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_672,asemeComment_675 skipwhite skipempty
-syntax match asemeComment_675 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_672,asemeComment_675 skipwhite skipempty
-syntax match asemePunctuation_672 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
-syntax region asemeComment_673 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
-syntax match asemeComment_673 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_673 skipwhite skipempty
-syntax match asemeDeclaration_670 /\v%(statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=statechart%(<|>)/ nextgroup=asemeBlock_669,asemeComment_671 skipwhite skipempty
-syntax region asemeComment_671 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_669,asemeComment_671 skipwhite skipempty
-syntax match asemeComment_671 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_669,asemeComment_671 skipwhite skipempty
-syntax match asemeBlock_669 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_668 skipwhite skipempty
-syntax cluster asemeStatechartInFile contains=asemePunctuation_666,asemeBlock_667
-syntax match asemeBlock_667 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_668 skipwhite skipempty
-syntax region asemeComment_668 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_668 skipwhite skipempty
-syntax match asemeComment_668 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_668 skipwhite skipempty
-syntax region asemePunctuation_666 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfStatechart
-syntax cluster asemeBodyOfStatechart contains=asemeDeclaration_626,asemeNumber_633,asemeDeclaration_655,asemeDeclaration_660,asemeDeclaration_662,asemeDeclaration_664,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeDeclaration_664 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_665 skipwhite skipempty
-syntax region asemeComment_665 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_665 skipwhite skipempty
-syntax match asemeComment_665 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_665 skipwhite skipempty
-syntax cluster asemeModulesInBodyOfStatechart contains=asemePunctuation_577
-syntax match asemeDeclaration_662 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_663 skipwhite skipempty
-syntax region asemeComment_663 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_663 skipwhite skipempty
-syntax match asemeComment_663 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_663 skipwhite skipempty
-syntax cluster asemeActivitiesInBodyOfStatechart contains=asemePunctuation_532
-syntax match asemeDeclaration_660 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_658,asemeComment_661 skipwhite skipempty
-syntax region asemeComment_661 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_658,asemeComment_661 skipwhite skipempty
-syntax match asemeComment_661 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_658,asemeComment_661 skipwhite skipempty
-syntax match asemeName_658 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_657,asemeComment_659 skipwhite skipempty
-syntax region asemeComment_659 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_657,asemeComment_659 skipwhite skipempty
-syntax match asemeComment_659 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_657,asemeComment_659 skipwhite skipempty
-syntax match asemeOperator_657 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_11 skipwhite skipempty
-syntax match asemeDeclaration_655 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_653,asemeComment_656 skipwhite skipempty
-syntax region asemeComment_656 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_653,asemeComment_656 skipwhite skipempty
-syntax match asemeComment_656 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_653,asemeComment_656 skipwhite skipempty
-syntax match asemeName_653 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_651,asemeComment_654 skipwhite skipempty
-syntax region asemeComment_654 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_651,asemeComment_654 skipwhite skipempty
-syntax match asemeComment_654 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_651,asemeComment_654 skipwhite skipempty
-syntax match asemePunctuation_651 /\v\:/ contained nextgroup=asemeBuiltIn_649,asemeType_650,asemeComment_652 skipwhite skipempty
-syntax region asemeComment_652 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_649,asemeType_650,asemeComment_652 skipwhite skipempty
-syntax match asemeComment_652 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_649,asemeType_650,asemeComment_652 skipwhite skipempty
-syntax match asemeType_650 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
-syntax match asemeBuiltIn_649 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
-syntax cluster asemeVarInBodyOfStatechart contains=asemePunctuation_638,asemeOperator_640,asemeName_645,asemeBuiltIn_647,asemeType_648
-syntax match asemeType_648 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
-syntax match asemeBuiltIn_647 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
-syntax match asemeName_645 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_643,asemeComment_646 skipwhite skipempty
-syntax region asemeComment_646 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_643,asemeComment_646 skipwhite skipempty
-syntax match asemeComment_646 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_643,asemeComment_646 skipwhite skipempty
-syntax match asemePunctuation_643 /\v\:/ contained nextgroup=asemeBuiltIn_641,asemeType_642,asemeComment_644 skipwhite skipempty
-syntax region asemeComment_644 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_641,asemeType_642,asemeComment_644 skipwhite skipempty
-syntax match asemeComment_644 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_641,asemeType_642,asemeComment_644 skipwhite skipempty
-syntax match asemeType_642 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
-syntax match asemeBuiltIn_641 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
-syntax match asemeOperator_640 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionToken,asemeComment_205 skipwhite skipempty
-syntax match asemePunctuation_638 /\v\:/ contained nextgroup=asemeBuiltIn_635,asemeType_637,asemeComment_639 skipwhite skipempty
-syntax region asemeComment_639 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_635,asemeType_637,asemeComment_639 skipwhite skipempty
-syntax match asemeComment_639 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_635,asemeType_637,asemeComment_639 skipwhite skipempty
-syntax match asemeType_637 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
-syntax match asemeBuiltIn_635 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
-syntax region asemeComment_636 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
-syntax match asemeComment_636 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_636 skipwhite skipempty
-syntax match asemeNumber_633 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_631,asemeComment_634 skipwhite skipempty
-syntax region asemeComment_634 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_631,asemeComment_634 skipwhite skipempty
-syntax match asemeComment_634 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_631,asemeComment_634 skipwhite skipempty
-syntax match asemeOperator_631 /\v\-\>/ contained nextgroup=asemeNumber_629,asemeComment_632 skipwhite skipempty
-syntax region asemeComment_632 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_629,asemeComment_632 skipwhite skipempty
-syntax match asemeComment_632 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_629,asemeComment_632 skipwhite skipempty
-syntax match asemeNumber_629 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_628,asemeComment_630 skipwhite skipempty
-syntax region asemeComment_630 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_628,asemeComment_630 skipwhite skipempty
-syntax match asemeComment_630 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_628,asemeComment_630 skipwhite skipempty
-syntax match asemePunctuation_628 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
-syntax match asemeDeclaration_626 /\v%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=state%(<|>)/ contained nextgroup=asemeNumber_624,asemeComment_627 skipwhite skipempty
-syntax region asemeComment_627 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_624,asemeComment_627 skipwhite skipempty
-syntax match asemeComment_627 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_624,asemeComment_627 skipwhite skipempty
-syntax match asemeNumber_624 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_622,asemeComment_625 skipwhite skipempty
-syntax region asemeComment_625 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_622,asemeComment_625 skipwhite skipempty
-syntax match asemeComment_625 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_622,asemeComment_625 skipwhite skipempty
-syntax match asemeChoice_622 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_620,asemeText_621,@asemeChartNodeInBodyOfStatechart,asemeComment_623 skipwhite skipempty
-syntax region asemeComment_623 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_620,asemeText_621,@asemeChartNodeInBodyOfStatechart,asemeComment_623 skipwhite skipempty
-syntax match asemeComment_623 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_620,asemeText_621,@asemeChartNodeInBodyOfStatechart,asemeComment_623 skipwhite skipempty
-syntax match asemeText_621 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
-syntax match asemeName_620 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
-syntax cluster asemeChartNodeInBodyOfStatechart contains=asemeClause_606,asemeChoice_610,asemeNumber_616,asemeName_618,asemeText_619
-syntax match asemeText_619 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
-syntax match asemeName_618 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
-syntax match asemeNumber_616 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_614,asemeComment_617 skipwhite skipempty
-syntax region asemeComment_617 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_614,asemeComment_617 skipwhite skipempty
-syntax match asemeComment_617 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_614,asemeComment_617 skipwhite skipempty
-syntax match asemeChoice_614 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_612,asemeText_613,@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
-syntax region asemeComment_615 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_612,asemeText_613,@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
-syntax match asemeComment_615 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_612,asemeText_613,@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
-syntax match asemeText_613 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
-syntax match asemeName_612 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
-syntax match asemeChoice_610 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_608,asemeText_609,@asemeChartNodeInBodyOfStatechart,asemeComment_611 skipwhite skipempty
-syntax region asemeComment_611 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_608,asemeText_609,@asemeChartNodeInBodyOfStatechart,asemeComment_611 skipwhite skipempty
-syntax match asemeComment_611 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_608,asemeText_609,@asemeChartNodeInBodyOfStatechart,asemeComment_611 skipwhite skipempty
-syntax match asemeText_609 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
-syntax match asemeName_608 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
-syntax match asemeClause_606 /\vactivity%(<|>)/ contained nextgroup=asemeReference_604,asemeComment_607 skipwhite skipempty
-syntax region asemeComment_607 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_604,asemeComment_607 skipwhite skipempty
-syntax match asemeComment_607 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_604,asemeComment_607 skipwhite skipempty
-syntax match asemeReference_604 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
-syntax region asemeComment_605 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
-syntax match asemeComment_605 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_605 skipwhite skipempty
-syntax match asemeDeclaration_602 /\v%(srm%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=srm%(<|>)/ nextgroup=asemeBlock_601,asemeComment_603 skipwhite skipempty
-syntax region asemeComment_603 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_601,asemeComment_603 skipwhite skipempty
-syntax match asemeComment_603 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_601,asemeComment_603 skipwhite skipempty
-syntax match asemeBlock_601 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
-syntax match asemeDeclaration_599 /\v%(abstract%(<|>)%(\_s*%(srm%(<|>)|%($|\/\/|\/\*)))@=)@=abstract%(<|>)/ nextgroup=asemeClause_597,asemeComment_600 skipwhite skipempty
-syntax region asemeComment_600 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_597,asemeComment_600 skipwhite skipempty
-syntax match asemeComment_600 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_597,asemeComment_600 skipwhite skipempty
-syntax match asemeClause_597 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_596,asemeComment_598 skipwhite skipempty
-syntax region asemeComment_598 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_596,asemeComment_598 skipwhite skipempty
-syntax match asemeComment_598 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_596,asemeComment_598 skipwhite skipempty
-syntax match asemeBlock_596 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
-syntax cluster asemeSrmInFile contains=asemeClause_391,asemePunctuation_594,asemeBlock_595
-syntax match asemeBlock_595 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
-syntax region asemePunctuation_594 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfSrm
-syntax cluster asemeBodyOfSrm contains=asemeDeclaration_399,asemeDeclaration_435,asemeDeclaration_451,asemeDeclaration_473,asemeDeclaration_478,asemeDeclaration_491,asemeDeclaration_533,asemeDeclaration_578,asemeDeclaration_587,asemeDeclaration_592,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeDeclaration_592 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_591,asemeComment_593 skipwhite skipempty
+syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_8,asemeDeclaration_30,asemeDeclaration_48,asemeDeclaration_74,asemeDeclaration_101,asemeDeclaration_131,asemeDeclaration_154,asemeDeclaration_186,asemeDeclaration_392,asemeDeclaration_609,asemeDeclaration_612,asemeDeclaration_680,asemeDeclaration_703,asemeDeclaration_732,asemeDeclaration_743,asemeText_745,asemeText_746,asemeNumber_747,asemeReference_748,asemeReference_749,asemePunctuation_750,asemeComment
+syntax match asemeDeclaration_743 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_742,asemeComment_744 skipwhite skipempty
+syntax region asemeComment_744 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_742,asemeComment_744 skipwhite skipempty
+syntax match asemeComment_744 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_742,asemeComment_744 skipwhite skipempty
+syntax match asemeText_742 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_741 skipwhite skipempty
+syntax cluster asemePropertyInFile contains=asemePunctuation_739,asemeText_740
+syntax match asemeText_740 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_741 skipwhite skipempty
+syntax region asemeComment_741 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_741 skipwhite skipempty
+syntax match asemeComment_741 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_741 skipwhite skipempty
+syntax region asemePunctuation_739 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
+syntax cluster asemeBodyOfProperty contains=asemePunctuation_722,asemeText_734,asemeNumber_735,asemeReference_736,asemeOperator_737,asemePunctuation_738,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemePunctuation_738 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_737 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_736 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_735 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_734 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_732 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_731,asemeComment_733 skipwhite skipempty
+syntax region asemeComment_733 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_731,asemeComment_733 skipwhite skipempty
+syntax match asemeComment_733 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_731,asemeComment_733 skipwhite skipempty
+syntax match asemeText_731 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_730 skipwhite skipempty
+syntax cluster asemeScenarioInFile contains=asemePunctuation_728,asemeText_729
+syntax match asemeText_729 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_730 skipwhite skipempty
+syntax region asemeComment_730 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_730 skipwhite skipempty
+syntax match asemeComment_730 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_730 skipwhite skipempty
+syntax region asemePunctuation_728 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
+syntax cluster asemeBodyOfScenario contains=asemePunctuation_722,asemeText_723,asemeNumber_724,asemeReference_725,asemeOperator_726,asemePunctuation_727,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemePunctuation_727 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_726 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_725 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_724 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_723 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_722 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
+syntax cluster asemeBodyOfBraced contains=asemePunctuation_716,asemeText_717,asemeNumber_718,asemeReference_719,asemeOperator_720,asemePunctuation_721,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemePunctuation_721 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_720 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_719 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_718 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_717 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_716 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
+syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_710,asemeText_711,asemeNumber_712,asemeReference_713,asemeOperator_714,asemePunctuation_715,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemePunctuation_715 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_714 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_713 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_712 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_711 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_710 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
+syntax cluster asemeBodyOfBraced3 contains=asemeText_705,asemeNumber_706,asemeReference_707,asemeOperator_708,asemePunctuation_709,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemePunctuation_709 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_708 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_707 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_706 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_705 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_703 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_702,asemeComment_704 skipwhite skipempty
+syntax region asemeComment_704 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_702,asemeComment_704 skipwhite skipempty
+syntax match asemeComment_704 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_702,asemeComment_704 skipwhite skipempty
+syntax match asemeBlock_702 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_701 skipwhite skipempty
+syntax cluster asemeTeamInFile contains=asemePunctuation_699,asemeBlock_700
+syntax match asemeBlock_700 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_701 skipwhite skipempty
+syntax region asemeComment_701 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_701 skipwhite skipempty
+syntax match asemeComment_701 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_701 skipwhite skipempty
+syntax region asemePunctuation_699 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
+syntax cluster asemeBodyOfTeam contains=asemeName_698,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeName_698 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_683 skipwhite skipempty
+syntax cluster asemeAgentsInBodyOfTeam contains=asemePunctuation_690,asemePunctuation_693,asemePunctuation_696
+syntax match asemePunctuation_696 /\v\:/ contained nextgroup=asemeReference_695,asemeComment_697 skipwhite skipempty
+syntax region asemeComment_697 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_695,asemeComment_697 skipwhite skipempty
+syntax match asemeComment_697 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_695,asemeComment_697 skipwhite skipempty
+syntax match asemeReference_695 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_683 skipwhite skipempty
+syntax match asemePunctuation_693 /\v\,/ contained nextgroup=asemeName_692,asemeComment_694 skipwhite skipempty
+syntax region asemeComment_694 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_692,asemeComment_694 skipwhite skipempty
+syntax match asemeComment_694 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_692,asemeComment_694 skipwhite skipempty
+syntax match asemeName_692 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_683 skipwhite skipempty
+syntax match asemePunctuation_690 /\v\[/ contained nextgroup=asemeNumber_688,asemeComment_691 skipwhite skipempty
+syntax region asemeComment_691 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_688,asemeComment_691 skipwhite skipempty
+syntax match asemeComment_691 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_688,asemeComment_691 skipwhite skipempty
+syntax match asemeNumber_688 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_686,asemeComment_689 skipwhite skipempty
+syntax region asemeComment_689 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_686,asemeComment_689 skipwhite skipempty
+syntax match asemeComment_689 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_686,asemeComment_689 skipwhite skipempty
+syntax match asemePunctuation_686 /\v\.\./ contained nextgroup=asemeNumber_684,asemeComment_687 skipwhite skipempty
+syntax region asemeComment_687 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_684,asemeComment_687 skipwhite skipempty
+syntax match asemeComment_687 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_684,asemeComment_687 skipwhite skipempty
+syntax match asemeNumber_684 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_682,asemeComment_685 skipwhite skipempty
+syntax region asemeComment_685 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_682,asemeComment_685 skipwhite skipempty
+syntax match asemeComment_685 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_682,asemeComment_685 skipwhite skipempty
+syntax match asemePunctuation_682 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_683 skipwhite skipempty
+syntax region asemeComment_683 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_683 skipwhite skipempty
+syntax match asemeComment_683 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_683 skipwhite skipempty
+syntax match asemeDeclaration_680 /\v%(statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=statechart%(<|>)/ nextgroup=asemeBlock_679,asemeComment_681 skipwhite skipempty
+syntax region asemeComment_681 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_679,asemeComment_681 skipwhite skipempty
+syntax match asemeComment_681 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_679,asemeComment_681 skipwhite skipempty
+syntax match asemeBlock_679 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_678 skipwhite skipempty
+syntax cluster asemeStatechartInFile contains=asemePunctuation_676,asemeBlock_677
+syntax match asemeBlock_677 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_678 skipwhite skipempty
+syntax region asemeComment_678 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_678 skipwhite skipempty
+syntax match asemeComment_678 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_678 skipwhite skipempty
+syntax region asemePunctuation_676 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfStatechart
+syntax cluster asemeBodyOfStatechart contains=asemeDeclaration_636,asemeNumber_643,asemeDeclaration_665,asemeDeclaration_670,asemeDeclaration_672,asemeDeclaration_674,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeDeclaration_674 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_675 skipwhite skipempty
+syntax region asemeComment_675 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_675 skipwhite skipempty
+syntax match asemeComment_675 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_675 skipwhite skipempty
+syntax cluster asemeModulesInBodyOfStatechart contains=asemePunctuation_582
+syntax match asemeDeclaration_672 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_673 skipwhite skipempty
+syntax region asemeComment_673 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_673 skipwhite skipempty
+syntax match asemeComment_673 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_673 skipwhite skipempty
+syntax cluster asemeActivitiesInBodyOfStatechart contains=asemePunctuation_537
+syntax match asemeDeclaration_670 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_668,asemeComment_671 skipwhite skipempty
+syntax region asemeComment_671 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_668,asemeComment_671 skipwhite skipempty
+syntax match asemeComment_671 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_668,asemeComment_671 skipwhite skipempty
+syntax match asemeName_668 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_667,asemeComment_669 skipwhite skipempty
+syntax region asemeComment_669 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_667,asemeComment_669 skipwhite skipempty
+syntax match asemeComment_669 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_667,asemeComment_669 skipwhite skipempty
+syntax match asemeOperator_667 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_11 skipwhite skipempty
+syntax match asemeDeclaration_665 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_663,asemeComment_666 skipwhite skipempty
+syntax region asemeComment_666 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_663,asemeComment_666 skipwhite skipempty
+syntax match asemeComment_666 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_663,asemeComment_666 skipwhite skipempty
+syntax match asemeName_663 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_661,asemeComment_664 skipwhite skipempty
+syntax region asemeComment_664 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_661,asemeComment_664 skipwhite skipempty
+syntax match asemeComment_664 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_661,asemeComment_664 skipwhite skipempty
+syntax match asemePunctuation_661 /\v\:/ contained nextgroup=asemeBuiltIn_659,asemeType_660,asemeComment_662 skipwhite skipempty
+syntax region asemeComment_662 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_659,asemeType_660,asemeComment_662 skipwhite skipempty
+syntax match asemeComment_662 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_659,asemeType_660,asemeComment_662 skipwhite skipempty
+syntax match asemeType_660 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_646 skipwhite skipempty
+syntax match asemeBuiltIn_659 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_646 skipwhite skipempty
+syntax cluster asemeVarInBodyOfStatechart contains=asemePunctuation_648,asemeOperator_650,asemeName_655,asemeBuiltIn_657,asemeType_658
+syntax match asemeType_658 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_646 skipwhite skipempty
+syntax match asemeBuiltIn_657 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_646 skipwhite skipempty
+syntax match asemeName_655 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_653,asemeComment_656 skipwhite skipempty
+syntax region asemeComment_656 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_653,asemeComment_656 skipwhite skipempty
+syntax match asemeComment_656 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_653,asemeComment_656 skipwhite skipempty
+syntax match asemePunctuation_653 /\v\:/ contained nextgroup=asemeBuiltIn_651,asemeType_652,asemeComment_654 skipwhite skipempty
+syntax region asemeComment_654 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_651,asemeType_652,asemeComment_654 skipwhite skipempty
+syntax match asemeComment_654 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_651,asemeType_652,asemeComment_654 skipwhite skipempty
+syntax match asemeType_652 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_646 skipwhite skipempty
+syntax match asemeBuiltIn_651 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_646 skipwhite skipempty
+syntax match asemeOperator_650 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionToken,asemeComment_205 skipwhite skipempty
+syntax match asemePunctuation_648 /\v\:/ contained nextgroup=asemeBuiltIn_645,asemeType_647,asemeComment_649 skipwhite skipempty
+syntax region asemeComment_649 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_645,asemeType_647,asemeComment_649 skipwhite skipempty
+syntax match asemeComment_649 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_645,asemeType_647,asemeComment_649 skipwhite skipempty
+syntax match asemeType_647 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_646 skipwhite skipempty
+syntax match asemeBuiltIn_645 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_646 skipwhite skipempty
+syntax region asemeComment_646 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_646 skipwhite skipempty
+syntax match asemeComment_646 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_646 skipwhite skipempty
+syntax match asemeNumber_643 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_641,asemeComment_644 skipwhite skipempty
+syntax region asemeComment_644 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_641,asemeComment_644 skipwhite skipempty
+syntax match asemeComment_644 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_641,asemeComment_644 skipwhite skipempty
+syntax match asemeOperator_641 /\v\-\>/ contained nextgroup=asemeNumber_639,asemeComment_642 skipwhite skipempty
+syntax region asemeComment_642 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_639,asemeComment_642 skipwhite skipempty
+syntax match asemeComment_642 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_639,asemeComment_642 skipwhite skipempty
+syntax match asemeNumber_639 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_638,asemeComment_640 skipwhite skipempty
+syntax region asemeComment_640 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_638,asemeComment_640 skipwhite skipempty
+syntax match asemeComment_640 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_638,asemeComment_640 skipwhite skipempty
+syntax match asemePunctuation_638 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_354 skipwhite skipempty
+syntax match asemeDeclaration_636 /\v%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=state%(<|>)/ contained nextgroup=asemeNumber_634,asemeComment_637 skipwhite skipempty
+syntax region asemeComment_637 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_634,asemeComment_637 skipwhite skipempty
+syntax match asemeComment_637 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_634,asemeComment_637 skipwhite skipempty
+syntax match asemeNumber_634 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_632,asemeComment_635 skipwhite skipempty
+syntax region asemeComment_635 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_632,asemeComment_635 skipwhite skipempty
+syntax match asemeComment_635 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_632,asemeComment_635 skipwhite skipempty
+syntax match asemeChoice_632 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_630,asemeText_631,@asemeChartNodeInBodyOfStatechart,asemeComment_633 skipwhite skipempty
+syntax region asemeComment_633 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_630,asemeText_631,@asemeChartNodeInBodyOfStatechart,asemeComment_633 skipwhite skipempty
+syntax match asemeComment_633 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_630,asemeText_631,@asemeChartNodeInBodyOfStatechart,asemeComment_633 skipwhite skipempty
+syntax match asemeText_631 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax match asemeName_630 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax cluster asemeChartNodeInBodyOfStatechart contains=asemeClause_616,asemeChoice_620,asemeNumber_626,asemeName_628,asemeText_629
+syntax match asemeText_629 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax match asemeName_628 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax match asemeNumber_626 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_624,asemeComment_627 skipwhite skipempty
+syntax region asemeComment_627 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_624,asemeComment_627 skipwhite skipempty
+syntax match asemeComment_627 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_624,asemeComment_627 skipwhite skipempty
+syntax match asemeChoice_624 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_622,asemeText_623,@asemeChartNodeInBodyOfStatechart,asemeComment_625 skipwhite skipempty
+syntax region asemeComment_625 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_622,asemeText_623,@asemeChartNodeInBodyOfStatechart,asemeComment_625 skipwhite skipempty
+syntax match asemeComment_625 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_622,asemeText_623,@asemeChartNodeInBodyOfStatechart,asemeComment_625 skipwhite skipempty
+syntax match asemeText_623 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax match asemeName_622 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax match asemeChoice_620 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_618,asemeText_619,@asemeChartNodeInBodyOfStatechart,asemeComment_621 skipwhite skipempty
+syntax region asemeComment_621 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_618,asemeText_619,@asemeChartNodeInBodyOfStatechart,asemeComment_621 skipwhite skipempty
+syntax match asemeComment_621 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_618,asemeText_619,@asemeChartNodeInBodyOfStatechart,asemeComment_621 skipwhite skipempty
+syntax match asemeText_619 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax match asemeName_618 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax match asemeClause_616 /\vactivity%(<|>)/ contained nextgroup=asemeReference_614,asemeComment_617 skipwhite skipempty
+syntax region asemeComment_617 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_614,asemeComment_617 skipwhite skipempty
+syntax match asemeComment_617 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_614,asemeComment_617 skipwhite skipempty
+syntax match asemeReference_614 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax region asemeComment_615 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax match asemeComment_615 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_615 skipwhite skipempty
+syntax match asemeDeclaration_612 /\v%(srm%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=srm%(<|>)/ nextgroup=asemeBlock_611,asemeComment_613 skipwhite skipempty
+syntax region asemeComment_613 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_611,asemeComment_613 skipwhite skipempty
+syntax match asemeComment_613 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_611,asemeComment_613 skipwhite skipempty
+syntax match asemeBlock_611 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_395 skipwhite skipempty
+syntax match asemeDeclaration_609 /\v%(abstract%(<|>)%(\_s*%(srm%(<|>)|%($|\/\/|\/\*)))@=)@=abstract%(<|>)/ nextgroup=asemeClause_607,asemeComment_610 skipwhite skipempty
+syntax region asemeComment_610 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_607,asemeComment_610 skipwhite skipempty
+syntax match asemeComment_610 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_607,asemeComment_610 skipwhite skipempty
+syntax match asemeClause_607 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_606,asemeComment_608 skipwhite skipempty
+syntax region asemeComment_608 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_606,asemeComment_608 skipwhite skipempty
+syntax match asemeComment_608 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_606,asemeComment_608 skipwhite skipempty
+syntax match asemeBlock_606 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_395 skipwhite skipempty
+syntax cluster asemeSrmInFile contains=asemeClause_396,asemePunctuation_604,asemeBlock_605
+syntax match asemeBlock_605 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_395 skipwhite skipempty
+syntax region asemePunctuation_604 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfSrm
+syntax cluster asemeBodyOfSrm contains=asemeDeclaration_404,asemeDeclaration_440,asemeDeclaration_456,asemeDeclaration_478,asemeDeclaration_483,asemeDeclaration_496,asemeDeclaration_538,asemeDeclaration_583,asemeDeclaration_592,asemeDeclaration_602,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeDeclaration_602 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_600,asemeComment_603 skipwhite skipempty
+syntax region asemeComment_603 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_600,asemeComment_603 skipwhite skipempty
+syntax match asemeComment_603 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_600,asemeComment_603 skipwhite skipempty
+syntax match asemeBlock_600 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_599,@asemeControlInBodyOfSrm,asemeComment_601 skipwhite skipempty
+syntax region asemeComment_601 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_599,@asemeControlInBodyOfSrm,asemeComment_601 skipwhite skipempty
+syntax match asemeComment_601 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_599,@asemeControlInBodyOfSrm,asemeComment_601 skipwhite skipempty
+syntax match asemeOperator_599 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_595 skipwhite skipempty
+syntax cluster asemeControlInBodyOfSrm contains=asemePunctuation_377,asemeOperator_594,asemeBlock_597
+syntax match asemeBlock_597 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_596,@asemeControlInBodyOfSrm,asemeComment_598 skipwhite skipempty
+syntax region asemeComment_598 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_596,@asemeControlInBodyOfSrm,asemeComment_598 skipwhite skipempty
+syntax match asemeComment_598 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_596,@asemeControlInBodyOfSrm,asemeComment_598 skipwhite skipempty
+syntax match asemeOperator_596 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_595 skipwhite skipempty
+syntax match asemeOperator_594 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_595 skipwhite skipempty
+syntax region asemeComment_595 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_595 skipwhite skipempty
+syntax match asemeComment_595 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_595 skipwhite skipempty
+syntax match asemeDeclaration_592 /\v%(functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=functionality%(<|>)/ contained nextgroup=asemeBlock_591,asemeComment_593 skipwhite skipempty
 syntax region asemeComment_593 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_591,asemeComment_593 skipwhite skipempty
 syntax match asemeComment_593 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_591,asemeComment_593 skipwhite skipempty
-syntax match asemeBlock_591 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_590 skipwhite skipempty
-syntax cluster asemeControlInBodyOfSrm contains=asemePunctuation_377,asemeBlock_589
-syntax match asemeBlock_589 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_590 skipwhite skipempty
-syntax region asemeComment_590 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_590 skipwhite skipempty
-syntax match asemeComment_590 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_590 skipwhite skipempty
-syntax match asemeDeclaration_587 /\v%(functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=functionality%(<|>)/ contained nextgroup=asemeBlock_586,asemeComment_588 skipwhite skipempty
-syntax region asemeComment_588 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_586,asemeComment_588 skipwhite skipempty
-syntax match asemeComment_588 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_586,asemeComment_588 skipwhite skipempty
-syntax match asemeBlock_586 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_585 skipwhite skipempty
-syntax cluster asemeFunctionalityInBodyOfSrm contains=asemePunctuation_583,asemeBlock_584
-syntax match asemeBlock_584 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_585 skipwhite skipempty
-syntax region asemeComment_585 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_585 skipwhite skipempty
-syntax match asemeComment_585 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_585 skipwhite skipempty
-syntax region asemePunctuation_583 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfFunctionality
-syntax cluster asemeBodyOfFunctionality contains=asemeDeclaration_581,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeDeclaration_581 /\v%(%(technology|permissions|environment|algorithm)%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=%(technology|permissions|environment|algorithm)%(<|>)/ contained nextgroup=asemeText_580,asemeComment_582 skipwhite skipempty
-syntax region asemeComment_582 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_580,asemeComment_582 skipwhite skipempty
-syntax match asemeComment_582 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_580,asemeComment_582 skipwhite skipempty
-syntax match asemeText_580 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_578 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfSrm,asemeComment_579 skipwhite skipempty
-syntax region asemeComment_579 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_579 skipwhite skipempty
-syntax match asemeComment_579 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_579 skipwhite skipempty
-syntax cluster asemeModulesInBodyOfSrm contains=asemePunctuation_577
-syntax region asemePunctuation_577 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfModules
-syntax cluster asemeBodyOfModules contains=asemeName_576,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeName_576 /\v%(%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax cluster asemeModuleInBodyOfModules contains=asemeClause_540,asemeClause_543,asemeClause_546,asemeClause_549,asemeClause_552,asemeClause_555,asemeClause_558,asemeClause_561,asemeClause_564,asemePunctuation_571,asemeOperator_574
-syntax match asemeOperator_574 /\v\=%(\=)@!/ contained nextgroup=asemeText_573,asemeComment_575 skipwhite skipempty
-syntax region asemeComment_575 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_573,asemeComment_575 skipwhite skipempty
-syntax match asemeComment_575 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_573,asemeComment_575 skipwhite skipempty
-syntax match asemeText_573 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemePunctuation_571 /\v\,/ contained nextgroup=asemeChoice_567,asemeReference_569,asemeReference_570,asemeComment_572 skipwhite skipempty
-syntax region asemeComment_572 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_567,asemeReference_569,asemeReference_570,asemeComment_572 skipwhite skipempty
-syntax match asemeComment_572 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_567,asemeReference_569,asemeReference_570,asemeComment_572 skipwhite skipempty
-syntax match asemeReference_570 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeReference_569 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeChoice_567 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_566,asemeComment_568 skipwhite skipempty
-syntax region asemeComment_568 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_566,asemeComment_568 skipwhite skipempty
-syntax match asemeComment_568 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_566,asemeComment_568 skipwhite skipempty
-syntax match asemeReference_566 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeClause_564 /\vends%(<|>)/ contained nextgroup=asemeReference_563,asemeComment_565 skipwhite skipempty
-syntax region asemeComment_565 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_563,asemeComment_565 skipwhite skipempty
-syntax match asemeComment_565 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_563,asemeComment_565 skipwhite skipempty
-syntax match asemeReference_563 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeClause_561 /\vwrites%(<|>)/ contained nextgroup=asemeReference_560,asemeComment_562 skipwhite skipempty
-syntax region asemeComment_562 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_560,asemeComment_562 skipwhite skipempty
-syntax match asemeComment_562 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_560,asemeComment_562 skipwhite skipempty
-syntax match asemeReference_560 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeClause_558 /\vfor%(<|>)/ contained nextgroup=asemeNumber_557,asemeComment_559 skipwhite skipempty
-syntax region asemeComment_559 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_557,asemeComment_559 skipwhite skipempty
-syntax match asemeComment_559 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_557,asemeComment_559 skipwhite skipempty
-syntax match asemeNumber_557 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeClause_555 /\vuses%(<|>)/ contained nextgroup=asemeReference_554,asemeComment_556 skipwhite skipempty
-syntax region asemeComment_556 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_554,asemeComment_556 skipwhite skipempty
-syntax match asemeComment_556 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_554,asemeComment_556 skipwhite skipempty
-syntax match asemeReference_554 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeClause_552 /\vas%(<|>)/ contained nextgroup=asemeChoice_551,asemeComment_553 skipwhite skipempty
-syntax region asemeComment_553 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_551,asemeComment_553 skipwhite skipempty
-syntax match asemeComment_553 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_551,asemeComment_553 skipwhite skipempty
-syntax match asemeChoice_551 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeClause_549 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_548,asemeComment_550 skipwhite skipempty
-syntax region asemeComment_550 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_548,asemeComment_550 skipwhite skipempty
-syntax match asemeComment_550 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_548,asemeComment_550 skipwhite skipempty
-syntax match asemeNumber_548 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeClause_546 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_545,asemeComment_547 skipwhite skipempty
-syntax region asemeComment_547 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_545,asemeComment_547 skipwhite skipempty
-syntax match asemeComment_547 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_545,asemeComment_547 skipwhite skipempty
-syntax match asemeNumber_545 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeClause_543 /\vevery%(<|>)/ contained nextgroup=asemeNumber_542,asemeComment_544 skipwhite skipempty
-syntax region asemeComment_544 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_542,asemeComment_544 skipwhite skipempty
-syntax match asemeComment_544 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_542,asemeComment_544 skipwhite skipempty
-syntax match asemeNumber_542 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeClause_540 /\vreads%(<|>)/ contained nextgroup=asemeChoice_537,asemeReference_539,asemeComment_541 skipwhite skipempty
-syntax region asemeComment_541 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_537,asemeReference_539,asemeComment_541 skipwhite skipempty
-syntax match asemeComment_541 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_537,asemeReference_539,asemeComment_541 skipwhite skipempty
-syntax match asemeReference_539 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeChoice_537 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_535,asemeComment_538 skipwhite skipempty
-syntax region asemeComment_538 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_535,asemeComment_538 skipwhite skipempty
-syntax match asemeComment_538 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_535,asemeComment_538 skipwhite skipempty
-syntax match asemeReference_535 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax region asemeComment_536 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeComment_536 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_536 skipwhite skipempty
-syntax match asemeDeclaration_533 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_534 skipwhite skipempty
-syntax region asemeComment_534 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_534 skipwhite skipempty
-syntax match asemeComment_534 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_534 skipwhite skipempty
-syntax cluster asemeActivitiesInBodyOfSrm contains=asemePunctuation_532
-syntax region asemePunctuation_532 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfActivities
-syntax cluster asemeBodyOfActivities contains=asemeName_531,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeName_531 /\v%(%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax cluster asemeActivityInBodyOfActivities contains=asemeClause_498,asemeClause_501,asemeClause_504,asemeClause_507,asemeClause_510,asemeClause_513,asemeClause_516,asemeClause_519,asemeClause_522,asemePunctuation_529
-syntax match asemePunctuation_529 /\v\,/ contained nextgroup=asemeChoice_525,asemeReference_527,asemeReference_528,asemeComment_530 skipwhite skipempty
-syntax region asemeComment_530 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_525,asemeReference_527,asemeReference_528,asemeComment_530 skipwhite skipempty
-syntax match asemeComment_530 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_525,asemeReference_527,asemeReference_528,asemeComment_530 skipwhite skipempty
-syntax match asemeReference_528 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeReference_527 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeChoice_525 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_524,asemeComment_526 skipwhite skipempty
-syntax region asemeComment_526 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_524,asemeComment_526 skipwhite skipempty
-syntax match asemeComment_526 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_524,asemeComment_526 skipwhite skipempty
-syntax match asemeReference_524 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeClause_522 /\vends%(<|>)/ contained nextgroup=asemeReference_521,asemeComment_523 skipwhite skipempty
-syntax region asemeComment_523 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_521,asemeComment_523 skipwhite skipempty
-syntax match asemeComment_523 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_521,asemeComment_523 skipwhite skipempty
-syntax match asemeReference_521 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeClause_519 /\vwrites%(<|>)/ contained nextgroup=asemeReference_518,asemeComment_520 skipwhite skipempty
-syntax region asemeComment_520 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_518,asemeComment_520 skipwhite skipempty
-syntax match asemeComment_520 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_518,asemeComment_520 skipwhite skipempty
-syntax match asemeReference_518 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeClause_516 /\vfor%(<|>)/ contained nextgroup=asemeNumber_515,asemeComment_517 skipwhite skipempty
-syntax region asemeComment_517 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_515,asemeComment_517 skipwhite skipempty
-syntax match asemeComment_517 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_515,asemeComment_517 skipwhite skipempty
-syntax match asemeNumber_515 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeClause_513 /\vuses%(<|>)/ contained nextgroup=asemeReference_512,asemeComment_514 skipwhite skipempty
-syntax region asemeComment_514 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_512,asemeComment_514 skipwhite skipempty
-syntax match asemeComment_514 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_512,asemeComment_514 skipwhite skipempty
-syntax match asemeReference_512 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeClause_510 /\vas%(<|>)/ contained nextgroup=asemeChoice_509,asemeComment_511 skipwhite skipempty
-syntax region asemeComment_511 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_509,asemeComment_511 skipwhite skipempty
-syntax match asemeComment_511 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_509,asemeComment_511 skipwhite skipempty
-syntax match asemeChoice_509 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeClause_507 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_506,asemeComment_508 skipwhite skipempty
-syntax region asemeComment_508 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_506,asemeComment_508 skipwhite skipempty
-syntax match asemeComment_508 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_506,asemeComment_508 skipwhite skipempty
-syntax match asemeNumber_506 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeClause_504 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_503,asemeComment_505 skipwhite skipempty
-syntax region asemeComment_505 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_503,asemeComment_505 skipwhite skipempty
-syntax match asemeComment_505 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_503,asemeComment_505 skipwhite skipempty
-syntax match asemeNumber_503 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeClause_501 /\vevery%(<|>)/ contained nextgroup=asemeNumber_500,asemeComment_502 skipwhite skipempty
-syntax region asemeComment_502 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_500,asemeComment_502 skipwhite skipempty
-syntax match asemeComment_502 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_500,asemeComment_502 skipwhite skipempty
-syntax match asemeNumber_500 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeClause_498 /\vreads%(<|>)/ contained nextgroup=asemeChoice_495,asemeReference_497,asemeComment_499 skipwhite skipempty
-syntax region asemeComment_499 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_495,asemeReference_497,asemeComment_499 skipwhite skipempty
-syntax match asemeComment_499 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_495,asemeReference_497,asemeComment_499 skipwhite skipempty
-syntax match asemeReference_497 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeChoice_495 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_493,asemeComment_496 skipwhite skipempty
-syntax region asemeComment_496 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_493,asemeComment_496 skipwhite skipempty
-syntax match asemeComment_496 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_493,asemeComment_496 skipwhite skipempty
-syntax match asemeReference_493 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax region asemeComment_494 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeComment_494 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_494 skipwhite skipempty
-syntax match asemeDeclaration_491 /\v%(liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=liveness%(<|>)/ contained nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_492 skipwhite skipempty
-syntax region asemeComment_492 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_492 skipwhite skipempty
-syntax match asemeComment_492 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_492 skipwhite skipempty
-syntax cluster asemeLivenessInBodyOfSrm contains=asemePunctuation_490
-syntax region asemePunctuation_490 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfLiveness
-syntax cluster asemeBodyOfLiveness contains=asemeName_488,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeName_488 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_487,asemeComment_489 skipwhite skipempty
-syntax region asemeComment_489 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_487,asemeComment_489 skipwhite skipempty
-syntax match asemeComment_489 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_487,asemeComment_489 skipwhite skipempty
-syntax match asemeOperator_487 /\v\=%(\=)@!/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
-syntax cluster asemeFormula contains=asemeText_480,asemeNumber_482,asemeReference_483,asemeNumber_484,asemeOperator_485,asemePunctuation_486
-syntax match asemePunctuation_486 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
-syntax match asemeOperator_485 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=%(\|\||\&\&|\-\>|\[\>|[.|*+~\^&ω])/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
-syntax match asemeNumber_484 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[0-9]\w*/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
-syntax match asemeReference_483 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
-syntax match asemeNumber_482 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
-syntax match asemeText_480 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
-syntax region asemeComment_481 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
-syntax match asemeComment_481 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFormula,asemeComment_481 skipwhite skipempty
-syntax match asemeDeclaration_478 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_476,asemeComment_479 skipwhite skipempty
+syntax match asemeBlock_591 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_590 skipwhite skipempty
+syntax cluster asemeFunctionalityInBodyOfSrm contains=asemePunctuation_588,asemeBlock_589
+syntax match asemeBlock_589 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_590 skipwhite skipempty
+syntax region asemeComment_590 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_590 skipwhite skipempty
+syntax match asemeComment_590 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_590 skipwhite skipempty
+syntax region asemePunctuation_588 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfFunctionality
+syntax cluster asemeBodyOfFunctionality contains=asemeDeclaration_586,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeDeclaration_586 /\v%(%(technology|permissions|environment|algorithm)%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=%(technology|permissions|environment|algorithm)%(<|>)/ contained nextgroup=asemeText_585,asemeComment_587 skipwhite skipempty
+syntax region asemeComment_587 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_585,asemeComment_587 skipwhite skipempty
+syntax match asemeComment_587 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_585,asemeComment_587 skipwhite skipempty
+syntax match asemeText_585 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_583 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfSrm,asemeComment_584 skipwhite skipempty
+syntax region asemeComment_584 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_584 skipwhite skipempty
+syntax match asemeComment_584 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_584 skipwhite skipempty
+syntax cluster asemeModulesInBodyOfSrm contains=asemePunctuation_582
+syntax region asemePunctuation_582 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfModules
+syntax cluster asemeBodyOfModules contains=asemeName_581,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeName_581 /\v%(%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax cluster asemeModuleInBodyOfModules contains=asemeClause_545,asemeClause_548,asemeClause_551,asemeClause_554,asemeClause_557,asemeClause_560,asemeClause_563,asemeClause_566,asemeClause_569,asemePunctuation_576,asemeOperator_579
+syntax match asemeOperator_579 /\v\=%(\=)@!/ contained nextgroup=asemeText_578,asemeComment_580 skipwhite skipempty
+syntax region asemeComment_580 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_578,asemeComment_580 skipwhite skipempty
+syntax match asemeComment_580 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_578,asemeComment_580 skipwhite skipempty
+syntax match asemeText_578 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemePunctuation_576 /\v\,/ contained nextgroup=asemeChoice_572,asemeReference_574,asemeReference_575,asemeComment_577 skipwhite skipempty
+syntax region asemeComment_577 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_572,asemeReference_574,asemeReference_575,asemeComment_577 skipwhite skipempty
+syntax match asemeComment_577 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_572,asemeReference_574,asemeReference_575,asemeComment_577 skipwhite skipempty
+syntax match asemeReference_575 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeReference_574 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeChoice_572 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_571,asemeComment_573 skipwhite skipempty
+syntax region asemeComment_573 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_571,asemeComment_573 skipwhite skipempty
+syntax match asemeComment_573 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_571,asemeComment_573 skipwhite skipempty
+syntax match asemeReference_571 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeClause_569 /\vends%(<|>)/ contained nextgroup=asemeReference_568,asemeComment_570 skipwhite skipempty
+syntax region asemeComment_570 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_568,asemeComment_570 skipwhite skipempty
+syntax match asemeComment_570 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_568,asemeComment_570 skipwhite skipempty
+syntax match asemeReference_568 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeClause_566 /\vwrites%(<|>)/ contained nextgroup=asemeReference_565,asemeComment_567 skipwhite skipempty
+syntax region asemeComment_567 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_565,asemeComment_567 skipwhite skipempty
+syntax match asemeComment_567 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_565,asemeComment_567 skipwhite skipempty
+syntax match asemeReference_565 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeClause_563 /\vfor%(<|>)/ contained nextgroup=asemeNumber_562,asemeComment_564 skipwhite skipempty
+syntax region asemeComment_564 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_562,asemeComment_564 skipwhite skipempty
+syntax match asemeComment_564 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_562,asemeComment_564 skipwhite skipempty
+syntax match asemeNumber_562 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeClause_560 /\vuses%(<|>)/ contained nextgroup=asemeReference_559,asemeComment_561 skipwhite skipempty
+syntax region asemeComment_561 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_559,asemeComment_561 skipwhite skipempty
+syntax match asemeComment_561 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_559,asemeComment_561 skipwhite skipempty
+syntax match asemeReference_559 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeClause_557 /\vas%(<|>)/ contained nextgroup=asemeChoice_556,asemeComment_558 skipwhite skipempty
+syntax region asemeComment_558 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_556,asemeComment_558 skipwhite skipempty
+syntax match asemeComment_558 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_556,asemeComment_558 skipwhite skipempty
+syntax match asemeChoice_556 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeClause_554 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_553,asemeComment_555 skipwhite skipempty
+syntax region asemeComment_555 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_553,asemeComment_555 skipwhite skipempty
+syntax match asemeComment_555 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_553,asemeComment_555 skipwhite skipempty
+syntax match asemeNumber_553 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeClause_551 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_550,asemeComment_552 skipwhite skipempty
+syntax region asemeComment_552 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_550,asemeComment_552 skipwhite skipempty
+syntax match asemeComment_552 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_550,asemeComment_552 skipwhite skipempty
+syntax match asemeNumber_550 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeClause_548 /\vevery%(<|>)/ contained nextgroup=asemeNumber_547,asemeComment_549 skipwhite skipempty
+syntax region asemeComment_549 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_547,asemeComment_549 skipwhite skipempty
+syntax match asemeComment_549 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_547,asemeComment_549 skipwhite skipempty
+syntax match asemeNumber_547 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeClause_545 /\vreads%(<|>)/ contained nextgroup=asemeChoice_542,asemeReference_544,asemeComment_546 skipwhite skipempty
+syntax region asemeComment_546 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_542,asemeReference_544,asemeComment_546 skipwhite skipempty
+syntax match asemeComment_546 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_542,asemeReference_544,asemeComment_546 skipwhite skipempty
+syntax match asemeReference_544 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeChoice_542 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_540,asemeComment_543 skipwhite skipempty
+syntax region asemeComment_543 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_540,asemeComment_543 skipwhite skipempty
+syntax match asemeComment_543 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_540,asemeComment_543 skipwhite skipempty
+syntax match asemeReference_540 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax region asemeComment_541 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeComment_541 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_541 skipwhite skipempty
+syntax match asemeDeclaration_538 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_539 skipwhite skipempty
+syntax region asemeComment_539 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_539 skipwhite skipempty
+syntax match asemeComment_539 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_539 skipwhite skipempty
+syntax cluster asemeActivitiesInBodyOfSrm contains=asemePunctuation_537
+syntax region asemePunctuation_537 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfActivities
+syntax cluster asemeBodyOfActivities contains=asemeName_536,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeName_536 /\v%(%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax cluster asemeActivityInBodyOfActivities contains=asemeClause_503,asemeClause_506,asemeClause_509,asemeClause_512,asemeClause_515,asemeClause_518,asemeClause_521,asemeClause_524,asemeClause_527,asemePunctuation_534
+syntax match asemePunctuation_534 /\v\,/ contained nextgroup=asemeChoice_530,asemeReference_532,asemeReference_533,asemeComment_535 skipwhite skipempty
+syntax region asemeComment_535 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_530,asemeReference_532,asemeReference_533,asemeComment_535 skipwhite skipempty
+syntax match asemeComment_535 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_530,asemeReference_532,asemeReference_533,asemeComment_535 skipwhite skipempty
+syntax match asemeReference_533 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeReference_532 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeChoice_530 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_529,asemeComment_531 skipwhite skipempty
+syntax region asemeComment_531 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_529,asemeComment_531 skipwhite skipempty
+syntax match asemeComment_531 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_529,asemeComment_531 skipwhite skipempty
+syntax match asemeReference_529 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeClause_527 /\vends%(<|>)/ contained nextgroup=asemeReference_526,asemeComment_528 skipwhite skipempty
+syntax region asemeComment_528 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_526,asemeComment_528 skipwhite skipempty
+syntax match asemeComment_528 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_526,asemeComment_528 skipwhite skipempty
+syntax match asemeReference_526 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeClause_524 /\vwrites%(<|>)/ contained nextgroup=asemeReference_523,asemeComment_525 skipwhite skipempty
+syntax region asemeComment_525 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_523,asemeComment_525 skipwhite skipempty
+syntax match asemeComment_525 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_523,asemeComment_525 skipwhite skipempty
+syntax match asemeReference_523 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeClause_521 /\vfor%(<|>)/ contained nextgroup=asemeNumber_520,asemeComment_522 skipwhite skipempty
+syntax region asemeComment_522 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_520,asemeComment_522 skipwhite skipempty
+syntax match asemeComment_522 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_520,asemeComment_522 skipwhite skipempty
+syntax match asemeNumber_520 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeClause_518 /\vuses%(<|>)/ contained nextgroup=asemeReference_517,asemeComment_519 skipwhite skipempty
+syntax region asemeComment_519 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_517,asemeComment_519 skipwhite skipempty
+syntax match asemeComment_519 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_517,asemeComment_519 skipwhite skipempty
+syntax match asemeReference_517 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeClause_515 /\vas%(<|>)/ contained nextgroup=asemeChoice_514,asemeComment_516 skipwhite skipempty
+syntax region asemeComment_516 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_514,asemeComment_516 skipwhite skipempty
+syntax match asemeComment_516 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_514,asemeComment_516 skipwhite skipempty
+syntax match asemeChoice_514 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeClause_512 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_511,asemeComment_513 skipwhite skipempty
+syntax region asemeComment_513 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_511,asemeComment_513 skipwhite skipempty
+syntax match asemeComment_513 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_511,asemeComment_513 skipwhite skipempty
+syntax match asemeNumber_511 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeClause_509 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_508,asemeComment_510 skipwhite skipempty
+syntax region asemeComment_510 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_508,asemeComment_510 skipwhite skipempty
+syntax match asemeComment_510 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_508,asemeComment_510 skipwhite skipempty
+syntax match asemeNumber_508 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeClause_506 /\vevery%(<|>)/ contained nextgroup=asemeNumber_505,asemeComment_507 skipwhite skipempty
+syntax region asemeComment_507 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_505,asemeComment_507 skipwhite skipempty
+syntax match asemeComment_507 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_505,asemeComment_507 skipwhite skipempty
+syntax match asemeNumber_505 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeClause_503 /\vreads%(<|>)/ contained nextgroup=asemeChoice_500,asemeReference_502,asemeComment_504 skipwhite skipempty
+syntax region asemeComment_504 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_500,asemeReference_502,asemeComment_504 skipwhite skipempty
+syntax match asemeComment_504 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_500,asemeReference_502,asemeComment_504 skipwhite skipempty
+syntax match asemeReference_502 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeChoice_500 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_498,asemeComment_501 skipwhite skipempty
+syntax region asemeComment_501 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_498,asemeComment_501 skipwhite skipempty
+syntax match asemeComment_501 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_498,asemeComment_501 skipwhite skipempty
+syntax match asemeReference_498 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax region asemeComment_499 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeComment_499 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivityInBodyOfActivities,asemeComment_499 skipwhite skipempty
+syntax match asemeDeclaration_496 /\v%(liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=liveness%(<|>)/ contained nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_497 skipwhite skipempty
+syntax region asemeComment_497 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_497 skipwhite skipempty
+syntax match asemeComment_497 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeLivenessInBodyOfSrm,asemeComment_497 skipwhite skipempty
+syntax cluster asemeLivenessInBodyOfSrm contains=asemePunctuation_495
+syntax region asemePunctuation_495 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfLiveness
+syntax cluster asemeBodyOfLiveness contains=asemeName_493,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeName_493 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_492,asemeComment_494 skipwhite skipempty
+syntax region asemeComment_494 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_492,asemeComment_494 skipwhite skipempty
+syntax match asemeComment_494 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_492,asemeComment_494 skipwhite skipempty
+syntax match asemeOperator_492 /\v\=%(\=)@!/ contained nextgroup=@asemeFormula,asemeComment_486 skipwhite skipempty
+syntax cluster asemeFormula contains=asemeText_485,asemeNumber_487,asemeReference_488,asemeNumber_489,asemeOperator_490,asemePunctuation_491
+syntax match asemePunctuation_491 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeFormula,asemeComment_486 skipwhite skipempty
+syntax match asemeOperator_490 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=%(\|\||\&\&|\-\>|\[\>|[.|*+~\^&ω])/ contained nextgroup=@asemeFormula,asemeComment_486 skipwhite skipempty
+syntax match asemeNumber_489 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[0-9]\w*/ contained nextgroup=@asemeFormula,asemeComment_486 skipwhite skipempty
+syntax match asemeReference_488 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*/ contained nextgroup=@asemeFormula,asemeComment_486 skipwhite skipempty
+syntax match asemeNumber_487 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeFormula,asemeComment_486 skipwhite skipempty
+syntax match asemeText_485 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeFormula,asemeComment_486 skipwhite skipempty
+syntax region asemeComment_486 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFormula,asemeComment_486 skipwhite skipempty
+syntax match asemeComment_486 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFormula,asemeComment_486 skipwhite skipempty
+syntax match asemeDeclaration_483 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_481,asemeComment_484 skipwhite skipempty
+syntax region asemeComment_484 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_481,asemeComment_484 skipwhite skipempty
+syntax match asemeComment_484 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_481,asemeComment_484 skipwhite skipempty
+syntax match asemeName_481 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_480,asemeComment_482 skipwhite skipempty
+syntax region asemeComment_482 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_480,asemeComment_482 skipwhite skipempty
+syntax match asemeComment_482 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_480,asemeComment_482 skipwhite skipempty
+syntax match asemeOperator_480 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_11 skipwhite skipempty
+syntax match asemeDeclaration_478 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_476,asemeComment_479 skipwhite skipempty
 syntax region asemeComment_479 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_476,asemeComment_479 skipwhite skipempty
 syntax match asemeComment_479 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_476,asemeComment_479 skipwhite skipempty
-syntax match asemeName_476 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_475,asemeComment_477 skipwhite skipempty
-syntax region asemeComment_477 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_475,asemeComment_477 skipwhite skipempty
-syntax match asemeComment_477 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_475,asemeComment_477 skipwhite skipempty
-syntax match asemeOperator_475 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_11 skipwhite skipempty
-syntax match asemeDeclaration_473 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_471,asemeComment_474 skipwhite skipempty
-syntax region asemeComment_474 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_471,asemeComment_474 skipwhite skipempty
-syntax match asemeComment_474 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_471,asemeComment_474 skipwhite skipempty
-syntax match asemeName_471 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_469,asemeComment_472 skipwhite skipempty
-syntax region asemeComment_472 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_469,asemeComment_472 skipwhite skipempty
-syntax match asemeComment_472 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_469,asemeComment_472 skipwhite skipempty
-syntax match asemePunctuation_469 /\v\:/ contained nextgroup=asemeBuiltIn_467,asemeType_468,asemeComment_470 skipwhite skipempty
-syntax region asemeComment_470 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_467,asemeType_468,asemeComment_470 skipwhite skipempty
-syntax match asemeComment_470 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_467,asemeType_468,asemeComment_470 skipwhite skipempty
-syntax match asemeType_468 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
-syntax match asemeBuiltIn_467 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
-syntax cluster asemeVarInBodyOfSrm contains=asemePunctuation_456,asemeOperator_458,asemeName_463,asemeBuiltIn_465,asemeType_466
-syntax match asemeType_466 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
-syntax match asemeBuiltIn_465 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
-syntax match asemeName_463 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_461,asemeComment_464 skipwhite skipempty
-syntax region asemeComment_464 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_461,asemeComment_464 skipwhite skipempty
-syntax match asemeComment_464 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_461,asemeComment_464 skipwhite skipempty
-syntax match asemePunctuation_461 /\v\:/ contained nextgroup=asemeBuiltIn_459,asemeType_460,asemeComment_462 skipwhite skipempty
-syntax region asemeComment_462 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_459,asemeType_460,asemeComment_462 skipwhite skipempty
-syntax match asemeComment_462 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_459,asemeType_460,asemeComment_462 skipwhite skipempty
-syntax match asemeType_460 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
-syntax match asemeBuiltIn_459 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
-syntax match asemeOperator_458 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionToken,asemeComment_205 skipwhite skipempty
-syntax match asemePunctuation_456 /\v\:/ contained nextgroup=asemeBuiltIn_453,asemeType_455,asemeComment_457 skipwhite skipempty
-syntax region asemeComment_457 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_453,asemeType_455,asemeComment_457 skipwhite skipempty
-syntax match asemeComment_457 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_453,asemeType_455,asemeComment_457 skipwhite skipempty
-syntax match asemeType_455 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
-syntax match asemeBuiltIn_453 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
-syntax region asemeComment_454 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
-syntax match asemeComment_454 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfSrm,asemeComment_454 skipwhite skipempty
-syntax match asemeDeclaration_451 /\v%(capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=capability%(<|>)/ contained nextgroup=asemeName_449,asemeComment_452 skipwhite skipempty
-syntax region asemeComment_452 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_449,asemeComment_452 skipwhite skipempty
-syntax match asemeComment_452 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_449,asemeComment_452 skipwhite skipempty
-syntax match asemeName_449 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeText_448,@asemeCapabilityInBodyOfSrm,asemeComment_450 skipwhite skipempty
-syntax region asemeComment_450 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_448,@asemeCapabilityInBodyOfSrm,asemeComment_450 skipwhite skipempty
-syntax match asemeComment_450 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_448,@asemeCapabilityInBodyOfSrm,asemeComment_450 skipwhite skipempty
-syntax match asemeText_448 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
-syntax cluster asemeCapabilityInBodyOfSrm contains=asemeOperator_439,asemePunctuation_442,asemeText_444,asemeName_446
-syntax match asemeName_446 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeText_445,@asemeCapabilityInBodyOfSrm,asemeComment_447 skipwhite skipempty
-syntax region asemeComment_447 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_445,@asemeCapabilityInBodyOfSrm,asemeComment_447 skipwhite skipempty
-syntax match asemeComment_447 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_445,@asemeCapabilityInBodyOfSrm,asemeComment_447 skipwhite skipempty
-syntax match asemeText_445 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
-syntax match asemeText_444 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
-syntax match asemePunctuation_442 /\v\,/ contained nextgroup=asemeReference_441,asemeComment_443 skipwhite skipempty
-syntax region asemeComment_443 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_441,asemeComment_443 skipwhite skipempty
-syntax match asemeComment_443 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_441,asemeComment_443 skipwhite skipempty
-syntax match asemeReference_441 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
-syntax match asemeOperator_439 /\v\=%(\=)@!/ contained nextgroup=asemeReference_437,asemeComment_440 skipwhite skipempty
-syntax region asemeComment_440 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_437,asemeComment_440 skipwhite skipempty
-syntax match asemeComment_440 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_437,asemeComment_440 skipwhite skipempty
-syntax match asemeReference_437 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
-syntax region asemeComment_438 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
-syntax match asemeComment_438 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_438 skipwhite skipempty
-syntax match asemeDeclaration_435 /\v%(plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=plays%(<|>)/ contained nextgroup=asemeReference_433,asemeComment_436 skipwhite skipempty
-syntax region asemeComment_436 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_433,asemeComment_436 skipwhite skipempty
-syntax match asemeComment_436 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_433,asemeComment_436 skipwhite skipempty
-syntax match asemeReference_433 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_431,asemeComment_434 skipwhite skipempty
-syntax region asemeComment_434 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_431,asemeComment_434 skipwhite skipempty
-syntax match asemeComment_434 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_431,asemeComment_434 skipwhite skipempty
+syntax match asemeName_476 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_474,asemeComment_477 skipwhite skipempty
+syntax region asemeComment_477 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_474,asemeComment_477 skipwhite skipempty
+syntax match asemeComment_477 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_474,asemeComment_477 skipwhite skipempty
+syntax match asemePunctuation_474 /\v\:/ contained nextgroup=asemeBuiltIn_472,asemeType_473,asemeComment_475 skipwhite skipempty
+syntax region asemeComment_475 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_472,asemeType_473,asemeComment_475 skipwhite skipempty
+syntax match asemeComment_475 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_472,asemeType_473,asemeComment_475 skipwhite skipempty
+syntax match asemeType_473 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_459 skipwhite skipempty
+syntax match asemeBuiltIn_472 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_459 skipwhite skipempty
+syntax cluster asemeVarInBodyOfSrm contains=asemePunctuation_461,asemeOperator_463,asemeName_468,asemeBuiltIn_470,asemeType_471
+syntax match asemeType_471 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_459 skipwhite skipempty
+syntax match asemeBuiltIn_470 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_459 skipwhite skipempty
+syntax match asemeName_468 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_466,asemeComment_469 skipwhite skipempty
+syntax region asemeComment_469 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_466,asemeComment_469 skipwhite skipempty
+syntax match asemeComment_469 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_466,asemeComment_469 skipwhite skipempty
+syntax match asemePunctuation_466 /\v\:/ contained nextgroup=asemeBuiltIn_464,asemeType_465,asemeComment_467 skipwhite skipempty
+syntax region asemeComment_467 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_464,asemeType_465,asemeComment_467 skipwhite skipempty
+syntax match asemeComment_467 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_464,asemeType_465,asemeComment_467 skipwhite skipempty
+syntax match asemeType_465 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_459 skipwhite skipempty
+syntax match asemeBuiltIn_464 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_459 skipwhite skipempty
+syntax match asemeOperator_463 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionToken,asemeComment_205 skipwhite skipempty
+syntax match asemePunctuation_461 /\v\:/ contained nextgroup=asemeBuiltIn_458,asemeType_460,asemeComment_462 skipwhite skipempty
+syntax region asemeComment_462 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_458,asemeType_460,asemeComment_462 skipwhite skipempty
+syntax match asemeComment_462 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_458,asemeType_460,asemeComment_462 skipwhite skipempty
+syntax match asemeType_460 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_459 skipwhite skipempty
+syntax match asemeBuiltIn_458 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfSrm,asemeComment_459 skipwhite skipempty
+syntax region asemeComment_459 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfSrm,asemeComment_459 skipwhite skipempty
+syntax match asemeComment_459 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfSrm,asemeComment_459 skipwhite skipempty
+syntax match asemeDeclaration_456 /\v%(capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=capability%(<|>)/ contained nextgroup=asemeName_454,asemeComment_457 skipwhite skipempty
+syntax region asemeComment_457 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_454,asemeComment_457 skipwhite skipempty
+syntax match asemeComment_457 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_454,asemeComment_457 skipwhite skipempty
+syntax match asemeName_454 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeText_453,@asemeCapabilityInBodyOfSrm,asemeComment_455 skipwhite skipempty
+syntax region asemeComment_455 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_453,@asemeCapabilityInBodyOfSrm,asemeComment_455 skipwhite skipempty
+syntax match asemeComment_455 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_453,@asemeCapabilityInBodyOfSrm,asemeComment_455 skipwhite skipempty
+syntax match asemeText_453 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_443 skipwhite skipempty
+syntax cluster asemeCapabilityInBodyOfSrm contains=asemeOperator_444,asemePunctuation_447,asemeText_449,asemeName_451
+syntax match asemeName_451 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeText_450,@asemeCapabilityInBodyOfSrm,asemeComment_452 skipwhite skipempty
+syntax region asemeComment_452 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_450,@asemeCapabilityInBodyOfSrm,asemeComment_452 skipwhite skipempty
+syntax match asemeComment_452 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_450,@asemeCapabilityInBodyOfSrm,asemeComment_452 skipwhite skipempty
+syntax match asemeText_450 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_443 skipwhite skipempty
+syntax match asemeText_449 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_443 skipwhite skipempty
+syntax match asemePunctuation_447 /\v\,/ contained nextgroup=asemeReference_446,asemeComment_448 skipwhite skipempty
+syntax region asemeComment_448 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_446,asemeComment_448 skipwhite skipempty
+syntax match asemeComment_448 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_446,asemeComment_448 skipwhite skipempty
+syntax match asemeReference_446 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_443 skipwhite skipempty
+syntax match asemeOperator_444 /\v\=%(\=)@!/ contained nextgroup=asemeReference_442,asemeComment_445 skipwhite skipempty
+syntax region asemeComment_445 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_442,asemeComment_445 skipwhite skipempty
+syntax match asemeComment_445 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_442,asemeComment_445 skipwhite skipempty
+syntax match asemeReference_442 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_443 skipwhite skipempty
+syntax region asemeComment_443 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_443 skipwhite skipempty
+syntax match asemeComment_443 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeCapabilityInBodyOfSrm,asemeComment_443 skipwhite skipempty
+syntax match asemeDeclaration_440 /\v%(plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=plays%(<|>)/ contained nextgroup=asemeReference_438,asemeComment_441 skipwhite skipempty
+syntax region asemeComment_441 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_438,asemeComment_441 skipwhite skipempty
+syntax match asemeComment_441 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_438,asemeComment_441 skipwhite skipempty
+syntax match asemeReference_438 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_436,asemeComment_439 skipwhite skipempty
+syntax region asemeComment_439 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_436,asemeComment_439 skipwhite skipempty
+syntax match asemeComment_439 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_436,asemeComment_439 skipwhite skipempty
+syntax match asemePunctuation_436 /\v\./ contained nextgroup=asemeReference_435,asemeComment_437 skipwhite skipempty
+syntax region asemeComment_437 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_435,asemeComment_437 skipwhite skipempty
+syntax match asemeComment_437 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_435,asemeComment_437 skipwhite skipempty
+syntax match asemeReference_435 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_407 skipwhite skipempty
+syntax cluster asemePlaysInBodyOfSrm contains=asemeClause_412,asemeClause_415,asemePunctuation_425,asemePunctuation_428,asemeReference_433
+syntax match asemeReference_433 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_431,@asemePlaysInBodyOfSrm,asemeComment_434 skipwhite skipempty
+syntax region asemeComment_434 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_431,@asemePlaysInBodyOfSrm,asemeComment_434 skipwhite skipempty
+syntax match asemeComment_434 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_431,@asemePlaysInBodyOfSrm,asemeComment_434 skipwhite skipempty
 syntax match asemePunctuation_431 /\v\./ contained nextgroup=asemeReference_430,asemeComment_432 skipwhite skipempty
 syntax region asemeComment_432 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_430,asemeComment_432 skipwhite skipempty
 syntax match asemeComment_432 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_430,asemeComment_432 skipwhite skipempty
-syntax match asemeReference_430 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
-syntax cluster asemePlaysInBodyOfSrm contains=asemeClause_407,asemeClause_410,asemePunctuation_420,asemePunctuation_423,asemeReference_428
-syntax match asemeReference_428 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemePunctuation_426,@asemePlaysInBodyOfSrm,asemeComment_429 skipwhite skipempty
-syntax region asemeComment_429 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_426,@asemePlaysInBodyOfSrm,asemeComment_429 skipwhite skipempty
-syntax match asemeComment_429 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_426,@asemePlaysInBodyOfSrm,asemeComment_429 skipwhite skipempty
-syntax match asemePunctuation_426 /\v\./ contained nextgroup=asemeReference_425,asemeComment_427 skipwhite skipempty
-syntax region asemeComment_427 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_425,asemeComment_427 skipwhite skipempty
-syntax match asemeComment_427 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_425,asemeComment_427 skipwhite skipempty
-syntax match asemeReference_425 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
-syntax match asemePunctuation_423 /\v\./ contained nextgroup=asemeReference_422,asemeComment_424 skipwhite skipempty
-syntax region asemeComment_424 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_422,asemeComment_424 skipwhite skipempty
-syntax match asemeComment_424 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_422,asemeComment_424 skipwhite skipempty
-syntax match asemeReference_422 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
-syntax match asemePunctuation_420 /\v\,/ contained nextgroup=asemeReference_418,asemeComment_421 skipwhite skipempty
-syntax region asemeComment_421 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_418,asemeComment_421 skipwhite skipempty
-syntax match asemeComment_421 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_418,asemeComment_421 skipwhite skipempty
-syntax match asemeReference_418 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_413,asemePunctuation_416,asemeComment_419 skipwhite skipempty
-syntax region asemeComment_419 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_413,asemePunctuation_416,asemeComment_419 skipwhite skipempty
-syntax match asemeComment_419 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_413,asemePunctuation_416,asemeComment_419 skipwhite skipempty
-syntax match asemePunctuation_416 /\v\./ contained nextgroup=asemeReference_415,asemeComment_417 skipwhite skipempty
-syntax region asemeComment_417 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_415,asemeComment_417 skipwhite skipempty
-syntax match asemeComment_417 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_415,asemeComment_417 skipwhite skipempty
-syntax match asemeReference_415 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
-syntax match asemeOperator_413 /\v\=%(\=)@!/ contained nextgroup=asemeReference_412,asemeComment_414 skipwhite skipempty
-syntax region asemeComment_414 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_412,asemeComment_414 skipwhite skipempty
-syntax match asemeComment_414 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_412,asemeComment_414 skipwhite skipempty
-syntax match asemeReference_412 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
-syntax match asemeClause_410 /\vas%(<|>)/ contained nextgroup=asemeReference_409,asemeComment_411 skipwhite skipempty
-syntax region asemeComment_411 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_409,asemeComment_411 skipwhite skipempty
-syntax match asemeComment_411 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_409,asemeComment_411 skipwhite skipempty
-syntax match asemeReference_409 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
-syntax match asemeClause_407 /\vwith%(<|>)/ contained nextgroup=asemeReference_405,asemeComment_408 skipwhite skipempty
-syntax region asemeComment_408 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_405,asemeComment_408 skipwhite skipempty
-syntax match asemeComment_408 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_405,asemeComment_408 skipwhite skipempty
-syntax match asemeReference_405 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_403,asemeComment_406 skipwhite skipempty
-syntax region asemeComment_406 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_403,asemeComment_406 skipwhite skipempty
-syntax match asemeComment_406 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_403,asemeComment_406 skipwhite skipempty
-syntax match asemeOperator_403 /\v\=%(\=)@!/ contained nextgroup=asemeReference_401,asemeComment_404 skipwhite skipempty
-syntax region asemeComment_404 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_401,asemeComment_404 skipwhite skipempty
-syntax match asemeComment_404 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_401,asemeComment_404 skipwhite skipempty
-syntax match asemeReference_401 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
-syntax region asemeComment_402 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
-syntax match asemeComment_402 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePlaysInBodyOfSrm,asemeComment_402 skipwhite skipempty
-syntax match asemeDeclaration_399 /\v%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=includes%(<|>)/ contained nextgroup=asemeReference_398,asemeComment_400 skipwhite skipempty
-syntax region asemeComment_400 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_398,asemeComment_400 skipwhite skipempty
-syntax match asemeComment_400 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_398,asemeComment_400 skipwhite skipempty
-syntax match asemeReference_398 /\v%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_394 skipwhite skipempty
-syntax cluster asemeInclusionInBodyOfSrm contains=asemePunctuation_395,asemeReference_397
-syntax match asemeReference_397 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@!%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_394 skipwhite skipempty
-syntax match asemePunctuation_395 /\v\,/ contained nextgroup=asemeReference_393,asemeComment_396 skipwhite skipempty
-syntax region asemeComment_396 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_393,asemeComment_396 skipwhite skipempty
-syntax match asemeComment_396 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_393,asemeComment_396 skipwhite skipempty
-syntax match asemeReference_393 /\v%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_394 skipwhite skipempty
-syntax region asemeComment_394 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_394 skipwhite skipempty
-syntax match asemeComment_394 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_394 skipwhite skipempty
-syntax match asemeClause_391 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_389,asemeComment_392 skipwhite skipempty
-syntax region asemeComment_392 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_389,asemeComment_392 skipwhite skipempty
-syntax match asemeComment_392 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_389,asemeComment_392 skipwhite skipempty
-syntax match asemeBlock_389 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
-syntax region asemeComment_390 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
-syntax match asemeComment_390 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSrmInFile,asemeComment_390 skipwhite skipempty
-syntax match asemeDeclaration_387 /\v%(aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=aip%(<|>)/ nextgroup=asemeBlock_386,asemeComment_388 skipwhite skipempty
-syntax region asemeComment_388 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_386,asemeComment_388 skipwhite skipempty
-syntax match asemeComment_388 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_386,asemeComment_388 skipwhite skipempty
-syntax match asemeBlock_386 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeAipInFile,asemeComment_385 skipwhite skipempty
-syntax cluster asemeAipInFile contains=asemePunctuation_383,asemeBlock_384
-syntax match asemeBlock_384 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeAipInFile,asemeComment_385 skipwhite skipempty
-syntax region asemeComment_385 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAipInFile,asemeComment_385 skipwhite skipempty
-syntax match asemeComment_385 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAipInFile,asemeComment_385 skipwhite skipempty
-syntax region asemePunctuation_383 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfAip
-syntax cluster asemeBodyOfAip contains=asemeDeclaration_284,asemeDeclaration_287,asemeDeclaration_315,asemeDeclaration_319,asemeDeclaration_381,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
-syntax match asemeDeclaration_381 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_380,asemeComment_382 skipwhite skipempty
-syntax region asemeComment_382 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_380,asemeComment_382 skipwhite skipempty
-syntax match asemeComment_382 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_380,asemeComment_382 skipwhite skipempty
-syntax match asemeBlock_380 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfAip,asemeComment_379 skipwhite skipempty
-syntax cluster asemeControlInBodyOfAip contains=asemePunctuation_377,asemeBlock_378
-syntax match asemeBlock_378 /\v%(%(participant%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|outcome%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|clause%(<|>)%(\_s*%(at%(<|>)|every%(<|>)|\(|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeControlInBodyOfAip,asemeComment_379 skipwhite skipempty
+syntax match asemeReference_430 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_407 skipwhite skipempty
+syntax match asemePunctuation_428 /\v\./ contained nextgroup=asemeReference_427,asemeComment_429 skipwhite skipempty
+syntax region asemeComment_429 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_427,asemeComment_429 skipwhite skipempty
+syntax match asemeComment_429 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_427,asemeComment_429 skipwhite skipempty
+syntax match asemeReference_427 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_407 skipwhite skipempty
+syntax match asemePunctuation_425 /\v\,/ contained nextgroup=asemeReference_423,asemeComment_426 skipwhite skipempty
+syntax region asemeComment_426 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_423,asemeComment_426 skipwhite skipempty
+syntax match asemeComment_426 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_423,asemeComment_426 skipwhite skipempty
+syntax match asemeReference_423 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_418,asemePunctuation_421,asemeComment_424 skipwhite skipempty
+syntax region asemeComment_424 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_418,asemePunctuation_421,asemeComment_424 skipwhite skipempty
+syntax match asemeComment_424 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_418,asemePunctuation_421,asemeComment_424 skipwhite skipempty
+syntax match asemePunctuation_421 /\v\./ contained nextgroup=asemeReference_420,asemeComment_422 skipwhite skipempty
+syntax region asemeComment_422 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_420,asemeComment_422 skipwhite skipempty
+syntax match asemeComment_422 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_420,asemeComment_422 skipwhite skipempty
+syntax match asemeReference_420 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_407 skipwhite skipempty
+syntax match asemeOperator_418 /\v\=%(\=)@!/ contained nextgroup=asemeReference_417,asemeComment_419 skipwhite skipempty
+syntax region asemeComment_419 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_417,asemeComment_419 skipwhite skipempty
+syntax match asemeComment_419 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_417,asemeComment_419 skipwhite skipempty
+syntax match asemeReference_417 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_407 skipwhite skipempty
+syntax match asemeClause_415 /\vas%(<|>)/ contained nextgroup=asemeReference_414,asemeComment_416 skipwhite skipempty
+syntax region asemeComment_416 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_414,asemeComment_416 skipwhite skipempty
+syntax match asemeComment_416 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_414,asemeComment_416 skipwhite skipempty
+syntax match asemeReference_414 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_407 skipwhite skipempty
+syntax match asemeClause_412 /\vwith%(<|>)/ contained nextgroup=asemeReference_410,asemeComment_413 skipwhite skipempty
+syntax region asemeComment_413 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_410,asemeComment_413 skipwhite skipempty
+syntax match asemeComment_413 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_410,asemeComment_413 skipwhite skipempty
+syntax match asemeReference_410 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_408,asemeComment_411 skipwhite skipempty
+syntax region asemeComment_411 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_408,asemeComment_411 skipwhite skipempty
+syntax match asemeComment_411 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_408,asemeComment_411 skipwhite skipempty
+syntax match asemeOperator_408 /\v\=%(\=)@!/ contained nextgroup=asemeReference_406,asemeComment_409 skipwhite skipempty
+syntax region asemeComment_409 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_406,asemeComment_409 skipwhite skipempty
+syntax match asemeComment_409 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_406,asemeComment_409 skipwhite skipempty
+syntax match asemeReference_406 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemePlaysInBodyOfSrm,asemeComment_407 skipwhite skipempty
+syntax region asemeComment_407 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePlaysInBodyOfSrm,asemeComment_407 skipwhite skipempty
+syntax match asemeComment_407 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePlaysInBodyOfSrm,asemeComment_407 skipwhite skipempty
+syntax match asemeDeclaration_404 /\v%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=includes%(<|>)/ contained nextgroup=asemeReference_403,asemeComment_405 skipwhite skipempty
+syntax region asemeComment_405 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_403,asemeComment_405 skipwhite skipempty
+syntax match asemeComment_405 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_403,asemeComment_405 skipwhite skipempty
+syntax match asemeReference_403 /\v%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_399 skipwhite skipempty
+syntax cluster asemeInclusionInBodyOfSrm contains=asemePunctuation_400,asemeReference_402
+syntax match asemeReference_402 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@!%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_399 skipwhite skipempty
+syntax match asemePunctuation_400 /\v\,/ contained nextgroup=asemeReference_398,asemeComment_401 skipwhite skipempty
+syntax region asemeComment_401 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_398,asemeComment_401 skipwhite skipempty
+syntax match asemeComment_401 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_398,asemeComment_401 skipwhite skipempty
+syntax match asemeReference_398 /\v%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_399 skipwhite skipempty
+syntax region asemeComment_399 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_399 skipwhite skipempty
+syntax match asemeComment_399 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeInclusionInBodyOfSrm,asemeComment_399 skipwhite skipempty
+syntax match asemeClause_396 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_394,asemeComment_397 skipwhite skipempty
+syntax region asemeComment_397 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_394,asemeComment_397 skipwhite skipempty
+syntax match asemeComment_397 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_394,asemeComment_397 skipwhite skipempty
+syntax match asemeBlock_394 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_395 skipwhite skipempty
+syntax region asemeComment_395 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSrmInFile,asemeComment_395 skipwhite skipempty
+syntax match asemeComment_395 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSrmInFile,asemeComment_395 skipwhite skipempty
+syntax match asemeDeclaration_392 /\v%(aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=aip%(<|>)/ nextgroup=asemeBlock_391,asemeComment_393 skipwhite skipempty
+syntax region asemeComment_393 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_391,asemeComment_393 skipwhite skipempty
+syntax match asemeComment_393 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_391,asemeComment_393 skipwhite skipempty
+syntax match asemeBlock_391 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeAipInFile,asemeComment_390 skipwhite skipempty
+syntax cluster asemeAipInFile contains=asemePunctuation_388,asemeBlock_389
+syntax match asemeBlock_389 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeAipInFile,asemeComment_390 skipwhite skipempty
+syntax region asemeComment_390 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAipInFile,asemeComment_390 skipwhite skipempty
+syntax match asemeComment_390 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAipInFile,asemeComment_390 skipwhite skipempty
+syntax region asemePunctuation_388 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfAip
+syntax cluster asemeBodyOfAip contains=asemeDeclaration_284,asemeDeclaration_287,asemeDeclaration_315,asemeDeclaration_319,asemeDeclaration_386,asemeText_38,asemeText_39,asemeNumber_40,asemeReference_41,asemeReference_42,asemePunctuation_43,asemeComment
+syntax match asemeDeclaration_386 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_384,asemeComment_387 skipwhite skipempty
+syntax region asemeComment_387 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_384,asemeComment_387 skipwhite skipempty
+syntax match asemeComment_387 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_384,asemeComment_387 skipwhite skipempty
+syntax match asemeBlock_384 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_383,@asemeControlInBodyOfAip,asemeComment_385 skipwhite skipempty
+syntax region asemeComment_385 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_383,@asemeControlInBodyOfAip,asemeComment_385 skipwhite skipempty
+syntax match asemeComment_385 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_383,@asemeControlInBodyOfAip,asemeComment_385 skipwhite skipempty
+syntax match asemeOperator_383 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfAip,asemeComment_379 skipwhite skipempty
+syntax cluster asemeControlInBodyOfAip contains=asemePunctuation_377,asemeOperator_378,asemeBlock_381
+syntax match asemeBlock_381 /\v%(%(participant%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|outcome%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|clause%(<|>)%(\_s*%(at%(<|>)|every%(<|>)|\(|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_380,@asemeControlInBodyOfAip,asemeComment_382 skipwhite skipempty
+syntax region asemeComment_382 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_380,@asemeControlInBodyOfAip,asemeComment_382 skipwhite skipempty
+syntax match asemeComment_382 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_380,@asemeControlInBodyOfAip,asemeComment_382 skipwhite skipempty
+syntax match asemeOperator_380 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfAip,asemeComment_379 skipwhite skipempty
+syntax match asemeOperator_378 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfAip,asemeComment_379 skipwhite skipempty
 syntax region asemeComment_379 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfAip,asemeComment_379 skipwhite skipempty
 syntax match asemeComment_379 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfAip,asemeComment_379 skipwhite skipempty
 syntax region asemePunctuation_377 matchgroup=asemePunctuation start=/{/ end=/}/ contained transparent fold contains=@asemeBodyOfControl
@@ -1046,24 +1060,24 @@ highlight default link asemeBlock_148 asemeBlock
 highlight default link asemeBlock_150 asemeBlock
 highlight default link asemeBlock_282 asemeBlock
 highlight default link asemeBlock_283 asemeBlock
-highlight default link asemeBlock_378 asemeBlock
-highlight default link asemeBlock_380 asemeBlock
+highlight default link asemeBlock_381 asemeBlock
 highlight default link asemeBlock_384 asemeBlock
-highlight default link asemeBlock_386 asemeBlock
 highlight default link asemeBlock_389 asemeBlock
+highlight default link asemeBlock_391 asemeBlock
+highlight default link asemeBlock_394 asemeBlock
 highlight default link asemeBlock_45 asemeBlock
 highlight default link asemeBlock_47 asemeBlock
-highlight default link asemeBlock_584 asemeBlock
-highlight default link asemeBlock_586 asemeBlock
 highlight default link asemeBlock_589 asemeBlock
 highlight default link asemeBlock_591 asemeBlock
-highlight default link asemeBlock_595 asemeBlock
-highlight default link asemeBlock_596 asemeBlock
-highlight default link asemeBlock_601 asemeBlock
-highlight default link asemeBlock_667 asemeBlock
-highlight default link asemeBlock_669 asemeBlock
-highlight default link asemeBlock_690 asemeBlock
-highlight default link asemeBlock_692 asemeBlock
+highlight default link asemeBlock_597 asemeBlock
+highlight default link asemeBlock_600 asemeBlock
+highlight default link asemeBlock_605 asemeBlock
+highlight default link asemeBlock_606 asemeBlock
+highlight default link asemeBlock_611 asemeBlock
+highlight default link asemeBlock_677 asemeBlock
+highlight default link asemeBlock_679 asemeBlock
+highlight default link asemeBlock_700 asemeBlock
+highlight default link asemeBlock_702 asemeBlock
 highlight default link asemeBlock_71 asemeBlock
 highlight default link asemeBlock_73 asemeBlock
 highlight default link asemeBlock_99 asemeBlock
@@ -1074,16 +1088,16 @@ highlight default link asemeBuiltIn_199 asemeBuiltIn
 highlight default link asemeBuiltIn_222 asemeBuiltIn
 highlight default link asemeBuiltIn_228 asemeBuiltIn
 highlight default link asemeBuiltIn_230 asemeBuiltIn
-highlight default link asemeBuiltIn_453 asemeBuiltIn
-highlight default link asemeBuiltIn_459 asemeBuiltIn
-highlight default link asemeBuiltIn_465 asemeBuiltIn
-highlight default link asemeBuiltIn_467 asemeBuiltIn
+highlight default link asemeBuiltIn_458 asemeBuiltIn
+highlight default link asemeBuiltIn_464 asemeBuiltIn
+highlight default link asemeBuiltIn_470 asemeBuiltIn
+highlight default link asemeBuiltIn_472 asemeBuiltIn
 highlight default link asemeBuiltIn_56 asemeBuiltIn
 highlight default link asemeBuiltIn_61 asemeBuiltIn
-highlight default link asemeBuiltIn_635 asemeBuiltIn
-highlight default link asemeBuiltIn_641 asemeBuiltIn
-highlight default link asemeBuiltIn_647 asemeBuiltIn
-highlight default link asemeBuiltIn_649 asemeBuiltIn
+highlight default link asemeBuiltIn_645 asemeBuiltIn
+highlight default link asemeBuiltIn_651 asemeBuiltIn
+highlight default link asemeBuiltIn_657 asemeBuiltIn
+highlight default link asemeBuiltIn_659 asemeBuiltIn
 highlight default link asemeBuiltIn_67 asemeBuiltIn
 highlight default link asemeCall_217 asemeCall
 highlight default link asemeCall_23 asemeCall
@@ -1091,15 +1105,15 @@ highlight default link asemeCall_341 asemeCall
 highlight default link asemeCall_366 asemeCall
 highlight default link asemeChoice_160 asemeChoice
 highlight default link asemeChoice_289 asemeChoice
-highlight default link asemeChoice_495 asemeChoice
-highlight default link asemeChoice_509 asemeChoice
-highlight default link asemeChoice_525 asemeChoice
-highlight default link asemeChoice_537 asemeChoice
-highlight default link asemeChoice_551 asemeChoice
-highlight default link asemeChoice_567 asemeChoice
-highlight default link asemeChoice_610 asemeChoice
-highlight default link asemeChoice_614 asemeChoice
-highlight default link asemeChoice_622 asemeChoice
+highlight default link asemeChoice_500 asemeChoice
+highlight default link asemeChoice_514 asemeChoice
+highlight default link asemeChoice_530 asemeChoice
+highlight default link asemeChoice_542 asemeChoice
+highlight default link asemeChoice_556 asemeChoice
+highlight default link asemeChoice_572 asemeChoice
+highlight default link asemeChoice_620 asemeChoice
+highlight default link asemeChoice_624 asemeChoice
+highlight default link asemeChoice_632 asemeChoice
 highlight default link asemeChoice_90 asemeChoice
 highlight default link asemeClause_135 asemeClause
 highlight default link asemeClause_137 asemeClause
@@ -1147,29 +1161,29 @@ highlight default link asemeClause_362 asemeClause
 highlight default link asemeClause_363 asemeClause
 highlight default link asemeClause_364 asemeClause
 highlight default link asemeClause_365 asemeClause
-highlight default link asemeClause_391 asemeClause
-highlight default link asemeClause_407 asemeClause
-highlight default link asemeClause_410 asemeClause
-highlight default link asemeClause_498 asemeClause
-highlight default link asemeClause_501 asemeClause
-highlight default link asemeClause_504 asemeClause
-highlight default link asemeClause_507 asemeClause
-highlight default link asemeClause_510 asemeClause
-highlight default link asemeClause_513 asemeClause
-highlight default link asemeClause_516 asemeClause
-highlight default link asemeClause_519 asemeClause
-highlight default link asemeClause_522 asemeClause
-highlight default link asemeClause_540 asemeClause
-highlight default link asemeClause_543 asemeClause
-highlight default link asemeClause_546 asemeClause
-highlight default link asemeClause_549 asemeClause
-highlight default link asemeClause_552 asemeClause
-highlight default link asemeClause_555 asemeClause
-highlight default link asemeClause_558 asemeClause
-highlight default link asemeClause_561 asemeClause
-highlight default link asemeClause_564 asemeClause
-highlight default link asemeClause_597 asemeClause
-highlight default link asemeClause_606 asemeClause
+highlight default link asemeClause_396 asemeClause
+highlight default link asemeClause_412 asemeClause
+highlight default link asemeClause_415 asemeClause
+highlight default link asemeClause_503 asemeClause
+highlight default link asemeClause_506 asemeClause
+highlight default link asemeClause_509 asemeClause
+highlight default link asemeClause_512 asemeClause
+highlight default link asemeClause_515 asemeClause
+highlight default link asemeClause_518 asemeClause
+highlight default link asemeClause_521 asemeClause
+highlight default link asemeClause_524 asemeClause
+highlight default link asemeClause_527 asemeClause
+highlight default link asemeClause_545 asemeClause
+highlight default link asemeClause_548 asemeClause
+highlight default link asemeClause_551 asemeClause
+highlight default link asemeClause_554 asemeClause
+highlight default link asemeClause_557 asemeClause
+highlight default link asemeClause_560 asemeClause
+highlight default link asemeClause_563 asemeClause
+highlight default link asemeClause_566 asemeClause
+highlight default link asemeClause_569 asemeClause
+highlight default link asemeClause_607 asemeClause
+highlight default link asemeClause_616 asemeClause
 highlight default link asemeClause_78 asemeClause
 highlight default link asemeClause_81 asemeClause
 highlight default link asemeClause_85 asemeClause
@@ -1262,129 +1276,133 @@ highlight default link asemeComment_376 asemeComment
 highlight default link asemeComment_379 asemeComment
 highlight default link asemeComment_382 asemeComment
 highlight default link asemeComment_385 asemeComment
-highlight default link asemeComment_388 asemeComment
+highlight default link asemeComment_387 asemeComment
 highlight default link asemeComment_390 asemeComment
-highlight default link asemeComment_392 asemeComment
-highlight default link asemeComment_394 asemeComment
-highlight default link asemeComment_396 asemeComment
-highlight default link asemeComment_400 asemeComment
-highlight default link asemeComment_402 asemeComment
-highlight default link asemeComment_404 asemeComment
-highlight default link asemeComment_406 asemeComment
-highlight default link asemeComment_408 asemeComment
+highlight default link asemeComment_393 asemeComment
+highlight default link asemeComment_395 asemeComment
+highlight default link asemeComment_397 asemeComment
+highlight default link asemeComment_399 asemeComment
+highlight default link asemeComment_401 asemeComment
+highlight default link asemeComment_405 asemeComment
+highlight default link asemeComment_407 asemeComment
+highlight default link asemeComment_409 asemeComment
 highlight default link asemeComment_411 asemeComment
-highlight default link asemeComment_414 asemeComment
-highlight default link asemeComment_417 asemeComment
+highlight default link asemeComment_413 asemeComment
+highlight default link asemeComment_416 asemeComment
 highlight default link asemeComment_419 asemeComment
-highlight default link asemeComment_421 asemeComment
+highlight default link asemeComment_422 asemeComment
 highlight default link asemeComment_424 asemeComment
-highlight default link asemeComment_427 asemeComment
+highlight default link asemeComment_426 asemeComment
 highlight default link asemeComment_429 asemeComment
 highlight default link asemeComment_432 asemeComment
 highlight default link asemeComment_434 asemeComment
-highlight default link asemeComment_436 asemeComment
-highlight default link asemeComment_438 asemeComment
-highlight default link asemeComment_440 asemeComment
+highlight default link asemeComment_437 asemeComment
+highlight default link asemeComment_439 asemeComment
+highlight default link asemeComment_441 asemeComment
 highlight default link asemeComment_443 asemeComment
-highlight default link asemeComment_447 asemeComment
-highlight default link asemeComment_450 asemeComment
+highlight default link asemeComment_445 asemeComment
+highlight default link asemeComment_448 asemeComment
 highlight default link asemeComment_452 asemeComment
-highlight default link asemeComment_454 asemeComment
+highlight default link asemeComment_455 asemeComment
 highlight default link asemeComment_457 asemeComment
+highlight default link asemeComment_459 asemeComment
 highlight default link asemeComment_46 asemeComment
 highlight default link asemeComment_462 asemeComment
-highlight default link asemeComment_464 asemeComment
-highlight default link asemeComment_470 asemeComment
-highlight default link asemeComment_472 asemeComment
-highlight default link asemeComment_474 asemeComment
+highlight default link asemeComment_467 asemeComment
+highlight default link asemeComment_469 asemeComment
+highlight default link asemeComment_475 asemeComment
 highlight default link asemeComment_477 asemeComment
 highlight default link asemeComment_479 asemeComment
-highlight default link asemeComment_481 asemeComment
-highlight default link asemeComment_489 asemeComment
+highlight default link asemeComment_482 asemeComment
+highlight default link asemeComment_484 asemeComment
+highlight default link asemeComment_486 asemeComment
 highlight default link asemeComment_49 asemeComment
-highlight default link asemeComment_492 asemeComment
 highlight default link asemeComment_494 asemeComment
-highlight default link asemeComment_496 asemeComment
+highlight default link asemeComment_497 asemeComment
 highlight default link asemeComment_499 asemeComment
 highlight default link asemeComment_5 asemeComment
-highlight default link asemeComment_502 asemeComment
-highlight default link asemeComment_505 asemeComment
-highlight default link asemeComment_508 asemeComment
+highlight default link asemeComment_501 asemeComment
+highlight default link asemeComment_504 asemeComment
+highlight default link asemeComment_507 asemeComment
 highlight default link asemeComment_51 asemeComment
-highlight default link asemeComment_511 asemeComment
-highlight default link asemeComment_514 asemeComment
-highlight default link asemeComment_517 asemeComment
-highlight default link asemeComment_520 asemeComment
-highlight default link asemeComment_523 asemeComment
-highlight default link asemeComment_526 asemeComment
+highlight default link asemeComment_510 asemeComment
+highlight default link asemeComment_513 asemeComment
+highlight default link asemeComment_516 asemeComment
+highlight default link asemeComment_519 asemeComment
+highlight default link asemeComment_522 asemeComment
+highlight default link asemeComment_525 asemeComment
+highlight default link asemeComment_528 asemeComment
 highlight default link asemeComment_53 asemeComment
-highlight default link asemeComment_530 asemeComment
-highlight default link asemeComment_534 asemeComment
-highlight default link asemeComment_536 asemeComment
-highlight default link asemeComment_538 asemeComment
+highlight default link asemeComment_531 asemeComment
+highlight default link asemeComment_535 asemeComment
+highlight default link asemeComment_539 asemeComment
 highlight default link asemeComment_541 asemeComment
-highlight default link asemeComment_544 asemeComment
-highlight default link asemeComment_547 asemeComment
-highlight default link asemeComment_550 asemeComment
-highlight default link asemeComment_553 asemeComment
-highlight default link asemeComment_556 asemeComment
-highlight default link asemeComment_559 asemeComment
-highlight default link asemeComment_562 asemeComment
-highlight default link asemeComment_565 asemeComment
-highlight default link asemeComment_568 asemeComment
+highlight default link asemeComment_543 asemeComment
+highlight default link asemeComment_546 asemeComment
+highlight default link asemeComment_549 asemeComment
+highlight default link asemeComment_552 asemeComment
+highlight default link asemeComment_555 asemeComment
+highlight default link asemeComment_558 asemeComment
+highlight default link asemeComment_561 asemeComment
+highlight default link asemeComment_564 asemeComment
+highlight default link asemeComment_567 asemeComment
 highlight default link asemeComment_57 asemeComment
-highlight default link asemeComment_572 asemeComment
-highlight default link asemeComment_575 asemeComment
-highlight default link asemeComment_579 asemeComment
-highlight default link asemeComment_582 asemeComment
-highlight default link asemeComment_585 asemeComment
-highlight default link asemeComment_588 asemeComment
+highlight default link asemeComment_570 asemeComment
+highlight default link asemeComment_573 asemeComment
+highlight default link asemeComment_577 asemeComment
+highlight default link asemeComment_580 asemeComment
+highlight default link asemeComment_584 asemeComment
+highlight default link asemeComment_587 asemeComment
 highlight default link asemeComment_590 asemeComment
 highlight default link asemeComment_593 asemeComment
+highlight default link asemeComment_595 asemeComment
 highlight default link asemeComment_598 asemeComment
-highlight default link asemeComment_600 asemeComment
+highlight default link asemeComment_601 asemeComment
 highlight default link asemeComment_603 asemeComment
-highlight default link asemeComment_605 asemeComment
-highlight default link asemeComment_607 asemeComment
-highlight default link asemeComment_611 asemeComment
+highlight default link asemeComment_608 asemeComment
+highlight default link asemeComment_610 asemeComment
+highlight default link asemeComment_613 asemeComment
 highlight default link asemeComment_615 asemeComment
 highlight default link asemeComment_617 asemeComment
 highlight default link asemeComment_62 asemeComment
-highlight default link asemeComment_623 asemeComment
+highlight default link asemeComment_621 asemeComment
 highlight default link asemeComment_625 asemeComment
 highlight default link asemeComment_627 asemeComment
-highlight default link asemeComment_630 asemeComment
-highlight default link asemeComment_632 asemeComment
-highlight default link asemeComment_634 asemeComment
-highlight default link asemeComment_636 asemeComment
-highlight default link asemeComment_639 asemeComment
+highlight default link asemeComment_633 asemeComment
+highlight default link asemeComment_635 asemeComment
+highlight default link asemeComment_637 asemeComment
+highlight default link asemeComment_640 asemeComment
+highlight default link asemeComment_642 asemeComment
 highlight default link asemeComment_644 asemeComment
 highlight default link asemeComment_646 asemeComment
+highlight default link asemeComment_649 asemeComment
 highlight default link asemeComment_65 asemeComment
-highlight default link asemeComment_652 asemeComment
 highlight default link asemeComment_654 asemeComment
 highlight default link asemeComment_656 asemeComment
-highlight default link asemeComment_659 asemeComment
-highlight default link asemeComment_661 asemeComment
-highlight default link asemeComment_663 asemeComment
-highlight default link asemeComment_665 asemeComment
-highlight default link asemeComment_668 asemeComment
+highlight default link asemeComment_662 asemeComment
+highlight default link asemeComment_664 asemeComment
+highlight default link asemeComment_666 asemeComment
+highlight default link asemeComment_669 asemeComment
 highlight default link asemeComment_671 asemeComment
 highlight default link asemeComment_673 asemeComment
 highlight default link asemeComment_675 asemeComment
-highlight default link asemeComment_677 asemeComment
-highlight default link asemeComment_679 asemeComment
+highlight default link asemeComment_678 asemeComment
 highlight default link asemeComment_68 asemeComment
 highlight default link asemeComment_681 asemeComment
-highlight default link asemeComment_684 asemeComment
+highlight default link asemeComment_683 asemeComment
+highlight default link asemeComment_685 asemeComment
 highlight default link asemeComment_687 asemeComment
+highlight default link asemeComment_689 asemeComment
 highlight default link asemeComment_691 asemeComment
 highlight default link asemeComment_694 asemeComment
+highlight default link asemeComment_697 asemeComment
+highlight default link asemeComment_701 asemeComment
+highlight default link asemeComment_704 asemeComment
 highlight default link asemeComment_72 asemeComment
-highlight default link asemeComment_720 asemeComment
-highlight default link asemeComment_723 asemeComment
-highlight default link asemeComment_731 asemeComment
-highlight default link asemeComment_734 asemeComment
+highlight default link asemeComment_730 asemeComment
+highlight default link asemeComment_733 asemeComment
+highlight default link asemeComment_741 asemeComment
+highlight default link asemeComment_744 asemeComment
 highlight default link asemeComment_75 asemeComment
 highlight default link asemeComment_77 asemeComment
 highlight default link asemeComment_79 asemeComment
@@ -1415,34 +1433,34 @@ highlight default link asemeDeclaration_30 asemeDeclaration
 highlight default link asemeDeclaration_315 asemeDeclaration
 highlight default link asemeDeclaration_319 asemeDeclaration
 highlight default link asemeDeclaration_352 asemeDeclaration
-highlight default link asemeDeclaration_381 asemeDeclaration
-highlight default link asemeDeclaration_387 asemeDeclaration
-highlight default link asemeDeclaration_399 asemeDeclaration
+highlight default link asemeDeclaration_386 asemeDeclaration
+highlight default link asemeDeclaration_392 asemeDeclaration
 highlight default link asemeDeclaration_4 asemeDeclaration
-highlight default link asemeDeclaration_435 asemeDeclaration
-highlight default link asemeDeclaration_451 asemeDeclaration
-highlight default link asemeDeclaration_473 asemeDeclaration
+highlight default link asemeDeclaration_404 asemeDeclaration
+highlight default link asemeDeclaration_440 asemeDeclaration
+highlight default link asemeDeclaration_456 asemeDeclaration
 highlight default link asemeDeclaration_478 asemeDeclaration
 highlight default link asemeDeclaration_48 asemeDeclaration
-highlight default link asemeDeclaration_491 asemeDeclaration
-highlight default link asemeDeclaration_533 asemeDeclaration
-highlight default link asemeDeclaration_578 asemeDeclaration
-highlight default link asemeDeclaration_581 asemeDeclaration
-highlight default link asemeDeclaration_587 asemeDeclaration
+highlight default link asemeDeclaration_483 asemeDeclaration
+highlight default link asemeDeclaration_496 asemeDeclaration
+highlight default link asemeDeclaration_538 asemeDeclaration
+highlight default link asemeDeclaration_583 asemeDeclaration
+highlight default link asemeDeclaration_586 asemeDeclaration
 highlight default link asemeDeclaration_592 asemeDeclaration
-highlight default link asemeDeclaration_599 asemeDeclaration
 highlight default link asemeDeclaration_602 asemeDeclaration
-highlight default link asemeDeclaration_626 asemeDeclaration
+highlight default link asemeDeclaration_609 asemeDeclaration
+highlight default link asemeDeclaration_612 asemeDeclaration
+highlight default link asemeDeclaration_636 asemeDeclaration
 highlight default link asemeDeclaration_64 asemeDeclaration
-highlight default link asemeDeclaration_655 asemeDeclaration
-highlight default link asemeDeclaration_660 asemeDeclaration
-highlight default link asemeDeclaration_662 asemeDeclaration
-highlight default link asemeDeclaration_664 asemeDeclaration
+highlight default link asemeDeclaration_665 asemeDeclaration
 highlight default link asemeDeclaration_670 asemeDeclaration
-highlight default link asemeDeclaration_693 asemeDeclaration
-highlight default link asemeDeclaration_722 asemeDeclaration
-highlight default link asemeDeclaration_733 asemeDeclaration
+highlight default link asemeDeclaration_672 asemeDeclaration
+highlight default link asemeDeclaration_674 asemeDeclaration
+highlight default link asemeDeclaration_680 asemeDeclaration
+highlight default link asemeDeclaration_703 asemeDeclaration
+highlight default link asemeDeclaration_732 asemeDeclaration
 highlight default link asemeDeclaration_74 asemeDeclaration
+highlight default link asemeDeclaration_743 asemeDeclaration
 highlight default link asemeDeclaration_8 asemeDeclaration
 highlight default link asemeDeclaration_96 asemeDeclaration
 highlight default link asemeLogic_14 asemeLogic
@@ -1468,27 +1486,27 @@ highlight default link asemeName_307 asemeName
 highlight default link asemeName_314 asemeName
 highlight default link asemeName_317 asemeName
 highlight default link asemeName_37 asemeName
-highlight default link asemeName_446 asemeName
-highlight default link asemeName_449 asemeName
-highlight default link asemeName_463 asemeName
-highlight default link asemeName_471 asemeName
+highlight default link asemeName_451 asemeName
+highlight default link asemeName_454 asemeName
+highlight default link asemeName_468 asemeName
 highlight default link asemeName_476 asemeName
-highlight default link asemeName_488 asemeName
-highlight default link asemeName_531 asemeName
+highlight default link asemeName_481 asemeName
+highlight default link asemeName_493 asemeName
+highlight default link asemeName_536 asemeName
 highlight default link asemeName_55 asemeName
-highlight default link asemeName_576 asemeName
+highlight default link asemeName_581 asemeName
 highlight default link asemeName_59 asemeName
 highlight default link asemeName_60 asemeName
-highlight default link asemeName_608 asemeName
-highlight default link asemeName_612 asemeName
 highlight default link asemeName_618 asemeName
-highlight default link asemeName_620 asemeName
-highlight default link asemeName_645 asemeName
-highlight default link asemeName_653 asemeName
-highlight default link asemeName_658 asemeName
+highlight default link asemeName_622 asemeName
+highlight default link asemeName_628 asemeName
+highlight default link asemeName_630 asemeName
+highlight default link asemeName_655 asemeName
 highlight default link asemeName_66 asemeName
-highlight default link asemeName_682 asemeName
-highlight default link asemeName_688 asemeName
+highlight default link asemeName_663 asemeName
+highlight default link asemeName_668 asemeName
+highlight default link asemeName_692 asemeName
+highlight default link asemeName_698 asemeName
 highlight default link asemeNumber_0 asemeNumber
 highlight default link asemeNumber_12 asemeNumber
 highlight default link asemeNumber_188 asemeNumber
@@ -1508,29 +1526,29 @@ highlight default link asemeNumber_355 asemeNumber
 highlight default link asemeNumber_371 asemeNumber
 highlight default link asemeNumber_375 asemeNumber
 highlight default link asemeNumber_40 asemeNumber
-highlight default link asemeNumber_482 asemeNumber
-highlight default link asemeNumber_484 asemeNumber
+highlight default link asemeNumber_487 asemeNumber
+highlight default link asemeNumber_489 asemeNumber
 highlight default link asemeNumber_50 asemeNumber
-highlight default link asemeNumber_500 asemeNumber
-highlight default link asemeNumber_503 asemeNumber
-highlight default link asemeNumber_506 asemeNumber
-highlight default link asemeNumber_515 asemeNumber
-highlight default link asemeNumber_542 asemeNumber
-highlight default link asemeNumber_545 asemeNumber
-highlight default link asemeNumber_548 asemeNumber
-highlight default link asemeNumber_557 asemeNumber
-highlight default link asemeNumber_616 asemeNumber
-highlight default link asemeNumber_624 asemeNumber
-highlight default link asemeNumber_629 asemeNumber
-highlight default link asemeNumber_633 asemeNumber
-highlight default link asemeNumber_674 asemeNumber
-highlight default link asemeNumber_678 asemeNumber
-highlight default link asemeNumber_696 asemeNumber
-highlight default link asemeNumber_702 asemeNumber
-highlight default link asemeNumber_708 asemeNumber
-highlight default link asemeNumber_714 asemeNumber
-highlight default link asemeNumber_725 asemeNumber
-highlight default link asemeNumber_737 asemeNumber
+highlight default link asemeNumber_505 asemeNumber
+highlight default link asemeNumber_508 asemeNumber
+highlight default link asemeNumber_511 asemeNumber
+highlight default link asemeNumber_520 asemeNumber
+highlight default link asemeNumber_547 asemeNumber
+highlight default link asemeNumber_550 asemeNumber
+highlight default link asemeNumber_553 asemeNumber
+highlight default link asemeNumber_562 asemeNumber
+highlight default link asemeNumber_626 asemeNumber
+highlight default link asemeNumber_634 asemeNumber
+highlight default link asemeNumber_639 asemeNumber
+highlight default link asemeNumber_643 asemeNumber
+highlight default link asemeNumber_684 asemeNumber
+highlight default link asemeNumber_688 asemeNumber
+highlight default link asemeNumber_706 asemeNumber
+highlight default link asemeNumber_712 asemeNumber
+highlight default link asemeNumber_718 asemeNumber
+highlight default link asemeNumber_724 asemeNumber
+highlight default link asemeNumber_735 asemeNumber
+highlight default link asemeNumber_747 asemeNumber
 highlight default link asemeNumber_80 asemeNumber
 highlight default link asemeNumber_87 asemeNumber
 highlight default link asemeOperator_105 asemeOperator
@@ -1549,23 +1567,29 @@ highlight default link asemeOperator_343 asemeOperator
 highlight default link asemeOperator_350 asemeOperator
 highlight default link asemeOperator_368 asemeOperator
 highlight default link asemeOperator_373 asemeOperator
-highlight default link asemeOperator_403 asemeOperator
-highlight default link asemeOperator_413 asemeOperator
-highlight default link asemeOperator_439 asemeOperator
-highlight default link asemeOperator_458 asemeOperator
-highlight default link asemeOperator_475 asemeOperator
-highlight default link asemeOperator_485 asemeOperator
-highlight default link asemeOperator_487 asemeOperator
+highlight default link asemeOperator_378 asemeOperator
+highlight default link asemeOperator_380 asemeOperator
+highlight default link asemeOperator_383 asemeOperator
+highlight default link asemeOperator_408 asemeOperator
+highlight default link asemeOperator_418 asemeOperator
+highlight default link asemeOperator_444 asemeOperator
+highlight default link asemeOperator_463 asemeOperator
+highlight default link asemeOperator_480 asemeOperator
+highlight default link asemeOperator_490 asemeOperator
+highlight default link asemeOperator_492 asemeOperator
 highlight default link asemeOperator_52 asemeOperator
-highlight default link asemeOperator_574 asemeOperator
-highlight default link asemeOperator_631 asemeOperator
-highlight default link asemeOperator_640 asemeOperator
-highlight default link asemeOperator_657 asemeOperator
-highlight default link asemeOperator_698 asemeOperator
-highlight default link asemeOperator_704 asemeOperator
-highlight default link asemeOperator_710 asemeOperator
-highlight default link asemeOperator_716 asemeOperator
-highlight default link asemeOperator_727 asemeOperator
+highlight default link asemeOperator_579 asemeOperator
+highlight default link asemeOperator_594 asemeOperator
+highlight default link asemeOperator_596 asemeOperator
+highlight default link asemeOperator_599 asemeOperator
+highlight default link asemeOperator_641 asemeOperator
+highlight default link asemeOperator_650 asemeOperator
+highlight default link asemeOperator_667 asemeOperator
+highlight default link asemeOperator_708 asemeOperator
+highlight default link asemeOperator_714 asemeOperator
+highlight default link asemeOperator_720 asemeOperator
+highlight default link asemeOperator_726 asemeOperator
+highlight default link asemeOperator_737 asemeOperator
 highlight default link asemePunctuation_110 asemePunctuation
 highlight default link asemePunctuation_112 asemePunctuation
 highlight default link asemePunctuation_118 asemePunctuation
@@ -1600,51 +1624,51 @@ highlight default link asemePunctuation_36 asemePunctuation
 highlight default link asemePunctuation_369 asemePunctuation
 highlight default link asemePunctuation_370 asemePunctuation
 highlight default link asemePunctuation_377 asemePunctuation
-highlight default link asemePunctuation_383 asemePunctuation
-highlight default link asemePunctuation_395 asemePunctuation
-highlight default link asemePunctuation_416 asemePunctuation
-highlight default link asemePunctuation_420 asemePunctuation
-highlight default link asemePunctuation_423 asemePunctuation
-highlight default link asemePunctuation_426 asemePunctuation
+highlight default link asemePunctuation_388 asemePunctuation
+highlight default link asemePunctuation_400 asemePunctuation
+highlight default link asemePunctuation_421 asemePunctuation
+highlight default link asemePunctuation_425 asemePunctuation
+highlight default link asemePunctuation_428 asemePunctuation
 highlight default link asemePunctuation_43 asemePunctuation
 highlight default link asemePunctuation_431 asemePunctuation
+highlight default link asemePunctuation_436 asemePunctuation
 highlight default link asemePunctuation_44 asemePunctuation
-highlight default link asemePunctuation_442 asemePunctuation
-highlight default link asemePunctuation_456 asemePunctuation
+highlight default link asemePunctuation_447 asemePunctuation
 highlight default link asemePunctuation_461 asemePunctuation
-highlight default link asemePunctuation_469 asemePunctuation
-highlight default link asemePunctuation_486 asemePunctuation
-highlight default link asemePunctuation_490 asemePunctuation
-highlight default link asemePunctuation_529 asemePunctuation
-highlight default link asemePunctuation_532 asemePunctuation
+highlight default link asemePunctuation_466 asemePunctuation
+highlight default link asemePunctuation_474 asemePunctuation
+highlight default link asemePunctuation_491 asemePunctuation
+highlight default link asemePunctuation_495 asemePunctuation
+highlight default link asemePunctuation_534 asemePunctuation
+highlight default link asemePunctuation_537 asemePunctuation
 highlight default link asemePunctuation_54 asemePunctuation
-highlight default link asemePunctuation_571 asemePunctuation
-highlight default link asemePunctuation_577 asemePunctuation
-highlight default link asemePunctuation_583 asemePunctuation
-highlight default link asemePunctuation_594 asemePunctuation
-highlight default link asemePunctuation_628 asemePunctuation
+highlight default link asemePunctuation_576 asemePunctuation
+highlight default link asemePunctuation_582 asemePunctuation
+highlight default link asemePunctuation_588 asemePunctuation
+highlight default link asemePunctuation_604 asemePunctuation
 highlight default link asemePunctuation_638 asemePunctuation
-highlight default link asemePunctuation_643 asemePunctuation
-highlight default link asemePunctuation_651 asemePunctuation
-highlight default link asemePunctuation_666 asemePunctuation
-highlight default link asemePunctuation_672 asemePunctuation
+highlight default link asemePunctuation_648 asemePunctuation
+highlight default link asemePunctuation_653 asemePunctuation
+highlight default link asemePunctuation_661 asemePunctuation
 highlight default link asemePunctuation_676 asemePunctuation
-highlight default link asemePunctuation_680 asemePunctuation
-highlight default link asemePunctuation_683 asemePunctuation
+highlight default link asemePunctuation_682 asemePunctuation
 highlight default link asemePunctuation_686 asemePunctuation
-highlight default link asemePunctuation_689 asemePunctuation
+highlight default link asemePunctuation_690 asemePunctuation
+highlight default link asemePunctuation_693 asemePunctuation
+highlight default link asemePunctuation_696 asemePunctuation
 highlight default link asemePunctuation_699 asemePunctuation
 highlight default link asemePunctuation_70 asemePunctuation
-highlight default link asemePunctuation_700 asemePunctuation
-highlight default link asemePunctuation_705 asemePunctuation
-highlight default link asemePunctuation_706 asemePunctuation
-highlight default link asemePunctuation_711 asemePunctuation
-highlight default link asemePunctuation_712 asemePunctuation
-highlight default link asemePunctuation_717 asemePunctuation
-highlight default link asemePunctuation_718 asemePunctuation
+highlight default link asemePunctuation_709 asemePunctuation
+highlight default link asemePunctuation_710 asemePunctuation
+highlight default link asemePunctuation_715 asemePunctuation
+highlight default link asemePunctuation_716 asemePunctuation
+highlight default link asemePunctuation_721 asemePunctuation
+highlight default link asemePunctuation_722 asemePunctuation
+highlight default link asemePunctuation_727 asemePunctuation
 highlight default link asemePunctuation_728 asemePunctuation
-highlight default link asemePunctuation_729 asemePunctuation
-highlight default link asemePunctuation_740 asemePunctuation
+highlight default link asemePunctuation_738 asemePunctuation
+highlight default link asemePunctuation_739 asemePunctuation
+highlight default link asemePunctuation_750 asemePunctuation
 highlight default link asemePunctuation_92 asemePunctuation
 highlight default link asemePunctuation_98 asemePunctuation
 highlight default link asemeReference_133 asemeReference
@@ -1675,51 +1699,51 @@ highlight default link asemeReference_310 asemeReference
 highlight default link asemeReference_342 asemeReference
 highlight default link asemeReference_348 asemeReference
 highlight default link asemeReference_367 asemeReference
-highlight default link asemeReference_393 asemeReference
-highlight default link asemeReference_397 asemeReference
 highlight default link asemeReference_398 asemeReference
-highlight default link asemeReference_401 asemeReference
-highlight default link asemeReference_405 asemeReference
-highlight default link asemeReference_409 asemeReference
+highlight default link asemeReference_402 asemeReference
+highlight default link asemeReference_403 asemeReference
+highlight default link asemeReference_406 asemeReference
 highlight default link asemeReference_41 asemeReference
-highlight default link asemeReference_412 asemeReference
-highlight default link asemeReference_415 asemeReference
-highlight default link asemeReference_418 asemeReference
+highlight default link asemeReference_410 asemeReference
+highlight default link asemeReference_414 asemeReference
+highlight default link asemeReference_417 asemeReference
 highlight default link asemeReference_42 asemeReference
-highlight default link asemeReference_422 asemeReference
-highlight default link asemeReference_425 asemeReference
-highlight default link asemeReference_428 asemeReference
+highlight default link asemeReference_420 asemeReference
+highlight default link asemeReference_423 asemeReference
+highlight default link asemeReference_427 asemeReference
 highlight default link asemeReference_430 asemeReference
 highlight default link asemeReference_433 asemeReference
-highlight default link asemeReference_437 asemeReference
-highlight default link asemeReference_441 asemeReference
-highlight default link asemeReference_483 asemeReference
-highlight default link asemeReference_493 asemeReference
-highlight default link asemeReference_497 asemeReference
-highlight default link asemeReference_512 asemeReference
-highlight default link asemeReference_518 asemeReference
-highlight default link asemeReference_521 asemeReference
-highlight default link asemeReference_524 asemeReference
-highlight default link asemeReference_527 asemeReference
-highlight default link asemeReference_528 asemeReference
-highlight default link asemeReference_535 asemeReference
-highlight default link asemeReference_539 asemeReference
-highlight default link asemeReference_554 asemeReference
-highlight default link asemeReference_560 asemeReference
-highlight default link asemeReference_563 asemeReference
-highlight default link asemeReference_566 asemeReference
-highlight default link asemeReference_569 asemeReference
-highlight default link asemeReference_570 asemeReference
+highlight default link asemeReference_435 asemeReference
+highlight default link asemeReference_438 asemeReference
+highlight default link asemeReference_442 asemeReference
+highlight default link asemeReference_446 asemeReference
+highlight default link asemeReference_488 asemeReference
+highlight default link asemeReference_498 asemeReference
+highlight default link asemeReference_502 asemeReference
+highlight default link asemeReference_517 asemeReference
+highlight default link asemeReference_523 asemeReference
+highlight default link asemeReference_526 asemeReference
+highlight default link asemeReference_529 asemeReference
+highlight default link asemeReference_532 asemeReference
+highlight default link asemeReference_533 asemeReference
+highlight default link asemeReference_540 asemeReference
+highlight default link asemeReference_544 asemeReference
+highlight default link asemeReference_559 asemeReference
+highlight default link asemeReference_565 asemeReference
+highlight default link asemeReference_568 asemeReference
+highlight default link asemeReference_571 asemeReference
+highlight default link asemeReference_574 asemeReference
+highlight default link asemeReference_575 asemeReference
 highlight default link asemeReference_6 asemeReference
-highlight default link asemeReference_604 asemeReference
-highlight default link asemeReference_685 asemeReference
-highlight default link asemeReference_697 asemeReference
-highlight default link asemeReference_703 asemeReference
-highlight default link asemeReference_709 asemeReference
-highlight default link asemeReference_715 asemeReference
-highlight default link asemeReference_726 asemeReference
-highlight default link asemeReference_738 asemeReference
-highlight default link asemeReference_739 asemeReference
+highlight default link asemeReference_614 asemeReference
+highlight default link asemeReference_695 asemeReference
+highlight default link asemeReference_707 asemeReference
+highlight default link asemeReference_713 asemeReference
+highlight default link asemeReference_719 asemeReference
+highlight default link asemeReference_725 asemeReference
+highlight default link asemeReference_736 asemeReference
+highlight default link asemeReference_748 asemeReference
+highlight default link asemeReference_749 asemeReference
 highlight default link asemeReference_76 asemeReference
 highlight default link asemeReference_83 asemeReference
 highlight default link asemeReference_91 asemeReference
@@ -1738,28 +1762,28 @@ highlight default link asemeText_346 asemeText
 highlight default link asemeText_353 asemeText
 highlight default link asemeText_38 asemeText
 highlight default link asemeText_39 asemeText
-highlight default link asemeText_444 asemeText
-highlight default link asemeText_445 asemeText
-highlight default link asemeText_448 asemeText
-highlight default link asemeText_480 asemeText
-highlight default link asemeText_573 asemeText
-highlight default link asemeText_580 asemeText
-highlight default link asemeText_609 asemeText
-highlight default link asemeText_613 asemeText
+highlight default link asemeText_449 asemeText
+highlight default link asemeText_450 asemeText
+highlight default link asemeText_453 asemeText
+highlight default link asemeText_485 asemeText
+highlight default link asemeText_578 asemeText
+highlight default link asemeText_585 asemeText
 highlight default link asemeText_619 asemeText
-highlight default link asemeText_621 asemeText
-highlight default link asemeText_695 asemeText
+highlight default link asemeText_623 asemeText
+highlight default link asemeText_629 asemeText
+highlight default link asemeText_631 asemeText
 highlight default link asemeText_7 asemeText
-highlight default link asemeText_701 asemeText
-highlight default link asemeText_707 asemeText
-highlight default link asemeText_713 asemeText
-highlight default link asemeText_719 asemeText
-highlight default link asemeText_721 asemeText
-highlight default link asemeText_724 asemeText
-highlight default link asemeText_730 asemeText
-highlight default link asemeText_732 asemeText
-highlight default link asemeText_735 asemeText
-highlight default link asemeText_736 asemeText
+highlight default link asemeText_705 asemeText
+highlight default link asemeText_711 asemeText
+highlight default link asemeText_717 asemeText
+highlight default link asemeText_723 asemeText
+highlight default link asemeText_729 asemeText
+highlight default link asemeText_731 asemeText
+highlight default link asemeText_734 asemeText
+highlight default link asemeText_740 asemeText
+highlight default link asemeText_742 asemeText
+highlight default link asemeText_745 asemeText
+highlight default link asemeText_746 asemeText
 highlight default link asemeTruth_13 asemeTruth
 highlight default link asemeTruth_207 asemeTruth
 highlight default link asemeTruth_331 asemeTruth
@@ -1771,16 +1795,16 @@ highlight default link asemeType_201 asemeType
 highlight default link asemeType_223 asemeType
 highlight default link asemeType_229 asemeType
 highlight default link asemeType_231 asemeType
-highlight default link asemeType_455 asemeType
 highlight default link asemeType_460 asemeType
-highlight default link asemeType_466 asemeType
-highlight default link asemeType_468 asemeType
+highlight default link asemeType_465 asemeType
+highlight default link asemeType_471 asemeType
+highlight default link asemeType_473 asemeType
 highlight default link asemeType_58 asemeType
 highlight default link asemeType_63 asemeType
-highlight default link asemeType_637 asemeType
-highlight default link asemeType_642 asemeType
-highlight default link asemeType_648 asemeType
-highlight default link asemeType_650 asemeType
+highlight default link asemeType_647 asemeType
+highlight default link asemeType_652 asemeType
+highlight default link asemeType_658 asemeType
+highlight default link asemeType_660 asemeType
 highlight default link asemeType_69 asemeType
 highlight default link asemeDeclaration Statement
 highlight default link asemeClause Keyword
