@@ -1,0 +1,169 @@
+"""However a file is edited, the editor says what a cold check of its text says, and keeps no more than it needs.
+
+`EDITOR_EDITS` says how many edits are tried (`python3 dev.py long`: 10 000).
+"""
+
+from __future__ import annotations
+
+import gc
+import os
+from collections.abc import Iterable
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, example, given, settings
+from hypothesis import strategies as st
+
+from aseme_dsl.compiler import Analysis, analyse
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.editor.hints import hints, lenses
+from aseme_dsl.editor.hover import hover
+from aseme_dsl.editor.layout import layout
+from aseme_dsl.editor.navigation import PythonFolders, definition, links, references
+from aseme_dsl.editor.outline import folds, outline, selections
+from aseme_dsl.editor.rename import rename
+from aseme_dsl.editor.tokens import encoded, tokens
+from aseme_dsl.editor.view import View
+from aseme_dsl.editor.workspace import Workspace
+from aseme_dsl.source import Source, Span
+from tests.support.edits import Edit, edited, edits
+from tests.support.large import large_file
+
+ROOT = Path(__file__).parents[2]
+EDITS = int(os.environ.get("EDITOR_EDITS", "48"))
+AT_ONCE = 8
+
+PATH = "/nowhere/team.aseme"
+
+TEXTS = {
+    **{path.stem: path.read_text("utf-8") for path in sorted((ROOT / "tests/acceptance").glob("*.aseme"))},
+    "example": (ROOT / "examples/robocup/kouretes.aseme").read_text("utf-8"),
+    "machines": large_file(250),
+    "small": """\
+language 1
+system Twins
+import soccer
+let low = vision.state.Ball.distance < 3
+message Note { int number }
+message Note2 { int number }
+topic board { state Note, Note2 }
+abstract srm walker { liveness { walk = Step . Rest } activities { Step takes 1s } }
+srm robot { includes walker liveness { robot = (walk | Wait)~ }
+  control robot { enter walk : [low] enter Wait : else } }
+// asemec: allow(N727) it is for later
+let high = !low
+team Twins { r1, r2 : robot }
+""",
+}
+
+
+def place(span: Span | None) -> object:
+    return None if span is None else (span.source.path, span.start, span.end)
+
+
+def shown(diagnostics: Iterable[Diagnostic]) -> list[object]:
+    return [
+        (
+            item.code,
+            item.severity,
+            item.message,
+            place(item.span),
+            tuple((place(other.span), other.message) for other in item.related),
+            item.hint,
+            item.fix,
+            tuple((place(edit.span), edit.text) for edit in item.edits),
+        )
+        for item in diagnostics
+    ]
+
+
+def missing(analysis: Analysis) -> list[object]:
+    return [(item.skeleton, place(item.inside), shown([item.note])) for item in analysis.missing]
+
+
+def answer_all(view: View, offset: int, workspace: Workspace) -> None:
+    """Nothing that an editor may ask for fails, whatever the text."""
+    for item in view.occurrences:
+        assert view.whole(item.span).text in (item.span.text, item.symbol.name)
+    encoded(view.lines, tokens(view))
+    outline(view)
+    folds(view)
+    links(view)
+    lenses(view)
+    layout(view.source)
+    hints(view, 0, len(view.source.text))
+    assert selections(view, offset)[-1].end == len(view.source.text)
+    hover(view, offset)
+    definition(view, offset)
+    references(view, offset, PythonFolders())
+    rename(workspace, view, offset, "renamed")
+
+
+@settings(
+    max_examples=max(EDITS // AT_ONCE, 1),
+    deadline=None,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
+)
+@given(st.sampled_from(sorted(TEXTS)), st.lists(edits, min_size=AT_ONCE, max_size=AT_ONCE))
+@example("small", [Edit("insert", 300, 0, "/*"), Edit("insert", 700, 0, "*/"), Edit("undo", 0, 0, "")])
+@example("small", [Edit("drop line", 0, 0, ""), Edit("copy line", 0, 999, ""), Edit("delete", 500, 11, "")])
+def test_the_editor_says_what_a_cold_check_says(name: str, changes: list[Edit]) -> None:
+    workspace = Workspace()
+    text = original = TEXTS[name]
+    workspace.open(PATH, text)
+    workspace.view(PATH)
+    for number, change in enumerate(changes):
+        text = edited(text, change, original)
+        workspace.open(PATH, text)
+        warm = workspace.program(PATH).inspection.analysis
+        cold = analyse(Source(PATH, text))
+        assert shown(warm.diagnostics) == shown(cold.diagnostics)
+        assert missing(warm) == missing(cold)
+        assert [place(item.allow) for item in warm.suppressed] == [
+            place(item.allow) for item in cold.suppressed
+        ]
+        if number == len(changes) - 1:
+            view = workspace.view(PATH)
+            assert view is not None and view.source.text == text.removeprefix("\ufeff")
+            answer_all(view, change.place * len(text) // 999, workspace)
+
+
+def test_files_that_import_each_other_say_what_a_cold_check_says(tmp_path: Path) -> None:
+    shared = tmp_path / "shared.aseme"
+    team = tmp_path / "team.aseme"
+    shared.write_text("message Note { int number }\ntopic board { state Note }\n", "utf-8")
+    team.write_text(
+        'system T\nimport "shared.aseme"\nsrm r { liveness { r = (A | B)~ }\n'
+        "  control r { enter A : [board.state.Note.number == 1] enter B : else } }\nteam T { x : r }\n",
+        "utf-8",
+    )
+    workspace = Workspace(folders=[str(tmp_path)])
+    for text in (shared.read_text("utf-8"), "message Note { int numero }\n", "message Note {", ""):
+        workspace.open(str(shared), text)
+        cold = analyse(team, {str(shared): text})
+        assert shown(workspace.program(str(team)).inspection.analysis.diagnostics) == shown(cold.diagnostics)
+    assert workspace.roots(str(shared)) == (str(team),)
+    assert workspace.affected(str(shared)) == (str(shared),)
+
+
+@pytest.mark.parametrize("name", ["small", *(["example"] if EDITS > 1000 else [])])
+def test_what_is_kept_does_not_grow(name: str) -> None:
+    workspace = Workspace()
+    text = TEXTS[name]
+    at = text.index("liveness")
+
+    def type_and_correct(first: int, count: int) -> int:
+        for number in range(first, first + count):
+            workspace.open(
+                PATH, f"{text[:at]}\n  let l{number} = {number} < 3 {'{' * (number % 3 == 0)}\n{text[at:]}"
+            )
+            workspace.view(PATH)
+        workspace.open(PATH, text)
+        workspace.view(PATH)
+        gc.collect()
+        return len(gc.get_objects())
+
+    type_and_correct(0, 70)  # until as much is kept as ever
+    before = type_and_correct(100, 40)
+    after = type_and_correct(200, 80)
+    assert after < before * 1.05
