@@ -1,4 +1,4 @@
-"""However a file is edited, the editor says what a cold check of its text says, and keeps no more than it needs.
+"""However a file is edited, the editor says what a cold check says, and keeps no more than it needs.
 
 `EDITOR_EDITS` says how many edits are tried (`python3 dev.py long`: 10 000).
 """
