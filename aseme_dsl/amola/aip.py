@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Literal
 from aseme_dsl.amola.liveness import Formula
-from aseme_dsl.amola.messages import Type
+from aseme_dsl.amola.messages import Parameter, Type
 from aseme_dsl.source import Span
 
 
@@ -32,6 +32,7 @@ class NamedFormula:
     name: str
     formula: Formula
     span: Span
+    parameters: tuple[Parameter, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,10 +14,10 @@ from typing import Any
 from aseme_dsl.amola.aip import Aip, DeclaredVariable, NamedFormula, Participant
 from aseme_dsl.amola.expression import Literal, action_text, duration_text, events_text, value_text
 from aseme_dsl.amola.liveness import canonical
-from aseme_dsl.amola.messages import DURATION
+from aseme_dsl.amola.messages import DURATION, Parameter
 from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Module, Srm, Subscription
-from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.statechart import Node, Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
 from aseme_dsl.source import Span
@@ -169,6 +169,7 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
             "activity": node.activity,
             "origin": str(node.origin),
             "span": _span(node.span, folder),
+            **_arguments(node),
         }
         for node in chart.nodes
     ]
@@ -219,6 +220,18 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
     }
 
 
+def _arguments(node: Node) -> Json:
+    if not node.arguments:
+        return {}
+    given = [{"name": item.name, "value": value_text(item.value, expand=True)} for item in node.arguments]
+    return {"arguments": given}
+
+
+def _parameters(parameters: Iterable[Parameter]) -> Json:
+    found = [{"name": item.name, "type": str(item.type)} for item in parameters]
+    return {"parameters": found} if found else {}
+
+
 # ---- parts ---------------------------------------------------------------------------------------
 
 
@@ -250,7 +263,12 @@ def _variables(variables: Iterable[DeclaredVariable], folder: PurePath | None) -
 
 def _formulas(formulas: Iterable[NamedFormula], folder: PurePath | None) -> list[Json]:
     return [
-        {"name": item.name, "formula": canonical(item.formula), "span": _span(item.span, folder)}
+        {
+            "name": item.name,
+            "formula": canonical(item.formula),
+            "span": _span(item.span, folder),
+            **_parameters(item.parameters),
+        }
         for item in formulas
     ]
 
@@ -265,6 +283,7 @@ def _activity(item: Activity, folder: PurePath | None) -> Json:
         "reads": [_subscription(read) for read in item.reads],
         "writes": [str(channel) for channel in item.writes] + list(item.writes_variables),
     }
+    found |= _parameters(item.parameters)
     if item.within is not None:
         found["within"] = _duration(item.within)
     if item.ends:

@@ -5,7 +5,7 @@ Nesting is bounded by the compiler (E103), so walking an expression may recurse.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
 
@@ -37,6 +37,15 @@ class EnumConstant:
 @dataclass(frozen=True, slots=True)
 class VariableValue:
     """A variable of the role or of a played participant; `name` is its key in the statechart."""
+
+    name: str
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterValue:
+    """A parameter of the formula whose control it stands in; no chart has any: see `substituted`."""
 
     name: str
     type: Type
@@ -207,6 +216,7 @@ Value = (
     Literal
     | EnumConstant
     | VariableValue
+    | ParameterValue
     | Member
     | Call
     | Has
@@ -442,6 +452,24 @@ def _rewritten_action(action: Action, change: Callable[[Value], Value]) -> Actio
     return action
 
 
+def substituted(value: Value, values: Mapping[str, Value]) -> Value:
+    """The value with what the parameters of its formula stand for."""
+    return rewritten(value, lambda item: _standing_for(item, values))
+
+
+def substituted_expression(
+    written: TransitionExpression, values: Mapping[str, Value]
+) -> TransitionExpression:
+    """The expression with what the parameters of its formula stand for."""
+    if not values:
+        return written
+    return rewritten_expression(written, lambda item: _standing_for(item, values))
+
+
+def _standing_for(value: Value, values: Mapping[str, Value]) -> Value:
+    return values.get(value.name, value) if isinstance(value, ParameterValue) else value
+
+
 def walk(value: Value) -> Iterator[Value]:
     """The value and everything in it, from left to right."""
     stack = [value]
@@ -530,6 +558,8 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = f"{kind.name}.{constant}"
             case VariableValue(name=name):
                 text = name.split("@")[0]
+            case ParameterValue(name=name):
+                text = name
             case Member(host=host, channel=channel, path=path):
                 text = ".".join(([host] if host else []) + [str(channel), *path])
             case Call(function=function, arguments=arguments):

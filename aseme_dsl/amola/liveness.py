@@ -6,7 +6,7 @@ spelling, never by `==`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -33,9 +33,18 @@ INFIX = (Operator.SEQUENCE, Operator.CHOICE, Operator.PARALLEL, Operator.DISABLI
 LOOPS = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER)
 
 
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """What an activity or formula is given: as canonical text, and (`value`) as the grammar's expression."""
+
+    text: str
+    value: object
+    span: Span
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Formula:
-    """An operator over operands; a NAME has `name`, INSTANCES has `count`.
+    """An operator over operands; a NAME has `name` and may have `arguments`, INSTANCES has `count`.
 
     Infix operators have two or more operands, all others but NAME have exactly one. DISABLING has two, and
     `A [> B [> C` is `(A [> B) [> C` without its parentheses. GROUP keeps the
@@ -48,6 +57,7 @@ class Formula:
     span: Span
     name: str = ""
     count: int = 0
+    arguments: tuple[Argument, ...] = ()
 
     def __repr__(self) -> str:
         return f"<formula {canonical(self)}>"
@@ -74,6 +84,12 @@ def ungrouped(formula: Formula) -> Formula:
     return formula
 
 
+def called(name: str, arguments: Iterable[str]) -> str:
+    """A name with what it is given: `MoveTo(Place.TRAY, 2)`, or only the name."""
+    given = ", ".join(arguments)
+    return f"{name}({given})" if given else name
+
+
 def canonical(formula: Formula) -> str:
     """The formula in canonical spelling: blanks around infix operators, none elsewhere."""
     parts: list[str] = []
@@ -85,7 +101,7 @@ def canonical(formula: Formula) -> str:
             continue
         match item.operator:
             case Operator.NAME:
-                parts.append(item.name)
+                parts.append(called(item.name, (argument.text for argument in item.arguments)))
             case Operator.GROUP:
                 stack += [")", item.operands[0], "("]
             case Operator.OPTION:

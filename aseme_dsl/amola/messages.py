@@ -146,6 +146,18 @@ class Topic:
 
 
 @dataclass(frozen=True, slots=True)
+class Parameter:
+    """`goal : Place`: what an activity or a formula is given."""
+
+    name: str
+    type: Type
+    span: Span
+
+    def __str__(self) -> str:
+        return f"{self.name} : {self.type}"
+
+
+@dataclass(frozen=True, slots=True)
 class Function:
     """A pure Python function for conditions; several of one name differ in their parameters' types."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from aseme_dsl.amola.aip import DeclaredVariable, NamedFormula
-from aseme_dsl.amola.messages import Channel
+from aseme_dsl.amola.messages import Channel, Parameter
 from aseme_dsl.source import Span
 
 
@@ -44,7 +44,7 @@ class Activity:
     """An activity of the system. `every` and `takes` are in ns; `kind` is thread, async, process or step.
 
     `within` (ns) is how long it may last from the entry of its state, `ends` are its outcomes: the names of
-    the ways in which it may end.
+    the ways in which it may end, `parameters` what it is given at each start.
     """
 
     name: str
@@ -58,6 +58,7 @@ class Activity:
     span: Span
     within: int | None = None
     ends: tuple[str, ...] = ()
+    parameters: tuple[Parameter, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

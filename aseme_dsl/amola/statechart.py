@@ -7,7 +7,15 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
-from aseme_dsl.amola.expression import EMPTY, Literal, TransitionExpression, expression_text
+from aseme_dsl.amola.expression import (
+    EMPTY,
+    Literal,
+    TransitionExpression,
+    Value,
+    expression_text,
+    values_of,
+    walk,
+)
 from aseme_dsl.amola.messages import Channel, Type
 from aseme_dsl.amola.srm import Module
 from aseme_dsl.source import Span
@@ -45,6 +53,14 @@ class Origin:
 
 
 @dataclass(frozen=True, slots=True)
+class Argument:
+    """What a state is given for the parameter `name` of its activity, or of the formula that it is."""
+
+    name: str
+    value: Value
+
+
+@dataclass(frozen=True, slots=True)
 class Node:
     """A state. `label` is its place (`0.2.1`), `parent` the label around it, None for the root."""
 
@@ -55,6 +71,7 @@ class Node:
     activity: str | None
     origin: Origin
     span: Span
+    arguments: tuple[Argument, ...] = ()
 
 
 class TransitionKind(StrEnum):
@@ -169,7 +186,8 @@ class Statechart:
     def _called(self) -> dict[str, tuple[Node, ...]]:
         found: dict[str, list[Node]] = {}
         for node in self.nodes:
-            for name in dict.fromkeys((node.name, node.activity)):
+            own = node.name.partition("(")[0] if node.arguments else node.name
+            for name in dict.fromkeys((own, node.name, node.activity)):
                 if name is not None:
                     found.setdefault(name, []).append(node)
         return {name: tuple(nodes) for name, nodes in found.items()}
@@ -195,6 +213,20 @@ class Statechart:
     def children(self, label: str) -> tuple[Node, ...]:
         """The states directly inside `label`, in document order."""
         return self._children.get(label, ())
+
+    def values(self) -> Iterator[tuple[str, Value]]:
+        """Every value that transitions read and activities are given, with everything in it.
+
+        Each comes with the state whose region's blackboard counts: the source, or the state of the activity.
+        """
+        for node in self.nodes:
+            if node.type is NodeType.BASIC:
+                for argument in node.arguments:
+                    for value in walk(argument.value):
+                        yield node.label, value
+        for transition in self.transitions:
+            for value in values_of(transition.expression):
+                yield transition.source, value
 
     def called(self, name: str) -> tuple[Node, ...]:
         """The states that are called `name`, or whose activity is, in document order."""
@@ -263,6 +295,7 @@ class Statechart:
 
 __all__ = [
     "EMPTY",
+    "Argument",
     "Node",
     "NodeType",
     "Origin",

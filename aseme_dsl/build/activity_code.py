@@ -17,6 +17,7 @@ from aseme_dsl.amola.expression import Raised
 from aseme_dsl.amola.messages import Channel, Comm
 from aseme_dsl.amola.statechart import NodeType
 from aseme_dsl.build.activity_ends import wrong_outcomes
+from aseme_dsl.build.activity_given import wrong_parameters
 from aseme_dsl.build.activity_messages import unfit_messages
 from aseme_dsl.build.activity_words import unknown_messages, unknown_methods
 from aseme_dsl.diagnostics import Diagnostic, Related, Suppressed, closest
@@ -318,6 +319,7 @@ def _of_piece(module: _Module, piece: _Piece, world: _World) -> Iterator[Diagnos
         execute = next((item for item in methods if item.name == "execute"), None)
         if node.name == wanted and execute is not None:
             yield from wrong_outcomes(execute, activity, module.span, lambda item: _text(module, item))
+            yield from wrong_parameters(execute, activity, module.span)
     undeclared: dict[tuple[str, str], _Call] = {}
     for call in _calls(module):
         problems = list(_unknown(call, activity, world))

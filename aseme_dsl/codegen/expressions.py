@@ -28,6 +28,7 @@ from aseme_dsl.amola.expression import (
     Negate,
     Not,
     Outcome,
+    ParameterValue,
     StateValue,
     Value,
     VariableValue,
@@ -162,6 +163,8 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return Piece(enum_name(kind.name, constant), known=known)
         case VariableValue(name=name):
             return Piece(f"self.{names.variables[name]}", known=known)
+        case ParameterValue(name=name):
+            raise AssertionError(f"{name} is replaced where its formula is expanded")
         case Member():
             return _member(value, names, known)
         case Age(message=message):

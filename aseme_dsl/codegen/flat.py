@@ -315,11 +315,10 @@ class FlatChart:
     def members(self) -> dict[int, tuple[Member, ...]]:
         """The messages that the expressions of each region look at, members and hosts included."""
         found: dict[int, dict[tuple[str, str | None], Member]] = {}
-        for transition in self.chart.transitions:
-            region = self.region_number[transition.source]
-            for value in values_of(transition.expression):
-                if isinstance(value, Member):
-                    found.setdefault(region, {}).setdefault((str(value.channel), value.host), value)
+        for place, value in self.chart.values():
+            if isinstance(value, Member):
+                of_region = found.setdefault(self.region_number[place], {})
+                of_region.setdefault((str(value.channel), value.host), value)
         return {
             region: tuple(uses[key] for key in sorted(uses, key=_by_channel))
             for region, uses in found.items()
@@ -329,9 +328,8 @@ class FlatChart:
     def aged(self) -> frozenset[tuple[int, str, str | None]]:
         """(region, channel, host) whose time of measurement somebody asks for."""
         return frozenset(
-            (self.region_number[t.source], str(v.message.channel), v.message.host)
-            for t in self.chart.transitions
-            for v in values_of(t.expression)
+            (self.region_number[place], str(v.message.channel), v.message.host)
+            for place, v in self.chart.values()
             if isinstance(v, Age)
         )
 
@@ -346,6 +344,9 @@ class FlatChart:
             region = self.region_number[transition.source]
             for name in _variables(transition.expression):
                 found[name].add(region)
+        for place, value in self.chart.values():
+            if isinstance(value, VariableValue):
+                found[value.name].add(self.region_number[place])
         for variable in self.chart.variables:
             # a region that is entered again starts with the copy around it, so there must be one
             if variable.scope is None and any(self._is_entered_again(n) for n in found[variable.name]):
@@ -382,12 +383,11 @@ class FlatChart:
     def retention(self) -> dict[str, int]:
         """How long the expressions look back at each data channel, in ns."""
         found: dict[str, int] = {}
-        for transition in self.chart.transitions:
-            for value in values_of(transition.expression):
-                match value:
-                    case At(message=message, offset=extent) | Mean(message=message, window=extent):
-                        channel = str(message.channel)
-                        found[channel] = max(found.get(channel, 0), _extent(extent))
+        for _, value in self.chart.values():
+            match value:
+                case At(message=message, offset=extent) | Mean(message=message, window=extent):
+                    channel = str(message.channel)
+                    found[channel] = max(found.get(channel, 0), _extent(extent))
         return found
 
 

@@ -32,6 +32,8 @@ def value_term(value: e.Value) -> Term:
             return ("enum", kind.name, constant, number)
         case e.VariableValue(name=name):
             return ("variable", name)
+        case e.ParameterValue(name=name):
+            raise AssertionError(f"{name} is replaced where its formula is expanded")
         case e.Member(host=host, channel=channel, path=path):
             return ("member", host, str(channel), path)
         case e.Call(function=function, arguments=arguments):
@@ -123,10 +125,18 @@ def _state(node: Node, flat: FlatChart, placed: bool = True) -> str:
         [
             ("parent", node.parent, None),
             ("activity", node.activity, None),
+            ("arguments", _given(node), ()),
             ("branch", branch, None),
             ("at", place(node.span) if placed else "", ""),
         ],
     )
+
+
+def _given(node: Node) -> tuple[tuple[str, Term], ...]:
+    """What the activity of a state is given, by parameter."""
+    if node.activity is None:
+        return ()
+    return tuple((item.name, value_term(item.value)) for item in node.arguments)
 
 
 def _transition(transition: Transition, placed: bool = True) -> str:
@@ -215,6 +225,7 @@ def _statement(system: System, activity: Activity) -> list[tuple[str, Any, Any]]
         ("reads", _read(system, activity), ()),
         ("writes", tuple(str(channel) for channel in activity.writes), ()),
         ("variables", activity.writes_variables, ()),
+        ("parameters", tuple((item.name, str(item.type)) for item in activity.parameters), ()),
         ("within", activity.within, None),
         ("ends", activity.ends, ()),
     ]
@@ -234,8 +245,7 @@ def plan_sections(system: System, chart: Statechart) -> list[tuple[str, list[str
     channels = {str(c) for region in chart.regions for c in (*region.reads, *region.writes)}
     functions = {
         function_key(value): value.function
-        for transition in chart.transitions
-        for value in e.values_of(transition.expression)
+        for _, value in chart.values()
         if isinstance(value, e.Call) and not value.function.target.startswith("builtin:")
     }
     sections = [

@@ -992,7 +992,7 @@ class _Generator:
                 method.add(depth, f"self.r{region} = {number}")
                 if target in self.flat.ending:
                     method.add(depth, f"self.await_outcome({target!r})")
-                method.add(depth, f"self.k{region} = self.begin({target!r}, {node.activity!r})")
+                method.add(depth, f"self.k{region} = {self._begin(node)}")
             case NodeType.AND:
                 method.add(depth, f"self.r{region} = {number}")
                 for inner in self.flat.regions_of(target):
@@ -1006,6 +1006,43 @@ class _Generator:
                 self._activate_start(method, depth, region, target)
             case _:
                 method.add(depth, f"self.r{region} = {number}")
+
+    def _begin(self, node: Node) -> str:
+        """The call that starts the activity of a state; with arguments in a method of its own."""
+        if not node.arguments:
+            return f"self.begin({node.label!r}, {node.activity!r})"
+        name = f"_begin_{self._key(node.label)}"
+        if not any(method[0].startswith(f"    def {name}(") for method in self.methods):
+            self._begin_given(name, node)
+        return f"self.{name}(now)"
+
+    def _begin_given(self, name: str, node: Node) -> None:
+        """Compute what an activity is given; where that cannot be, the state has failed."""
+        region = self.flat.region_number[node.label]
+        method = _Method(self._names(region))
+        method.names.outcomes = partial(self.flat.asked_of, node.label)
+        said = self.flat.said_of(node)
+        types = {item.name: item.type for item in said.parameters} if said is not None else {}
+        for number, argument in enumerate(node.arguments):
+            method.names.may_raise = False
+            piece = evaluate(argument.value, method.names)
+            what = f"the argument `{argument.name}`"
+            depth = 2
+            if method.names.may_raise:
+                method.add(depth, "try:")
+                depth += 1
+            if piece.needs:
+                method.add(depth, f"if not ({' and '.join(piece.needs)}):")
+                method.add(depth + 1, f"return self.not_given({node.label!r}, {f'{what} is absent'!r})")
+            kind = types.get(argument.name, argument.value.type)
+            method.add(depth, f"given_{number} = {converted(piece, argument.value.type, kind)}")
+            if method.names.may_raise:
+                method.add(2, "except Exception as error:")
+                method.add(3, f"return self.not_given({node.label!r}, {what!r}, error)")
+        given = "".join(f"({item.name!r}, given_{n}), " for n, item in enumerate(node.arguments)).rstrip()
+        method.add(2, f"return self.begin({node.label!r}, {node.activity!r}, ({given}))")
+        document = f"Start {_docstring(node.name)}, the activity of {node.label}."
+        self._method(f"{name}(self, now: int) -> int", document, method)
 
     def _on_entry(self, method: _Method, depth: int, region: int, node: Node) -> None:
         if self.flat.is_branch(node):

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from dataclasses import replace
 
-from aseme_dsl.amola.messages import Channel, Comm
+from aseme_dsl.amola.messages import Channel, Comm, Parameter
 from aseme_dsl.amola.srm import Activity, Subscription
 from aseme_dsl.compiler.checker import Checker
 from aseme_dsl.compiler.library import providers
 from aseme_dsl.compiler.names import unknown
 from aseme_dsl.compiler.paths import channel_of
 from aseme_dsl.compiler.scope import Scope
+from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
 
@@ -50,11 +51,22 @@ def type_activity(
         written.span,
         None if written.within is None else written.within.nanoseconds,
         tuple(dict.fromkeys(name.text for name in written.ends)),
+        _parameters(written, scope.symbols),
     )
     if written.within is not None and written.within.nanoseconds <= 0:
         hint = "a deadline comes after the state is entered: `within 5s`"
         checker.report("E522", "the deadline is no time at all", written.within.span, hint)
     return activity, tuple(checker.diagnostics)
+
+
+def _parameters(written: tree.Activity, symbols: Symbols) -> tuple[Parameter, ...]:
+    """Those whose type is known; of the others it has been said what is wrong."""
+    found: dict[str, Parameter] = {}
+    for item in written.parameters:
+        kind = symbols.type_named(item.type.text)
+        if kind is not None:
+            found.setdefault(item.name.text, Parameter(item.name.text, kind, item.name.span))
+    return tuple(found.values())
 
 
 def _read(checker: Checker, written: tree.ActivityRead) -> Subscription | None:
@@ -150,6 +162,7 @@ _CLAUSES = {
     "writes_variables": "writes",
     "within": "within",
     "ends": "ends",
+    "parameters": "parameters",
 }
 
 
@@ -192,10 +205,16 @@ def merge_activities(
 
 
 def _different(first: object, second: object) -> bool:
-    """Lists are compared without their order, and reads without their places."""
+    """Lists are compared without their order (but for parameters), and reads without their places."""
+    if isinstance(first, tuple) and any(isinstance(item, Parameter) for item in first):
+        return [str(item) for item in first] != [str(item) for item in _items(second)]
     if isinstance(first, tuple) and isinstance(second, tuple):
         return {_plain(item) for item in first} != {_plain(item) for item in second}
     return first != second
+
+
+def _items(value: object) -> tuple[object, ...]:
+    return value if isinstance(value, tuple) else ()
 
 
 def _plain(item: object) -> object:

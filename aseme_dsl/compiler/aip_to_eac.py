@@ -20,6 +20,7 @@ from aseme_dsl.compiler.control import (
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.formula_to_statechart import Outline, expand_protocol, too_large
 from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.given import give
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.scopes import TypedParticipant
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
@@ -140,6 +141,8 @@ def _participant(
         if not damaged:
             found.append(_no_process(written, participant))
         return None, False, tuple(found)
+    formulas, problems = give(formulas, typed.scope)
+    found += problems
     is_sound, problems = formula_tables.check(formulas)
     # A formula that could not be read may be the one that uses another.
     found += [item for item in problems if not (damaged and item.code == "E302")]

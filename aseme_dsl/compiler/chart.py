@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.aip import DeclaredVariable
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.srm import Activity, Module
-from aseme_dsl.amola.statechart import Origin, OriginKind, Statechart, Variable
-from aseme_dsl.compiler.control import LabelledLine, Line, Lines, Placed, Renames, transitions
+from aseme_dsl.amola.statechart import Argument, Node, Origin, OriginKind, Statechart, Variable
+from aseme_dsl.compiler.control import (
+    LabelledLine,
+    Line,
+    Lines,
+    Placed,
+    Renames,
+    rename_value,
+    transitions,
+)
 from aseme_dsl.compiler.formula_to_statechart import Branch, Outline, Way
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.regions import regions_of
@@ -84,9 +92,31 @@ def chart_of(
         *(part.lines.reactive for part in parts.values()), lines.reactive if lines is not None else ()
     )
     found = transitions(outline, by_way, placed, renamed, reactive)
+    nodes = _nodes(outline, renamed, world.symbols)
     modules = world.modules.get(name, ()) if kind == "IAC" else ()
-    regions = regions_of(outline.nodes, found, world.activities, modules, world.symbols)
-    return Statechart(name, world.system, kind, outline.nodes, found, tuple(own), regions, span, modules)
+    regions = regions_of(nodes, found, world.activities, modules, world.symbols)
+    return Statechart(name, world.system, kind, nodes, found, tuple(own), regions, span, modules)
+
+
+def _nodes(outline: Outline, renamed: Mapping[str, Renames], symbols: Symbols) -> tuple[Node, ...]:
+    """The states, with what those of branches are given in terms of the chart."""
+    nodes = list(outline.nodes)
+    inside = ""
+    for place, node in enumerate(nodes):
+        if node.label in renamed:
+            inside = node.label
+        elif not node.label.startswith(f"{inside}."):
+            inside = ""
+        if inside and node.arguments:
+            values = [rename_value(item.value, renamed[inside]) for item in node.arguments]
+            names = [item.name for item in node.arguments]
+            form = symbols.activities.get(node.activity) if node.activity is not None else None
+            if form is not None:  # the role's own activity calls its parameters as it likes
+                names = [parameter.name for parameter in form.parameters]
+            nodes[place] = replace(
+                node, arguments=tuple(Argument(n, value) for n, value in zip(names, values, strict=False))
+            )
+    return tuple(nodes)
 
 
 def _placed(label: str, part: Part, origin: Origin) -> Iterable[Placed]:

@@ -258,7 +258,8 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     is misspelt (E403), or stands in a role that plays the protocol (E408). The constant conditions of a loop
     that is none (W420) always hold, or never (N712, W412); with a timer that is never started (W501), they
     overlap or leave gaps. A protocol that is misspelt where it is played (E205) is played by nobody (N702),
-    a functionality that is misspelt where it is used (W230) is not used (N727).
+    a functionality that is misspelt where it is used (W230) is not used (N727). Of an activity that is given
+    something which it does not take (E523) it is said there what it may be misspelt for (W200).
     """
     unstarted = [place for item in found if item.code == "W501" for place in _places(item)]
     almost = {place.span for item in found if item.code == "W230" for place in item.related}
@@ -268,6 +269,7 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     controls = {item.fix for item in found if item.code == "E403"}
     controls |= {item.span.text for item in found if item.code == "E408" and item.span is not None}
     close = {item.related[0].span: item.span for item in found if item.code == "W200" and item.related}
+    given = [item.span for item in found if item.code == "E523" and item.span is not None]
     loops = [item.span for item in found if item.code == "E303" and item.span is not None]
     misspelt = {place.span for item in found if item.code == "W200" for place in item.related}
     numbers = [item.span for item in found if item.code == "E108" and item.span is not None]
@@ -281,7 +283,9 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
         if item.code == "N704":
             return any(item.message.startswith(f"`{name}` ") for name in controls)
         if item.code == "W200":
-            return bool(item.related) and item.related[0].span in unused
+            return any(span.start == place.start and span.source is place.source for place in given) or (
+                bool(item.related) and item.related[0].span in unused
+            )
         if item.code in _OF_CONDITIONS and any(
             _is_in(timer, place) for timer in unstarted for place in _places(item)
         ):

@@ -10,12 +10,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola import expression
-from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression
 from aseme_dsl.amola.liveness import Formula
+from aseme_dsl.compiler.reactive import choices_in, no_choice, reconsidered
+from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression, substituted_expression
 from aseme_dsl.amola.statechart import Node, NodeType, Origin, Transition, TransitionKind
 from aseme_dsl.compiler.formula_to_statechart import Arrow, Outline, Standing, Way
 from aseme_dsl.compiler.formulas import Formulas
-from aseme_dsl.compiler.reactive import choices_in, no_choice, reconsidered
+from aseme_dsl.compiler.given import inside_formula
 from aseme_dsl.compiler.resuming import RESUME, check_resuming
 from aseme_dsl.compiler.scope import Scope
 from aseme_dsl.compiler.staying import STAYING, check_staying
@@ -102,8 +103,9 @@ def read_lines(
             reactive.update(branches)
             if not branches:
                 found.append(no_choice(control, control.reactive, formulas.named[name]))
+        inner = inside_formula(scope, formulas, name)
         for entry in control.entries:
-            typed, problems = type_expression(entry.expression, scope)
+            typed, problems = type_expression(entry.expression, inner)
             found += problems
             line = Line(entry.expression, typed, position, entry.span)
             position += 1
@@ -176,14 +178,16 @@ def transitions(
     drafts: list[Transition] = []
     positions: list[int | None] = []
 
-    def typed(line: Line, branch: str | None) -> TransitionExpression:
-        return rename(line.expression, renamed.get(branch, _SAME) if branch is not None else _SAME)
+    def typed(line: Line, of: Arrow | Standing | Placed) -> TransitionExpression:
+        values = {} if isinstance(of, Placed) else of.values
+        names = renamed.get(of.branch, _SAME) if of.branch is not None else _SAME
+        return rename(substituted_expression(line.expression, values), names)
 
     def add(arrow: Arrow | Placed, name: str, line: Line | None, span: Span) -> None:
         cuts_short = isinstance(arrow, Arrow) and arrow.first
         expression = NEVER if cuts_short else EMPTY
         if line is not None:
-            expression = typed(line, arrow.branch)
+            expression = typed(line, arrow)
         first = cuts_short and not expression.is_for_errors
         ends, resume = (arrow.source, arrow.target), line is not None and line.resume
         drafts.append(Transition(name, *ends, expression, 0, arrow.origin, span, first, resume=resume))
@@ -203,7 +207,7 @@ def transitions(
         for item in items:
             add(item, f"{names_of[item.source]}TO{names_of[item.target]}", item.line, item.line.span)
     for state, kind, line in _staying(outline.standing, lines):
-        expression, name = typed(line, state.branch), f"{state.name}{kind.name}"
+        expression, name = typed(line, state), f"{state.name}{kind.name}"
         ends = state.label, state.label
         drafts.append(Transition(name, *ends, expression, 0, state.origin, line.span, kind=kind))
         positions.append(line.position)
@@ -262,18 +266,25 @@ class Renames:
 
 def rename(written: TransitionExpression, names: Renames) -> TransitionExpression:
     """The expression with the keys of variables and the names of activities replaced as `names` says."""
+    if names == _SAME:
+        return written
+    return expression.rewritten_expression(written, lambda value: _renamed(value, names))
 
-    def change(value: expression.Value) -> expression.Value:
-        match value:
-            case expression.VariableValue(name=name) if name in names.variables:
-                return replace(value, name=names.variables[name])
-            case expression.Outcome(activity=activity) if activity in names.activities:
-                return replace(value, activity=names.activities[activity])
-            case expression.StateValue(state=state) if state in names.activities:
-                return replace(value, state=names.activities[state])
-        return value
 
-    return expression.rewritten_expression(written, change) if names != _SAME else written
+def rename_value(value: expression.Value, names: Renames) -> expression.Value:
+    """The same for a value."""
+    return expression.rewritten(value, lambda part: _renamed(part, names))
+
+
+def _renamed(value: expression.Value, names: Renames) -> expression.Value:
+    match value:
+        case expression.VariableValue(name=name) if name in names.variables:
+            return replace(value, name=names.variables[name])
+        case expression.Outcome(activity=activity) if activity in names.activities:
+            return replace(value, activity=names.activities[activity])
+        case expression.StateValue(state=state) if state in names.activities:
+            return replace(value, state=names.activities[state])
+    return value
 
 
 _SAME = Renames()
@@ -432,6 +443,7 @@ __all__ = [
     "read_lines",
     "region_around",
     "rename",
+    "rename_value",
     "structure_problem",
     "transitions",
 ]

@@ -19,7 +19,6 @@ from aseme_dsl.amola.expression import (
     TransitionExpression,
     Value,
     VariableValue,
-    values_of,
     walk,
 )
 from aseme_dsl.amola.messages import Comm
@@ -95,10 +94,10 @@ def check_timers(chart: Statechart) -> Iterator[Diagnostic]:
                 started.setdefault(action.timer, set()).add(chart.region_of(transition.source))
     found: dict[tuple[str, str], Diagnostic] = {}
     edits: tuple[Edit, ...]
-    for transition in chart.transitions:
-        region = chart.region_of(transition.source)
-        for value in values_of(transition.expression):
-            if isinstance(value, Expired) and region not in started.get(value.timer, ()):
+    for place, value in chart.values():
+        if isinstance(value, Expired):
+            region = chart.region_of(place)
+            if region not in started.get(value.timer, ()):
                 first = found.get((region, value.timer))
                 if first is not None:
                     also = (*first.related, Related(value.span, "also here"))

@@ -7,10 +7,12 @@ arrows into transitions. Formulas may be nested hundreds deep, so nothing here r
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 
-from aseme_dsl.amola.liveness import Formula, Operator, canonical, names, ungrouped, walk
-from aseme_dsl.amola.statechart import Node, NodeType, Origin, OriginKind
+from aseme_dsl.amola.expression import Value, substituted, value_text
+from aseme_dsl.amola.liveness import Formula, Operator, called, canonical, names, ungrouped, walk
+from aseme_dsl.amola.statechart import Argument, Node, NodeType, Origin, OriginKind
 from aseme_dsl.compiler.formulas import Formulas, dependencies_first, fold
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.source import Span
@@ -26,7 +28,8 @@ Way = tuple[str, Formula]
 class Arrow:
     """A transition without its expression. `branch` is the label of the protocol branch that it is in.
 
-    One that is `first` leads to what cuts its source short.
+    One that is `first` leads to what cuts its source short. `values` are what the parameters of its formula
+    stand for.
     """
 
     source: str
@@ -37,6 +40,7 @@ class Arrow:
     origin: Origin
     span: Span
     first: bool = False
+    values: Mapping[str, Value] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,13 +62,17 @@ class Branch:
 
 @dataclass(frozen=True, slots=True)
 class Standing:
-    """A state that stands for a term (without parentheses); `branch` is the protocol branch that it is in."""
+    """A state that stands for a term (without parentheses); `branch` is the protocol branch that it is in.
+
+    `values` are what the parameters of the formula stand for in which the term stands.
+    """
 
     label: str
     name: str
     term: Formula
     branch: str | None
     origin: Origin
+    values: Mapping[str, Value] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,13 +97,23 @@ class _Context:
     played: Mapping[str, Branch]
     branch: str | None
     bindings: Mapping[str, str]
+    values: Mapping[str, Value] = field(default_factory=dict)
+    """What the parameters of the formula stand for."""
 
-    def inside(self, name: str) -> _Context:
-        """The context of the formula called `name`."""
+    def given(self, term: Formula) -> tuple[Argument, ...]:
+        """What a name is given, in terms of the chart."""
+        found = self.formulas.given.get(term, ())
+        if not self.values:
+            return found
+        return tuple(Argument(item.name, substituted(item.value, self.values)) for item in found)
+
+    def inside(self, term: Formula) -> _Context:
+        """The context of the formula that a name stands for."""
+        values = {item.name: item.value for item in self.given(term)}
         if self.branch is not None:
-            return self
-        origin = Origin(OriginKind.FORMULA, self.formulas.owner, name)
-        return _Context(self.formulas, origin, self.played, None, self.bindings)
+            return self if values == self.values else replace(self, values=values)
+        origin = Origin(OriginKind.FORMULA, self.formulas.owner, term.name)
+        return _Context(self.formulas, origin, self.played, None, self.bindings, values)
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,6 +174,9 @@ def expand_protocol(protocol: str, branches: Iterable[tuple[str, Branch, Span]],
     return outline.finish()
 
 
+_NOTHING: Mapping[str, Value] = MappingProxyType({})
+
+
 class _Builder:
     """The outline while it grows."""
 
@@ -164,7 +185,7 @@ class _Builder:
         self.arrows: list[Arrow] = []
         self.branches: dict[str, Branch] = {}
         self.standing: list[Standing] = []
-        self._spellings: dict[tuple[Formula, int], str] = {}
+        self._spellings: dict[tuple[Formula, int, int], str] = {}
 
     def finish(self) -> Outline:
         return Outline(tuple(self.nodes), tuple(self.arrows), self.branches, tuple(self.standing))
@@ -180,9 +201,10 @@ class _Builder:
         origin: Origin,
         span: Span,
         first: bool = False,
+        values: Mapping[str, Value] = _NOTHING,
     ) -> None:
         name = f"{source_name}TO{target_name}"
-        self.arrows.append(Arrow(source, target, name, way, branch, origin, span, first))
+        self.arrows.append(Arrow(source, target, name, way, branch, origin, span, first, values))
 
     def expand(self, items: list[Node | _Place]) -> None:
         """Add the nodes of `items` with everything in them, in document order."""
@@ -198,34 +220,37 @@ class _Builder:
         """Add the node of a term; what is to stand inside it."""
         label, parent, term, context = place.label, place.parent, ungrouped(place.term), place.context
         name = self.name_of(place.term, context)
-        self.standing.append(Standing(label, name, term, context.branch, context.origin))
+        self.standing.append(Standing(label, name, term, context.branch, context.origin, context.values))
         inside: Formula | None = term
         kind, activity = NodeType.OR, None
+        given: tuple[Argument, ...] = ()
         if term.operator is Operator.NAME:
+            given = context.given(term)
             inside = context.formulas.formula(term.name)
             if inside is not None:
-                context = context.inside(term.name)
+                context = context.inside(term)
             elif term.name in context.played:
                 branch = context.played[term.name]
                 self.branches[label] = branch
                 context = _Context(branch.formulas, branch.origin, {}, label, branch.bindings)
                 inside = branch.formulas.named[branch.formulas.root].formula
             else:
-                kind, activity = NodeType.BASIC, name
-        self.nodes.append(Node(label, name, kind, parent, activity, context.origin, place.term.span))
+                kind, activity = NodeType.BASIC, context.bindings.get(term.name, term.name)
+        self.nodes.append(Node(label, name, kind, parent, activity, context.origin, place.term.span, given))
         return self.template(label, inside, context) if inside is not None else []
 
     def name_of(self, term: Formula, context: _Context) -> str:
         """A state is called like the formula or activity that it is, or like its term is written."""
         inner = ungrouped(term)
         if inner.operator is Operator.NAME:
-            if context.formulas.formula(inner.name) is not None:
-                return inner.name
-            return context.bindings.get(inner.name, inner.name)
-        key = (term, id(context.bindings))
+            is_formula = context.formulas.formula(inner.name) is not None
+            name = inner.name if is_formula else context.bindings.get(inner.name, inner.name)
+            return called(name, (value_text(item.value) for item in context.given(inner)))
+        key = (term, id(context.bindings), id(context.values))
         spelling = self._spellings.get(key)
         if spelling is None:
-            bound = fold(term, _bound(context)) if context.bindings else term
+            changes = context.bindings or context.formulas.given
+            bound = fold(term, _bound(context)) if changes else term
             spelling = self._spellings[key] = canonical(bound)
         return spelling
 
@@ -236,7 +261,7 @@ class _Builder:
             inside = context.formulas.formula(formula.name)
             if inside is None:
                 break
-            context, formula = context.inside(formula.name), ungrouped(inside)
+            context, formula = context.inside(formula), ungrouped(inside)
         operator, operands = formula.operator, formula.operands
         origin, span, branch = context.origin, formula.span, context.branch
         children: list[Node | _Place] = []
@@ -258,7 +283,7 @@ class _Builder:
             source: tuple[str, str], target: tuple[str, str], verb: str, of: Formula, *, first: bool = False
         ) -> None:
             way = (verb, ungrouped(of))
-            self.arrow(*source, *target, way, branch, origin, of.span, first)
+            self.arrow(*source, *target, way, branch, origin, of.span, first, context.values)
 
         start = point(1, NodeType.START)
         match operator:
@@ -331,13 +356,17 @@ class _Builder:
 
 
 def _bound(context: _Context) -> Callable[[Formula, Sequence[Formula]], Formula]:
-    """For `fold`: the formula with the protocol's activities replaced by the role's own."""
+    """For `fold`: the formula with the role's own activities, and what they are given, as in the chart."""
 
     def combine(node: Formula, operands: Sequence[Formula]) -> Formula:
         name = node.name
         if node.operator is Operator.NAME and context.formulas.formula(name) is None:
             name = context.bindings.get(name, name)
-        return Formula(node.operator, tuple(operands), node.span, name, node.count)
+        texts = [value_text(item.value) for item in context.given(node)]
+        arguments = tuple(
+            replace(argument, text=text) for argument, text in zip(node.arguments, texts, strict=False)
+        )
+        return replace(node, operands=tuple(operands), name=name, arguments=arguments)
 
     return combine
 

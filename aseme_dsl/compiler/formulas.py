@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
+from aseme_dsl.amola.aip import NamedFormula
 from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, names, ungrouped, walk
+from aseme_dsl.amola.messages import Parameter
+from aseme_dsl.amola.statechart import Argument
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
 
@@ -19,12 +22,15 @@ class Formulas:
 
     `root` is the name of the one that the others refine: a role's first, a participant's `process`.
     `taken_over` are those that stand in a role which this one includes: they need not be used.
+    `parameters` are those of the formulas that have any, and `given` is what the names in formulas are given.
     """
 
     owner: str
     root: str
     named: Mapping[str, tree.NamedFormula] = field(default_factory=dict)
     taken_over: frozenset[str] = frozenset()
+    parameters: Mapping[str, tuple[Parameter, ...]] = field(default_factory=dict)
+    given: Mapping[Formula, tuple[Argument, ...]] = field(default_factory=dict)
 
     def formula(self, name: str) -> Formula | None:
         """What `name` stands for, or None if it is no formula."""
@@ -57,6 +63,16 @@ def table(
     if root is None or root not in named:
         return None, tuple(found)
     return Formulas(owner, root, named), tuple(found)
+
+
+def named_formulas(formulas: Formulas | None) -> tuple[NamedFormula, ...]:
+    """The formulas as the models have them."""
+    if formulas is None:
+        return ()
+    return tuple(
+        NamedFormula(name, item.formula, item.span, formulas.parameters.get(name, ()))
+        for name, item in formulas.named.items()
+    )
 
 
 def fold(formula: Formula, combine: Callable[[Formula, Sequence[_T]], _T]) -> _T:
@@ -315,7 +331,7 @@ def _with_parentheses(formula: Formula) -> str:
                 Formula(Operator.GROUP, (operand,), operand.span) if operand.operator in INFIX else operand
                 for operand in operands
             ]
-        return Formula(node.operator, tuple(operands), node.span, node.name, node.count)
+        return replace(node, operands=tuple(operands))
 
     return shown(fold(formula, combine), 200)
 
@@ -339,6 +355,7 @@ __all__ = [
     "dependencies_first",
     "fold",
     "may_be_empty",
+    "named_formulas",
     "reached",
     "shown",
     "table",

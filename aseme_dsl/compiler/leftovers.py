@@ -12,6 +12,7 @@ from aseme_dsl.amola.expression import (
     StartTimer,
     VariableValue,
     values_of,
+    walk,
 )
 from aseme_dsl.amola.messages import Channel
 from aseme_dsl.amola.statechart import Statechart, Transition
@@ -61,12 +62,7 @@ def _timers(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diagnos
                 started.setdefault(action.timer, action.span)
     if not started:
         return
-    asked = {
-        value.timer
-        for transition in chart.transitions
-        for value in values_of(transition.expression)
-        if isinstance(value, Expired)
-    }
+    asked = {value.timer for _, value in chart.values() if isinstance(value, Expired)}
     meant = {closest(timer, started) for timer in asked - started.keys()}
     for timer, span in started.items():
         if timer not in asked and timer not in meant:
@@ -84,7 +80,13 @@ def _variables(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diag
                 written.setdefault(action.target.name.partition("@")[0], action.target.span)
     if not written:
         return
-    read: set[str] = set()
+    read = {
+        value.name.partition("@")[0]
+        for node in chart.nodes
+        for argument in node.arguments
+        for value in walk(argument.value)
+        if isinstance(value, VariableValue)
+    }
     for transition in chart.transitions:
         own = {
             action.target.name: action

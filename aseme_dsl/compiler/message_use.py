@@ -68,6 +68,10 @@ def message_use(
         for node in chart.nodes:
             inner = node.parent is None or chart.by_label[node.parent].type is NodeType.AND
             regions[node.label] = node.label if inner or node.parent is None else regions[node.parent]
+            if node.type is NodeType.BASIC:
+                for member, span in members_in([argument.value for argument in node.arguments]):
+                    region = regions[node.label]
+                    reads.append(Use(member.channel, chart.name, region, member.host, None, span))
             name = node.activity
             if name is None or name not in activities or (regions[node.label], name) in done:
                 continue

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from aseme_dsl.amola.expression import Compare, Failed, Literal, Outcome, Value, duration_text, values_of
+from aseme_dsl.amola.expression import Compare, Failed, Literal, Outcome, Value, duration_text
 from aseme_dsl.amola.meant import states_meant
 from aseme_dsl.amola.messages import Kind
 from aseme_dsl.amola.srm import Activity
@@ -17,12 +17,11 @@ def check_outcomes(charts: Iterable[Statechart], activities: Mapping[str, Activi
     """E520 for `outcome(A)` where no `A` is, or where the role's own activity for it has other outcomes."""
     told: set[Span] = set()
     for chart in charts:
-        for transition in chart.transitions:
-            for value in values_of(transition.expression):
-                problem = _absent(chart, transition.source, value) or _otherwise(chart, value, activities)
-                if problem is not None and problem.span is not None and problem.span not in told:
-                    told.add(problem.span)
-                    yield problem
+        for place, value in chart.values():
+            problem = _absent(chart, place, value) or _otherwise(chart, value, activities)
+            if problem is not None and problem.span is not None and problem.span not in told:
+                told.add(problem.span)
+                yield problem
 
 
 def _absent(chart: Statechart, source: str, value: Value) -> Diagnostic | None:

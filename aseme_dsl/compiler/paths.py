@@ -7,7 +7,7 @@ first segment is a host if and only if the second is not a communication class.
 from __future__ import annotations
 
 from aseme_dsl.amola import expression as amola
-from aseme_dsl.amola.expression import Member, Named, Value, VariableValue
+from aseme_dsl.amola.expression import Member, Named, ParameterValue, Value, VariableValue
 from aseme_dsl.amola.messages import Channel, Comm, EnumType, Kind, Message, Topic, Type
 from aseme_dsl.compiler.builtins import COMM_TYPES
 from aseme_dsl.compiler.checker import Checker, a
@@ -26,6 +26,8 @@ def value_of_path(checker: Checker, path: tree.Path) -> Value | None:
     """What a dotted name stands for; None, reported, when it is nothing."""
     scope = checker.scope
     first = path.segments[0]
+    if first.text in scope.parameters:
+        return _parameter(checker, path)
     if first.text in scope.variables:
         return _variable(checker, path)
     if first.text in scope.lets:
@@ -37,6 +39,17 @@ def value_of_path(checker: Checker, path: tree.Path) -> Value | None:
         _unknown_word(checker, first)
         return None
     return member_of(checker, path)
+
+
+def _parameter(checker: Checker, path: tree.Path) -> Value | None:
+    name = path.segments[0].text
+    kind = checker.scope.parameters[name]
+    if kind is None:
+        return None
+    if len(path.segments) == 1:
+        return ParameterValue(name, kind, path.span)
+    checker.report("E501", f"the parameter `{name}` is used as a whole", path.segments[1].span)
+    return None
 
 
 def _variable(checker: Checker, path: tree.Path) -> Value | None:
@@ -126,7 +139,7 @@ def _unknown_word(checker: Checker, name: tree.Name) -> None:
     if hint is not None:
         checker.report("E200", f"there is no variable or let `{name}`", name.span, hint, fix=fix)
         return
-    pool = (*scope.variables, *scope.lets, *(enum.name for enum in symbols.enums))
+    pool = (*scope.parameters, *scope.variables, *scope.lets, *(enum.name for enum in symbols.enums))
     checker.diagnostics.append(
         unknown(
             "E200",

@@ -155,7 +155,10 @@ def _inspect(
         item.name.text: keep(recall(read_protocol, item, participants[item.name.text], largest, is_damaged))
         for item in blocks.aips
     }
-    aips = [keep(recall(read_aip, item, participants[item.name.text], is_damaged)) for item in blocks.aips]
+    aips = [
+        keep(recall(read_aip, item, participants[name], protocols[name].parts, is_damaged))
+        for name, item in ((item.name.text, item) for item in blocks.aips)
+    ]
     scopes = {item.name.text: keep(recall(role_scope, item, top)) for item in blocks.roles}
     roles = {
         item.name.text: keep(recall(read_role, item, scopes[item.name.text], protocols, largest, is_damaged))

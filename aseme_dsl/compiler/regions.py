@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from aseme_dsl.amola.expression import Assign, Member, Publish, TransitionExpression, values_of
+from aseme_dsl.amola.expression import Assign, Member, Publish, TransitionExpression, values_of, walk
 from aseme_dsl.amola.messages import Channel, Comm
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Node, NodeType, Region, Transition
@@ -38,6 +38,7 @@ def regions_of(
             reads[node.label], writes[node.label] = set(), set()
         else:
             region[node.label] = around[node.label] = region[outer]
+        reads[region[node.label]].update(_given(node))
         activity = activities.get(node.activity) if node.activity is not None else None
         if activity is not None:
             reads[region[node.label]].update(_read_by(activity, symbols))
@@ -53,6 +54,13 @@ def regions_of(
         if around[label] != label:
             reads[around[label]].update(c for c in reads[label] if c.comm is not Comm.SIGNAL)
     return tuple(Region(label, tuple(sorted(reads[label])), tuple(sorted(writes[label]))) for label in reads)
+
+
+def _given(node: Node) -> Iterator[Channel]:
+    """The channels that are read for what an activity is given."""
+    if node.type is NodeType.BASIC:
+        for argument in node.arguments:
+            yield from (value.channel for value in walk(argument.value) if isinstance(value, Member))
 
 
 def channels_read(expression: TransitionExpression) -> Iterator[Channel]:

@@ -53,7 +53,9 @@ def resolve(loaded: Loaded) -> tuple[Symbols, tuple[Diagnostic, ...]]:
         topics=topics(collector, symbols),
         functions=_functions(collector, symbols),
         lets=_lets(collector),
-        activities=activity_forms(collector),
+        activities=activity_forms(
+            collector, {item.name for item in symbols.enums}, {item.name for item in symbols.messages}
+        ),
     )
     check_radio(collector, symbols)
     return replace(symbols, wrong=frozenset(collector.wrong)), tuple(collector.diagnostics)

@@ -53,3 +53,8 @@ class Scope:
     lets: Mapping[str, TypedLet] = field(default_factory=dict)
     participant: str | None = None
     parties: Mapping[str, Party] = field(default_factory=dict)
+    parameters: Mapping[str, Type | None] = field(default_factory=dict)
+    """Those of the formula whose control, or whose arguments, the expression is in: they hide other names.
+
+    None: the type is not known, which has been said.
+    """

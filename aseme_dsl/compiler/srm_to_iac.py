@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from aseme_dsl.amola.liveness import names
+from aseme_dsl.amola.liveness import called, names
 from aseme_dsl.amola.srm import Plays
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler import formulas as formula_tables
@@ -16,6 +16,7 @@ from aseme_dsl.compiler.control import LabelledLine, Lines, check_labels, includ
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.formula_to_statechart import Outline, expand_role, sizes, too_large
 from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.given import give
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.names import unknown
 from aseme_dsl.compiler.scopes import TypedRole
@@ -72,6 +73,8 @@ def read_role(
         if not damaged:
             found.append(_no_formula(written))
         return Role(written, typed, None, plays, parts, Lines(), (), None, (), ()), tuple(found)
+    formulas, problems = give(formulas, typed.scope, played)
+    found += problems
     branches = {
         item.name: parts[item.protocol, item.participant].branch(dict(item.bindings))
         for item in plays
@@ -174,6 +177,7 @@ def _plays(
             parts[protocol.name, part.participant] = part
             bindings, problems = _bindings(item, part, formulas, _played_names(written))
             found += problems
+            found += _other_parameters(item, bindings, symbols)
         plays[name.text] = Plays(
             item.protocol.text, item.participant.text, name.text, tuple(bindings.items()), item.span
         )
@@ -258,6 +262,35 @@ def _bindings(
         else:
             bindings[abstract] = own
     return bindings, tuple(found)
+
+
+def _other_parameters(
+    written: tree.Plays, bindings: Mapping[str, str], symbols: Symbols
+) -> Iterable[Diagnostic]:
+    """E525 for a binding to an activity that is given something else than the protocol gives it."""
+    for item in written.bindings:
+        own = bindings.get(item.abstract.text)
+        abstract = symbols.activities.get(item.abstract.text)
+        wanted = abstract.parameters if abstract is not None else ()
+        form = symbols.activities.get(own) if own is not None else None
+        has = form.parameters if form is not None else ()
+        if own is None or [kind.type for kind in wanted] == [kind.type for kind in has]:
+            continue
+        if symbols.is_excused(own) or symbols.is_excused(item.abstract.text):
+            continue
+        related = tuple(
+            Related(known.span, f"`{called(known.name, map(str, known.parameters))}`")
+            for known in (abstract, form)
+            if known is not None
+        )
+        given = ", ".join(str(kind.type) for kind in wanted) or "nothing"
+        yield Diagnostic(
+            "E525",
+            f"the protocol gives `{item.abstract}` {given}, which `{own}` does not take",
+            item.own.span,
+            related,
+            hint="bind it to an activity with parameters of the same types",
+        )
 
 
 def _by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: Formulas) -> dict[str, Plays]:

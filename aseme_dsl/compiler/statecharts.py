@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import count
 
+from aseme_dsl.amola.liveness import called
 from aseme_dsl.amola.statechart import (
     Node,
     NodeType,
@@ -55,6 +56,17 @@ def read_statechart(
         node, problem = _node(item, origin)
         if problem is not None:
             found.append(problem)
+        form = typed.scope.symbols.activities.get(node.activity or "")
+        if form is not None and form.parameters and item.activity is not None:
+            found.append(
+                Diagnostic(
+                    "E523",
+                    f"`{called(form.name, map(str, form.parameters))}`: a state gives it nothing",
+                    item.activity.span,
+                    (Related(form.span, "what is said of it"),),
+                    hint="only formulas give arguments: describe the role by formulas, or use a variable",
+                )
+            )
         first = nodes.setdefault(node.label, node)
         if first is not node:
             found.append(_labelled_twice(node, first, written))

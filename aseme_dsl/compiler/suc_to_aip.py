@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from aseme_dsl.amola.aip import Aip, NamedFormula, Participant
 from aseme_dsl.amola.suc import UseCase
 from aseme_dsl.compiler.blocks import participants_of
+from aseme_dsl.compiler.chart import Part
 from aseme_dsl.compiler.clauses import read_clauses
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.missing import Missing
@@ -18,14 +19,22 @@ from aseme_dsl.grammar import tree
 
 
 def read_aip(
-    written: tree.Aip, typed: Mapping[str, TypedParticipant], is_damaged: Damaged
+    written: tree.Aip,
+    typed: Mapping[str, TypedParticipant],
+    parts: Mapping[str, Part],
+    is_damaged: Damaged,
 ) -> tuple[Aip, tuple[Diagnostic, ...]]:
-    """The protocol as written; a participant's formulas begin with its process."""
+    """The protocol as written; a participant's formulas begin with its process.
+
+    `parts` are the participants whose process is sound.
+    """
     clauses, found = read_clauses(written, is_damaged)
     participants = []
     for item in participants_of(written):
         own = typed[item.name.text]
         formulas = sorted(item.formulas, key=lambda formula: formula.name.text != "process")
+        part = parts.get(item.name.text)
+        parameters = part.formulas.parameters if part is not None else {}
         most: int | None = 1
         least = 1
         if item.multiplicity is not None:
@@ -39,7 +48,10 @@ def read_aip(
                 own.variables,
                 own.sends,
                 own.receives,
-                tuple(NamedFormula(f.name.text, f.formula, f.span) for f in formulas),
+                tuple(
+                    NamedFormula(f.name.text, f.formula, f.span, parameters.get(f.name.text, ()))
+                    for f in formulas
+                ),
                 item.name.span,
             )
         )

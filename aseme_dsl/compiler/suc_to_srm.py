@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from aseme_dsl.amola.aip import NamedFormula
 from aseme_dsl.amola.srm import Capability, Functionality, Module, Srm
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.suc import RoleType, UseCase
+from aseme_dsl.compiler.formulas import named_formulas
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.names import declared_twice, unknown
 from aseme_dsl.compiler.srm_to_iac import Role
@@ -43,12 +43,11 @@ def read_srm(
         )
     capabilities, problems = _capabilities(role, activities, cases, included)
     found += problems
-    formulas = role.formulas.named.values() if role.formulas is not None else ()
     model = Srm(
         role.name,
         role.plays,
         role.typed.variables,
-        tuple(NamedFormula(item.name.text, item.formula, item.span) for item in formulas),
+        named_formulas(role.formulas),
         activities,
         tuple(functionalities.values()),
         capabilities,

@@ -14,6 +14,7 @@ from aseme_dsl.amola.messages import (
     Function,
     Kind,
     Message,
+    Parameter,
     ProtoFile,
     Topic,
     Type,
@@ -26,9 +27,10 @@ from aseme_dsl.source import Span
 
 @dataclass(frozen=True, slots=True)
 class ActivityForm:
-    """What expressions and formulas need to know of an activity that is described: how it may end."""
+    """What expressions and formulas need to know of an activity: what it is given and how it may end."""
 
     name: str
+    parameters: tuple[Parameter, ...]
     ends: tuple[str, ...]
     span: Span
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, term_key, ungrouped
 from aseme_dsl.compiler.formula_to_statechart import Way
@@ -36,6 +36,8 @@ class Terms:
     parents: Mapping[Formula, Formula | None]
     places: Mapping[str, tuple[Formula, ...]]
     played: Played
+    bare: Mapping[str, tuple[Formula, ...]] = field(default_factory=dict)
+    """The places of each name that is given something, whatever that is."""
 
 
 def terms_of(formulas: Formulas, formula: str, control: str, played: Played | None = None) -> Terms:
@@ -43,14 +45,18 @@ def terms_of(formulas: Formulas, formula: str, control: str, played: Played | No
     whole = ungrouped(formulas.named[formula].formula)
     parents: dict[Formula, Formula | None] = {}
     places: dict[str, list[Formula]] = {}
+    bare: dict[str, list[Formula]] = {}
     stack: list[tuple[Formula, Formula | None]] = [(whole, None)]
     while stack:
         term, parent = stack.pop()
         parents[term] = parent
         places.setdefault(canonical(term), []).append(term)
+        if term.arguments:
+            bare.setdefault(term.name, []).append(term)
         stack += [(ungrouped(operand), term) for operand in reversed(term.operands)]
     found = {key: tuple(terms) for key, terms in places.items()}
-    return Terms(formulas, formula, control, whole, parents, found, played or {})
+    short = {name: tuple(terms) for name, terms in bare.items()}
+    return Terms(formulas, formula, control, whole, parents, found, played or {}, short)
 
 
 def way(terms: Terms, verb: tree.Name, written: tree.Term) -> tuple[Way | None, Diagnostic | None]:
@@ -131,10 +137,10 @@ def _into_loop(terms: Terms, loop: Formula) -> Way:
 
 
 def _find(terms: Terms, key: str, written: tree.Term) -> tuple[Formula | None, Diagnostic | None]:
-    places = terms.places.get(key, ())
+    places = terms.places.get(key) or terms.bare.get(key, ())
     if not places:
         return None, _unknown(terms, key, written)
-    name = _named(places[0])
+    name = _named(places[0]) if key in terms.places else key
     if written.occurrence is None:
         if len(places) == 1:
             return places[0], None
@@ -208,8 +214,8 @@ def _terms(formula: Formula) -> Iterator[Formula]:
 
 
 def _spelt(term: Formula, key: str) -> bool:
-    if term.operator is Operator.NAME:
-        return term.name == key
+    if term.operator is Operator.NAME and term.name == key:
+        return True
     return canonical(term) == key
 
 

@@ -449,6 +449,10 @@ def _target(checker: Checker, path: tree.Path) -> amola.VariableValue | amola.Me
     """What is assigned to: a variable, or a single member of a message (E507)."""
     first = path.segments[0]
     scope = checker.scope
+    if first.text in scope.parameters:
+        hint = "it stands for what the formula is given"
+        checker.report("E507", f"`{first}` is a parameter: nothing can be written to it", path.span, hint)
+        return None
     if first.text in scope.variables:
         target = value_of_path(checker, path)
         assert target is None or isinstance(target, amola.VariableValue)

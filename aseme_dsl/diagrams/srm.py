@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from aseme_dsl.amola.aip import NamedFormula
 from aseme_dsl.amola.expression import duration_text, value_text
-from aseme_dsl.amola.liveness import canonical
+from aseme_dsl.amola.liveness import called, canonical
 from aseme_dsl.amola.srm import Activity, Functionality, Plays, Srm, Subscription
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagrams import style
@@ -25,7 +26,7 @@ def sheet(system: System, srm: Srm, name: str) -> Sheet:
     rows: _Rows = [[Cell((f"Role: {srm.name}",), _COLUMNS, bold=True, colour=style.ACTOR_COLOUR)]]
     _part(rows, "Includes", [", ".join(srm.includes)] if srm.includes else [])
     _part(rows, "Protocols", [", ".join(map(_plays, srm.plays))] if srm.plays else [])
-    _part(rows, "Liveness", (f"{item.name} = {canonical(item.formula)}" for item in srm.formulas))
+    _part(rows, "Liveness", (f"{_formula(item)} = {canonical(item.formula)}" for item in srm.formulas))
     _part(rows, "Variables", (f"{v.name} : {v.type} = {value_text(v.initial)}" for v in srm.variables))
     _part(
         rows,
@@ -90,13 +91,17 @@ def _activity(name: str, activity: Activity | None) -> list[list[str]]:
     if activity is None:
         return [[name], [], [], [], [], []]
     return [
-        [name, *_ends(activity)],
+        [called(name, map(str, activity.parameters)), *_ends(activity)],
         [", ".join(activity.uses)] if activity.uses else [],
         [] if activity.every is None else [duration_text(activity.every)],
         [] if activity.takes is None else [duration_text(activity.takes)],
         [_subscription(item) for item in activity.reads],
         [*map(str, activity.writes), *(f"variable {name}" for name in activity.writes_variables)],
     ]
+
+
+def _formula(item: NamedFormula) -> str:
+    return called(item.name, map(str, item.parameters))
 
 
 def _ends(activity: Activity) -> list[str]:

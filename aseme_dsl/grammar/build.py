@@ -351,7 +351,14 @@ class _Builder:
     def formula(self, node: Any, words: Sequence[str] = ()) -> tree.NamedFormula | None:
         name = self.new_name(node.name, "a formula", words)
         formula = self.tried(lambda: read_formula(self.source, node.tokens))
-        return tree.NamedFormula(name, formula, self.span(node)) if formula is not None else None
+        parameters = self.all(self.formula_parameter, node.parameters)
+        if formula is None:
+            return None
+        return tree.NamedFormula(name, formula, self.span(node), parameters)
+
+    def formula_parameter(self, node: Any) -> tree.FormulaParameter:
+        name = self.new_name(node.name, "a parameter")
+        return tree.FormulaParameter(name, self.name(node.type) if node.type else None, self.span(node))
 
     def clause(self, node: Any) -> tree.Clause:
         rule = node.rule
@@ -498,7 +505,12 @@ class _Builder:
             self.span(node),
             durations.get("within"),
             ends,
+            self.all(self.activity_parameter, getattr(node, "parameters", ())),  # a module has none
         )
+
+    def activity_parameter(self, node: Any) -> tree.ActivityParameter:
+        name = self.new_name(node.name, "a parameter")
+        return tree.ActivityParameter(name, self.name(node.type), self.span(node))
 
     def module(self, node: Any) -> tree.Module:
         target = self.text(node.code.target) if node.code else None

@@ -11,6 +11,9 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from aseme_dsl.amola.expression import Literal, value_text
+from aseme_dsl.amola.liveness import Argument
+from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, STRING
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.formula import RESERVED, Malformed, is_hyphen
@@ -75,6 +78,62 @@ def read_transition(source: Source, tokens: Sequence[Token], place: Span) -> tre
     if not tokens:
         return tree.TransitionExpression((), False, False, None, (), place)
     return _Reader(source, tokens).transition()
+
+
+def read_arguments(source: Source, tokens: Sequence[Token]) -> tuple[Argument, ...]:
+    """The arguments `(a, b + 1)` of an activity, from the tokens of a formula with both parentheses.
+
+    Raises:
+        Malformed: As `read_expression`.
+    """
+    start = tokens[0].start
+    text = [" "] * (tokens[-1].end - start)
+    for part in tokens:
+        text[part.start - start : part.end - start] = part
+    found = [
+        token(piece.group(), start + piece.start()) for piece in _EXPRESSION_TOKEN.finditer("".join(text))
+    ]
+    reader = _Reader(source, found)
+    opener = reader.take()
+    arguments = [reader.expression()]
+    while reader.next == ",":
+        reader.take()
+        arguments.append(reader.expression())
+    reader.need(")", opener)
+    return tuple(Argument(spelled(item), item, item.span) for item in arguments)
+
+
+def spelled(written: tree.Expression) -> str:
+    """An expression in canonical spelling, with the parentheses that it has."""
+    match written:
+        case tree.Number(value=number, span=span):
+            return value_text(Literal(number, INT if isinstance(number, int) else DOUBLE, span))
+        case tree.Duration(nanoseconds=nanoseconds, span=span):
+            return value_text(Literal(nanoseconds, DURATION, span))
+        case tree.Truth(value=truth):
+            return "true" if truth else "false"
+        case tree.Text(text=text, span=span):
+            return value_text(Literal(text, STRING, span))
+        case tree.Path():
+            return ".".join(segment.text for segment in written.segments)
+        case tree.Call(function=function, arguments=arguments):
+            return f"{spelled(function)}({', '.join(map(spelled, arguments))})"
+        case tree.Unary(operator=operator, operand=operand):
+            return f"{operator}{spelled(operand)}"
+        case tree.Binary(operator=operator, left=left, right=right):
+            return f"{spelled(left)} {operator} {spelled(right)}"
+        case tree.Logic(operator=operator, operands=operands):
+            return f" {operator} ".join(map(spelled, operands))
+        case tree.Parenthesised(inner=inner):
+            return f"({spelled(inner)})"
+
+
+_EXPRESSION_TOKEN = re.compile(
+    r'"(?:[^"\\\n]|\\.)*"|[0-9]+(?:\.[0-9]+)*[A-Za-z]*\b'
+    r"|[A-Za-z_][A-Za-z0-9_]*(?:\s*\.\s*[A-Za-z_][A-Za-z0-9_]*)*\b|&&|\|\||[<>=!]=|\S",
+    re.ASCII,
+)
+"""The tokens of an expression, as the grammar has them (ExpressionToken)."""
 
 
 def read_duration(source: Source, text: Token) -> tree.Duration:

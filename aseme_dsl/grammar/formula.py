@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from aseme_dsl.amola.liveness import Formula, Operator
-from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar.lexer import shown
 from aseme_dsl.grammar.token import Token
 from aseme_dsl.source import Source, Span
@@ -46,6 +46,9 @@ _MEANT = {
     "=": "is a name missing before '='?",
 }
 
+
+_FORMULA_ONLY = ("|", "||", "~", "ω", "^ω", "[", "]", "[>", ";", "->")
+"""What does not stand in the arguments of an activity."""
 
 _WRITTEN = {"&&": "||", "&": "||", ",": ".", ";": ".", "->": ".", "/": "|"}
 """What the operators of other languages are here."""
@@ -103,9 +106,10 @@ class _Reader:
                 elif _is_name(token):
                     if token in RESERVED or token in BUILT_IN_TYPES:
                         raise self._error("E106", f"{shown(token)} cannot be an activity or formula", token)
-                    name = Formula(Operator.NAME, (), self._span(token), name=str(token))
-                    group.sequence.append((name, 1))
+                    closing_at = self._end_of_arguments(index)
+                    group.sequence.append((self._named(index, closing_at), 1))
                     operand_expected = False
+                    index = closing_at
                 else:
                     raise self._no_operand(index)
                 index += 1
@@ -143,6 +147,44 @@ class _Reader:
         if group.opener is not None:
             raise self._not_closed(group.opener)
         return self._fold(group)[0]
+
+    # ---- arguments -----------------------------------------------------------------------------
+
+    def _end_of_arguments(self, index: int) -> int:
+        """Where the arguments of the name at `index` end, or `index` itself where it has none.
+
+        They stand in parentheses behind it: `MoveTo(goal)`. What can only be a formula is none of them.
+        """
+        tokens = self.tokens
+        opening = index + 1
+        if opening >= len(tokens) or tokens[opening] != "(":
+            return index
+        depth = 0
+        for place in range(opening, len(tokens)):
+            token, before = tokens[place], tokens[place - 1]
+            depth += (token == "(") - (token == ")")
+            if depth == 0:
+                return place
+            if token in _FORMULA_ONLY or (before == "." and token == "(") or (before == ")" and token == "."):
+                return index
+            if before in ("*", "+") and (token in (")", ",", ".")):
+                return index
+        return index
+
+    def _named(self, index: int, closing: int) -> Formula:
+        token = self.tokens[index]
+        if closing == index:
+            return Formula(Operator.NAME, (), self._span(token), name=str(token))
+        from aseme_dsl.grammar.expression import read_arguments
+
+        if closing == index + 2:
+            span = self._to(token.end, self.tokens[closing])
+            hint = f"without arguments it is written `{token}`"
+            message = "there is nothing between the parentheses"
+            raise Malformed(Diagnostic("E101", message, span, hint=hint, edits=(Edit(span, ""),)))
+        arguments = read_arguments(self.source, self.tokens[index + 1 : closing + 1])
+        span = self._to(token.start, self.tokens[closing])
+        return Formula(Operator.NAME, (), span, name=str(token), arguments=arguments)
 
     # ---- building ------------------------------------------------------------------------------
 

@@ -19,7 +19,7 @@ _OPEN_DECLARATION = (
     rf'system\s+{_NAME}|import\s+(?:{_NAME}|")|function\s+{_NAME}\s*\(|let\s+{_NAME}\s*=(?!=)|language\s+[0-9]'
     rf"|(?:enum|message|topic|aip|(?:abstract\s+)?srm|statechart|team)\s+{_NAME}|(?:sag|suc)\b"
 )
-_FORMULA = rf"{_NAME}\s*=(?!=)"
+_FORMULA = rf"{_NAME}\s*(?:\([\w\s,:]*\)\s*)?=(?!=)"
 _LABELS = r"[0-9]+(?:\.[0-9]+)*\s*[-=]"
 _BEGINS_BY_NAME = re.compile(rf"{_FORMULA}|{_LABELS}")
 

@@ -400,12 +400,22 @@ class Var:
 
 
 @dataclass(frozen=True, slots=True)
+class FormulaParameter:
+    """`to` or `to : Place`: what a formula is given wherever it is used."""
+
+    name: Name
+    type: Name | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class NamedFormula:
     """`decision = A . B`; the process of a participant is called `process`."""
 
     name: Name
     formula: Formula
     span: Span
+    parameters: tuple[FormulaParameter, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -500,6 +510,15 @@ class ActivityRead:
 
 
 @dataclass(frozen=True, slots=True)
+class ActivityParameter:
+    """`goal : Place`."""
+
+    name: Name
+    type: Name
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Activity:
     """`Vision every 33ms takes 5ms as process uses camera reads … writes …`; clauses in any order.
 
@@ -516,6 +535,7 @@ class Activity:
     span: Span
     within: Duration | None = None
     ends: tuple[Name, ...] = ()
+    parameters: tuple[ActivityParameter, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

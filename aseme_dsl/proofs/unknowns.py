@@ -65,6 +65,8 @@ def identity(value: e.Value) -> Key:
             return ("enum", kind.name, number)
         case e.VariableValue(name=name):
             return (VARIABLE, name)
+        case e.ParameterValue(name=name):
+            raise AssertionError(f"{name} is replaced where its formula is expanded")
         case e.Expired(timer=timer):
             return (EXPIRED, timer)
         case e.Outcome(activity=activity):

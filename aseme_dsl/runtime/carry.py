@@ -1,9 +1,9 @@
 """Carrying over: a running chart goes on as a chart of another version of its plan.
 
 States are the same in both versions if they have the same type and the same name under the same named states:
-`KickBall` in `action` in `decision` of `player`. What a formula says around them (`(A | B)` that has become
-`(A | B | C)`) and their labels do not count. Where a name stands there several times, the first is the first,
-if both versions have it as often.
+`KickBall` in `action` in `decision` of `player`. What an activity is given does not count, nor does what a
+formula says around them (`(A | B)` that has become `(A | B | C)`), nor do their labels. Where a name stands
+there several times, the first is the first, if both versions have it as often.
 
 All states that are active must be in the new version, and be active together there. Blackboards, histories,
 timers, variables and waiting mail follow by name and type; activities go on if the new version says the same
@@ -100,6 +100,8 @@ class _Tree:
                 return (state.label, what, self.full[state.label])
             case "full":
                 return (what, self.full[state.label])
+        if kind == "activity":  # whatever it is given
+            return (what, self.named[state.label]) if state.type == "BASIC" else None
         if state.type in ("START", "END", "CONDITION") or not self.title[state.label]:
             return None
         return (what, self.named[state.label], self.title[state.label])
@@ -116,7 +118,7 @@ def same_states(old: Plan, new: Plan) -> dict[str, str]:
             found[one] = other
             taken.add(other)
 
-    for kind in ("exact", "full", "names"):
+    for kind in ("exact", "full", "names", "activity"):
         there = after.groups(kind)
         for key, labels in before.groups(kind).items():
             others = there.get(key, [])
@@ -473,12 +475,14 @@ class _Carrying:
         for label, token in self.running.items():
             activity = self.new.PLAN.by_label[label].activity or ""
             info = after.get(activity)
-            if self._goes_on(before.get(activity), info):
+            old = next(name for name, new in self.labels.items() if new == label)
+            same = self.old.PLAN.by_label[old].arguments == self.new.PLAN.by_label[label].arguments
+            if same and self._goes_on(before.get(activity), info):
                 continue
             restarted.append(label)
             self.new.effects.append(Cancel(label, activity, token))
             owner = self.new.RUNNING[label][1]
-            setattr(self.new, owner, self.new.begin(label, activity))
+            setattr(self.new, owner, self.new.begin_again(label, activity))
         return tuple(restarted)
 
     def _goes_on(self, before: ActivityInfo | None, info: ActivityInfo | None) -> bool:

@@ -316,11 +316,23 @@ class Chart:
 
     # ---- what generated code calls ---------------------------------------------------------
 
-    def begin(self, label: str, activity: str) -> int:
+    def begin(self, label: str, activity: str, arguments: tuple[tuple[str, Any], ...] = ()) -> int:
         """Start an activity; the token is its own."""
         self.tokens += 1
-        self.effects.append(Start(label, activity, self.tokens))
+        self.effects.append(Start(label, activity, self.tokens, arguments))
         return self.tokens
+
+    def not_given(self, label: str, what: str, error: Exception | None = None) -> int:
+        """An activity cannot start, for something that it is to be given: its state has failed."""
+        reason = "" if error is None else f" cannot be computed: {type(error).__name__}: {error}"
+        self.failed[label] = what + reason
+        return 0
+
+    def begin_again(self, label: str, activity: str) -> int:
+        """Start the activity of an active state anew, with what it is given now."""
+        begin = getattr(self, f"_begin_{label.replace('.', '_')}", None)
+        token: int = self.begin(label, activity) if begin is None else begin(self.now)
+        return token
 
     def await_outcome(self, label: str) -> None:
         """A state whose activity ends with an outcome is entered: there is none until it has."""

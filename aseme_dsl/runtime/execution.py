@@ -5,13 +5,14 @@ from __future__ import annotations
 import random
 import traceback
 from collections.abc import Callable, Generator, Mapping
-from dataclasses import dataclass, field, is_dataclass
+from dataclasses import dataclass, field, is_dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from aseme_dsl.runtime import context as c
 from aseme_dsl.runtime.activities import ActivityError, ActivityFinder, has_code, kind_of
+from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.board import Board
 from aseme_dsl.runtime.body import Body
 from aseme_dsl.runtime.clock import MILLISECOND, nanoseconds, shown
@@ -136,6 +137,11 @@ class Execution:
         return self.start.activity
 
     @property
+    def arguments(self) -> dict[str, Any]:
+        """What it is given, by parameter."""
+        return dict(self.start.arguments)
+
+    @property
     def body(self) -> Body[Any, Any]:
         body = self.owner.agent.body
         if body is None:
@@ -258,7 +264,7 @@ class Execution:
             context = self.context
             context.check()
             assert self.code is not None
-            self.result = as_outcome(self.code().execute(context))
+            self.result = as_outcome(self.code().execute(context, **self.arguments))
         except BaseException as raised:  # whatever it is, the agent must hear of it
             return raised
         return None
@@ -406,10 +412,10 @@ class Executions:
             node.info, node.code, node.kind = fresh.info, fresh.code, fresh.kind
             node.error, node.branch = fresh.error, fresh.branch
             if node.next is not None:
-                node.next = Start(label, node.next.activity, node.next.token)
+                node.next = replace(node.next, label=label)
             execution = node.current
             if execution is not None:
-                execution.start = Start(label, execution.start.activity, execution.start.token)
+                execution.start = replace(execution.start, label=label)
                 execution.branch = node.branch
                 execution.board = self.agent.chart.board_of(label)
 
@@ -488,7 +494,8 @@ class Executions:
         execution = node.current = Execution(
             self, start, info, node.code, node.kind, node.starts, node.branch, board, now
         )
-        self._trace("start", start)
+        given = {name: to_json(value) for name, value in start.arguments}
+        self._trace("start", start, **({"arguments": given} if given else {}))
         if node.error is not None:
             self.returned(execution, node.error)
         elif execution.code is None:
@@ -531,7 +538,7 @@ class Executions:
         try:
             if execution.generator is None:
                 assert execution.code is not None
-                made = execution.code().execute(execution.context)
+                made = execution.code().execute(execution.context, **execution.arguments)
                 if not isinstance(made, Generator):  # a plain function is one that never yields
                     execution.result = as_outcome(made)
                     self.returned(execution, None)

@@ -86,11 +86,15 @@ Input = Arrived | Completed | Crashed | Happened | Written | Mail
 
 @dataclass(frozen=True, slots=True)
 class Start:
-    """Start the activity of the state `label`; what it answers must carry `token`."""
+    """Start the activity of the state `label`; what it answers must carry `token`.
+
+    `arguments` are what it is given, by parameter.
+    """
 
     label: str
     activity: str
     token: int
+    arguments: tuple[tuple[str, Any], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

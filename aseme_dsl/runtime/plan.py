@@ -41,6 +41,8 @@ class State:
     branch: str | None = None
     """`protocol.participant` where the state is the branch of a participant."""
     at: str = ""
+    arguments: tuple[tuple[str, Term], ...] = ()
+    """What the activity is given, by parameter."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +92,8 @@ class Region:
 class ActivityInfo:
     """What the document says of an activity: `every` and `takes` in ns, `kind`, what it reads and writes.
 
-    `within` is its deadline in ns, from the entry of its state; `ends` are its outcomes.
+    `within` is its deadline in ns, from the entry of its state; `ends` are its outcomes, `parameters` the
+    names and types of what it is given.
     """
 
     name: str
@@ -102,6 +105,7 @@ class ActivityInfo:
     variables: tuple[str, ...] = ()
     within: int | None = None
     ends: tuple[str, ...] = ()
+    parameters: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

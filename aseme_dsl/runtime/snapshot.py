@@ -50,6 +50,8 @@ class Snapshot:
     """What was taken."""
     kept: dict[str, int]
     """How long each data channel is kept, in ns."""
+    arguments: dict[str, Any]
+    """What it is given, by parameter."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -253,6 +255,7 @@ def snapshot_of(execution: Execution) -> Snapshot:
         mail,
         () if execution.branch is None else execution.received(),
         {name: kept for name, kept in execution.board.RETENTION.items() if name in execution.info.reads},
+        execution.arguments,
     )
 
 
@@ -291,7 +294,7 @@ def run_snapshot(execution: Execution) -> None:
             lambda: execution.cancelled,
         )
         assert execution.code is not None
-        execution.result = as_outcome(execution.code().execute(Context(port)))
+        execution.result = as_outcome(execution.code().execute(Context(port), **execution.arguments))
     except BaseException as raised:  # whatever it is, the agent must hear of it
         error = raised
     execution.returned(error)

@@ -27,7 +27,7 @@ async def _error(execution: Execution) -> BaseException | None:
         context = execution.context
         context.check()
         assert execution.code is not None
-        execution.result = as_outcome(await execution.code().execute(context))
+        execution.result = as_outcome(await execution.code().execute(context, **execution.arguments))
     except BaseException as raised:  # whatever it is, the agent must hear of it
         return raised
     return None

@@ -77,7 +77,7 @@ class _Worker:
             wait,
             self.cancelled.is_set,
         )
-        return as_outcome(code.execute(Context(port)))
+        return as_outcome(code.execute(Context(port), **snapshot.arguments))
 
 
 _ORPHAN = 2.0

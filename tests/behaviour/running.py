@@ -143,8 +143,9 @@ class Run:
 
     def _line(self, effect: Effect) -> str:
         match effect:
-            case Start(activity=activity):
-                return f"start {activity}"
+            case Start(activity=activity, arguments=arguments):
+                given = ", ".join(f"{name}={_told(value)}" for name, value in arguments)
+                return f"start {activity}({given})" if given else f"start {activity}"
             case Cancel(activity=activity):
                 return f"cancel {activity}"
             case Publication(channel=channel, message=message, host=host):
@@ -162,6 +163,10 @@ class Run:
             case Fault(transition=number):
                 transition = self.plan.transitions[number]
                 return f"fault {transition.source} -> {transition.target}"
+
+
+def _told(value: Any) -> str:
+    return value.name if isinstance(value, IntEnum) else said(value)
 
 
 def said(message: Any) -> str:

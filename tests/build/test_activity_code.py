@@ -404,3 +404,40 @@ class TestMessagesThatDoNotFit:
         (tmp_path / "vision.py").unlink()
         helper = IMPORTS + 'def tell(context):\n    context.publish("vision.data.Ball", P())\n'
         assert [item.code for item in say(tmp_path, "helper.py", helper, text=text)] == ["W540"]
+
+
+GIVEN = SYSTEM.replace("Search . Walk .", "Search . Walk(3, 1.5) .").replace(
+    "Legs    reads", "Walk(steps : int, far : double)\n    Legs    reads"
+)
+
+
+@pytest.mark.parametrize(
+    "signature",
+    [
+        "self, context, steps, far",
+        "self, context, far, steps=3",
+        "self, context, *, steps, far=1.0",
+        "self, context, **given",
+        "self, context, steps, far, more=None",
+    ],
+)
+def test_an_execute_that_takes_what_the_activity_is_given(tmp_path: Path, signature: str) -> None:
+    code = f"class Walk:\n    def execute({signature}):\n        context.wait(1)\n"
+    assert say(tmp_path, "walk.py", code, text=GIVEN) == []
+
+
+@pytest.mark.parametrize(
+    ("signature", "hints"),
+    [
+        ("self, context", ["write `def execute(self, context, steps, far)`"] * 2),
+        ("self, context, step, far", ["did you mean `steps` where it takes `step`?"]),
+        (
+            "self, context, steps, far, mood",
+            ["say so among the activities, `Walk(mood : …)`, or leave it out"],
+        ),
+    ],
+)
+def test_an_execute_that_does_not(tmp_path: Path, signature: str, hints: list[str]) -> None:
+    code = f"class Walk:\n    def execute({signature}):\n        context.wait(1)\n"
+    found = say(tmp_path, "walk.py", code, text=GIVEN)
+    assert shown(found) == [("W530", "execute", hint) for hint in hints]

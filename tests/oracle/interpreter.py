@@ -752,11 +752,14 @@ class Reference:
             case "BASIC":
                 # "BASIC gives Start with a new token (a counter of the chart, from 1)"
                 assert state.activity is not None
-                self.tokens += 1
-                self.token[label] = self.tokens
                 # "absent from the entry of such a state until it ends with an outcome"
                 self.note_end(label, ABSENT)
-                self.outcome.effects.append(Start(label, state.activity, self.tokens))
+                given = self.given(label)
+                if given is None:
+                    return
+                self.tokens += 1
+                self.token[label] = self.tokens
+                self.outcome.effects.append(Start(label, state.activity, self.tokens, given))
             case "OR":
                 # "OR: its START becomes active"
                 was = [child for child in self.children(label) if again is not None and child in again[0]]
@@ -780,6 +783,23 @@ class Reference:
                         variables=dict(surrounding.variables),
                     )
                     self.enter(inner, path[1:] if path and path[0] == inner else None, again)
+
+    def given(self, label: str) -> tuple[tuple[str, Any], ...] | None:
+        """ "What an activity is given is computed on entry. Absent or raising, the state fails at once." """
+        self.asking = label
+        region = self.regions[self.region_of(label)]
+        found = []
+        for name, term in self.plan.by_label[label].arguments:
+            try:
+                value = self.value(term, region)
+            except Exception as error:
+                self.failed[label] = f"{name}: {error}"
+                return None
+            if value is ABSENT:
+                self.failed[label] = f"the argument `{name}` is absent"
+                return None
+            found.append((name, value))
+        return tuple(found)
 
     # ---- actions ----------------------------------------------------------------------------
 

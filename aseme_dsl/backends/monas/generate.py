@@ -10,7 +10,8 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
 from aseme_dsl.amola.expression import duration_text
-from aseme_dsl.amola.srm import Module
+from aseme_dsl.amola.messages import Kind, Type
+from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions
@@ -43,6 +44,7 @@ def _environment(options: BackendOptions) -> Environment:
     environment.filters["quoted"] = repr
     environment.filters["in_docstring"] = in_docstring
     environment.filters["imports"] = _imports
+    environment.filters["python_type"] = _python_type
     environment.filters["duration"] = duration_text
     environment.filters["class_name"] = class_name
     environment.filters["module_name"] = module_name
@@ -107,6 +109,7 @@ class MonasBackend:
                     name=name,
                     source=source,
                     activity=system.activity(name),
+                    imports=_message_imports(system, system.activity(name)),
                     roles=[chart.name for chart in users[name]],
                 ),
                 kept=True,
@@ -136,6 +139,22 @@ class MonasBackend:
             )
             for name, found in sorted(users.items())
         ]
+
+
+_PYTHON = {"double": "float", "string": "str", "duration": "int"}
+
+
+def _python_type(kind: Type) -> str:
+    """A type as Python annotates it; a duration is in ns."""
+    return _PYTHON.get(str(kind), str(kind))
+
+
+def _message_imports(system: System, activity: Activity | None) -> list[str]:
+    """The line that brings the messages and enums that an activity is given."""
+    parameters = activity.parameters if activity is not None else ()
+    names = {item.type.name for item in parameters if item.type.kind in (Kind.ENUM, Kind.MESSAGE)}
+    line = _imports(sorted(names), f"monas.{system.name}.messages")
+    return [line] if line else []
 
 
 def _imports(names: Sequence[str], module: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from aseme_dsl.grammar.layout.pieces import GLUED, Piece
 
@@ -45,6 +46,10 @@ def formula(tokens: Sequence[str], depth: int) -> list[Piece]:
         elif operand_expected:
             pieces.append(Piece(token, 0 if glued else 1, GLUED, depth))
             operand_expected = False
+            if tokens[index + 1 : index + 2] == ["("]:  # in a formula without mistakes: arguments
+                inside = _arguments(tokens, index + 1)
+                pieces += _given(tokens[index + 1 : inside], depth)
+                index = inside - 1
         elif token in _POSTFIX:
             pieces.append(Piece("~" if "ω" in token else token, 0, GLUED, depth))
         elif token == "[":  # instances
@@ -63,6 +68,27 @@ def formula(tokens: Sequence[str], depth: int) -> list[Piece]:
             glued = False
         index += 1
     return pieces
+
+
+def _given(tokens: Sequence[str], depth: int) -> list[Piece]:
+    """The pieces of arguments in parentheses: a formula's tokens are smaller than an expression's."""
+    pieces = expression(tokens, depth, transition=False)
+    pieces[0].blanks = 0
+    for before, piece in pairwise(pieces):
+        joins = "." in (before.text, piece.text) or (piece.text == "=" and before.text in "=<>!")
+        if joins:
+            piece.blanks, piece.level = 0, GLUED
+    return pieces
+
+
+def _arguments(tokens: Sequence[str], opening: int) -> int:
+    """The place behind the parentheses that open at `opening`."""
+    depth = 0
+    for index in range(opening, len(tokens)):
+        depth += (tokens[index] == "(") - (tokens[index] == ")")
+        if depth == 0:
+            return index + 1
+    return len(tokens)
 
 
 def _closes_bar(tokens: Sequence[str], index: int, brackets: Sequence[str]) -> bool:
