@@ -297,10 +297,9 @@ class FlatChart:
         """The states whose entries somebody counts, each with the state whose entry sets the count to 0."""
         found = {
             node.label
-            for transition in self.chart.transitions
-            for value in values_of(transition.expression)
+            for place, value in self.chart.values()
             if isinstance(value, StateValue) and value.question == "count"
-            for node in states_meant(self.chart, transition.source, value.state)
+            for node in states_meant(self.chart, place, value.state)
         }
         return {
             node.label: loop_of(self.chart, node.label) for node in self.chart.nodes if node.label in found

@@ -663,7 +663,9 @@ class _Generator:
 
     def _asked_by(self, number: int, names: Names) -> None:
         """Let the names of states in the expression of a transition mean what they mean there."""
-        source = self.flat.transition(number).source
+        self._asked_at(self.flat.transition(number).source, names)
+
+    def _asked_at(self, source: str, names: Names) -> None:
         names.outcomes = partial(self.flat.asked_of, source)
         names.states = partial(self._about_states, source)
 
@@ -1020,7 +1022,7 @@ class _Generator:
         """Compute what an activity is given; where that cannot be, the state has failed."""
         region = self.flat.region_number[node.label]
         method = _Method(self._names(region))
-        method.names.outcomes = partial(self.flat.asked_of, node.label)
+        self._asked_at(node.label, method.names)
         said = self.flat.said_of(node)
         types = {item.name: item.type for item in said.parameters} if said is not None else {}
         for number, argument in enumerate(node.arguments):

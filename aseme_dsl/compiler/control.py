@@ -10,13 +10,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola import expression
-from aseme_dsl.amola.liveness import Formula
-from aseme_dsl.compiler.reactive import choices_in, no_choice, reconsidered
 from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression, substituted_expression
+from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.statechart import Node, NodeType, Origin, Transition, TransitionKind
 from aseme_dsl.compiler.formula_to_statechart import Arrow, Outline, Standing, Way
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.given import inside_formula
+from aseme_dsl.compiler.reactive import choices_in, no_choice, reconsidered
 from aseme_dsl.compiler.resuming import RESUME, check_resuming
 from aseme_dsl.compiler.scope import Scope
 from aseme_dsl.compiler.staying import STAYING, check_staying

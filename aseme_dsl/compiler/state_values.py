@@ -37,6 +37,14 @@ def check_states(charts: Iterable[Statechart]) -> Iterator[Diagnostic]:
     """E430 where a chart has no state of the name, E431 where `count` means several, E433 in actions."""
     told: set[Span] = set()
     for chart in charts:
+        for node in chart.nodes:
+            for argument in node.arguments:
+                for value in walk(argument.value):
+                    if isinstance(value, StateValue) and value.span not in told:
+                        problem = _problem(chart, node.label, value, False)
+                        if problem is not None:
+                            told.add(value.span)
+                            yield problem
         for transition in chart.transitions:
             condition = transition.expression.condition
             asked = () if condition is None else tuple(walk(condition))

@@ -204,3 +204,62 @@ def test_a_term_with_arguments_in_control(play: Play, text: str) -> None:
         }}
     """).step()
     assert run.step(run.event("go")).did == ["cancel A", "start Move(to=0)"]
+
+
+def test_an_activity_may_be_given_how_often_it_was_entered(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = (Try(count(Try)) . Look)~ }
+          activities { Try(time : int) }
+        }
+    """).step()
+    assert run.did == ["start Try(time=1)"]
+    run.step(run.done("Try"))
+    assert run.step(run.done("Look")).did == ["start Try(time=2)"]
+
+
+def test_parameters_in_actions_that_stay_and_at_the_exit(play: Play) -> None:
+    run = play("""
+        srm R {
+          var n : int = 0
+          liveness { R = first(4) . Rest  first(by : int) = Work . Idle }
+          control R { enter Rest : go }
+          control first { on Work : step / n = n + by  exit Work : / n = n * by }
+        }
+    """).step()
+    run.step(run.event("step"))
+    assert run.variable("n") == 4
+    run.step(run.event("go"))
+    assert run.variable("n") == 16
+
+
+def test_what_cuts_a_formula_short_may_have_parameters(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = safe(3)~  safe(limit : int) = Work [> Stop(limit) }
+          activities { Stop(how : int) }
+          control safe { enter Stop : when [t.state.M.x > limit] }
+        }
+    """).step()
+    assert run.step(run.heard("t.state.M", x=3)).did == []
+    assert run.step(run.heard("t.state.M", x=4)).did == ["cancel Work", "start Stop(how=3)"]
+
+
+def test_what_goes_on_is_given_its_arguments_anew(play: Play) -> None:
+    """ "a BASIC that was running starts anew", with what it is given now"""
+    run = play("""
+        srm R {
+          var n : int = 1
+          liveness { R = ((Work(n) . Idle) . Stop)~ }
+          activities { Work(on : int) }
+          control R {
+            enter Stop : stop / n = n + 1
+            resume ((Work(n) . Idle) . Stop) :
+            resume (Work(n) . Idle) :
+          }
+        }
+    """).step()
+    assert run.did == ["start Work(on=1)"]
+    run.step(run.event("stop"))
+    assert run.did == ["cancel Work", "start Stop"]
+    assert run.step(run.done("Stop")).did == ["start Work(on=2)"]
