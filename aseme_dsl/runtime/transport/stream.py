@@ -174,19 +174,25 @@ class Incoming(Generic[T]):
 class Samples:
     """What has come of that which is sent once, or not at all, with numbers from 1."""
 
-    __slots__ = ("_newest", "_recent")
+    __slots__ = ("_come", "_newest")
 
     def __init__(self) -> None:
         self._newest = 0
-        self._recent: set[int] = set()
+        self._come = 0
+        """A bit for each of the last `RECENT`, the lowest for the newest: whether it has come."""
 
     def take(self, number: int) -> int | None:
         """How many before it have not come (-1: it is one of those itself); None: it has come before."""
-        newest, recent = self._newest, self._recent
-        if number in recent or number <= newest - RECENT:
+        passed = number - self._newest
+        if passed > 0:
+            kept = self._come << passed if passed < RECENT else 0
+            self._come = (kept | 1) & _RECENTLY
+            self._newest = number
+            return passed - 1
+        if passed <= -RECENT or self._come >> -passed & 1:
             return None
-        self._newest = max(newest, number)
-        recent.add(number)
-        if len(recent) > 2 * RECENT:
-            self._recent = {item for item in recent if item > self._newest - RECENT}
-        return -1 if number < newest else number - newest - 1
+        self._come |= 1 << -passed
+        return -1
+
+
+_RECENTLY = (1 << RECENT) - 1

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import os
 import random
+import sys
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -13,11 +14,13 @@ from aseme_dsl.runtime.transport.stream import (
     EARLY,
     LONGEST,
     PATIENCE,
+    RECENT,
     WAITING,
     WINDOW,
     Incoming,
     Letter,
     Outgoing,
+    Samples,
 )
 
 EXAMPLES = int(os.environ.get("STREAM_EXAMPLES", "50"))
@@ -130,3 +133,30 @@ def test_what_is_far_too_early_is_not_kept() -> None:
     assert into.take(2, 2) == []
     assert into.missing() == (1,)
     assert into.take(1, 1) == [1, 2]
+
+
+@given(st.lists(st.integers(1, 3 * RECENT), max_size=60), st.integers(0, 10**9))
+def test_samples_are_taken_once_and_gaps_counted(steps: list[int], base: int) -> None:
+    """Whatever comes in whatever order; what is too old to be remembered counts as known."""
+    samples, come, newest = Samples(), set[int](), 0
+    for step in steps:
+        number = base + step
+        found = samples.take(number)
+        if number in come or number <= newest - RECENT:
+            assert found is None
+        elif number < newest:
+            assert found == -1
+        else:
+            assert found == number - newest - 1
+        come.add(number)
+        newest = max(newest, number)
+
+
+def test_what_is_remembered_of_samples_does_not_grow() -> None:
+    samples = Samples()
+    sizes = set()
+    for number in range(1, 4 * RECENT):
+        samples.take(number)
+        if number >= RECENT // 8:
+            sizes.add(sum(sys.getsizeof(getattr(samples, name)) for name in samples.__slots__))
+    assert max(sizes) < 1000
