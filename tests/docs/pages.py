@@ -7,7 +7,7 @@ The examples of a page share a folder and run from the top to the bottom. Their 
     python    a piece of a program; the pieces of a page share their names
     pycon     a Python session, as for doctest
     json, toml  must be valid
-    text      a file of another kind, as are rst and markdown
+    text      a file of another kind, as are rst, markdown, lua, lisp and rust
     diff      a change to a file (see below)
     sh        a command that cannot run here (it installs something, or never ends); only a few are allowed
 
@@ -57,7 +57,8 @@ COMPLETIONS = Path(__file__).resolve().parent / "completions"
 
 WORDS = ("files of", "file", "part of", "with", "reports", "change", "break", "copy", "drawn", "left")
 NOT_RUN = (
-    r"python3 dev\.py (play|test)\b.*",
+    r"python3 dev\.py (play|test|vsix)\b.*",
+    r"code --install-extension .*",
     r"python3 -m pip install .*",
     r"(sudo )?apt install .*",
     r"\.venv/bin/.*",
@@ -154,7 +155,7 @@ class Page:
                 tomllib.loads(example.text)
             case "yaml":
                 self._workflow(example)
-            case "text" | "rst" | "markdown" if "file" in said:
+            case "text" | "rst" | "markdown" | "lua" | "lisp" | "rust" if "file" in said:
                 pass
             case "diff":
                 self._diff(example)

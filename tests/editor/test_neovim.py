@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -40,12 +41,16 @@ srm player {
 team All { robot : player }
 """
 
-SETTINGS = """\
-vim.opt.runtimepath:prepend({folder})
-vim.opt.swapfile = false
-vim.cmd("filetype plugin indent on | syntax on")
-require("aseme").setup({{ cmd = {command} }})
-"""
+PAGE = (ROOT / "docs/editors/neovim.md").read_text("utf-8")
+
+
+def settings(command: list[str]) -> str:
+    """The init.lua of the documentation, for this checkout and a server of this Python."""
+    (text,) = re.findall(r'```lua\n(.*?require\("aseme"\).*?)```', PAGE, re.DOTALL)
+    here = text.replace("~/.local/share/nvim/site/pack/aseme/start/aseme", str(ROOT / "editors/vim"))
+    changed = here.replace("setup()", f"setup({{ cmd = {{ {json.dumps(command)[1:-1]} }} }})")
+    assert here != text and changed != here
+    return changed
 
 
 @pytest.fixture(scope="module")
@@ -57,13 +62,12 @@ def seen(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     (folder / "pyproject.toml").write_text("[tool.asemec]\n")
     (folder / "world.aseme").write_text(WORLD)
     (folder / "team.aseme").write_text(TEAM)
-    settings = folder / "init.lua"
-    command = "{ " + ", ".join(json.dumps(part) for part in (sys.executable, "-m", "aseme_dsl", "lsp")) + " }"
-    settings.write_text(SETTINGS.format(folder=json.dumps(str(ROOT / "editors/vim")), command=command))
+    init = folder / "init.lua"
+    init.write_text(settings([sys.executable, "-m", "aseme_dsl", "lsp"]))
     result = folder / "result.json"
     environment = {**os.environ, "NVIM_RESULT": str(result), "PYTHONPATH": str(ROOT)}
     environment |= {f"XDG_{name}_HOME": str(folder / name) for name in ("CONFIG", "DATA", "STATE", "CACHE")}
-    command_line = ["nvim", "--headless", "-i", "NONE", "-n", "-u", str(settings)]
+    command_line = ["nvim", "--headless", "-i", "NONE", "-n", "-u", str(init)]
     done = subprocess.run(
         [*command_line, "-c", f"luafile {HERE / 'neovim.lua'}"],
         cwd=folder,

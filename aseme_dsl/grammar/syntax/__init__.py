@@ -1,4 +1,4 @@
-"""Colours for editors and documents, made from the grammar: TextMate, Pygments and Vim.
+"""Colours for editors and documents, made from the grammar: TextMate, Pygments, Vim and Emacs.
 
 `files` gives the text of every file; `python -m aseme_dsl.grammar.syntax` writes them.
 """
@@ -8,6 +8,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from aseme_dsl.grammar.syntax.contexts import outline
+from aseme_dsl.grammar.syntax.emacs import emacs_mode
 from aseme_dsl.grammar.syntax.pygments import pygments_lexer
 from aseme_dsl.grammar.syntax.textmate import textmate_grammar
 from aseme_dsl.grammar.syntax.vim import vim_files
@@ -20,5 +21,6 @@ def files() -> dict[str, str]:
     return {
         "editors/vscode/syntaxes/aseme.tmLanguage.json": textmate_grammar(made),
         "aseme_dsl/pygments_lexer.py": pygments_lexer(made),
+        "editors/emacs/aseme-mode.el": emacs_mode(made),
         **{f"editors/vim/{name}": text for name, text in vim_files(made).items()},
     }

@@ -61,6 +61,8 @@ class Piece:
 
     options: tuple[tuple[str, Kind], ...]
     optional: bool = False
+    words: tuple[tuple[Kind, str], ...] = field(default=(), compare=False)
+    """The words of the language among what it matches."""
 
     @property
     def pattern(self) -> str:
@@ -423,7 +425,8 @@ def _phrase(items: Sequence[Shape], begins: bool, block: bool) -> tuple[tuple[Pi
             made = [_piece(terminal, leads, block) for terminal in _options(item)]
             options = tuple(dict.fromkeys(option for piece in made for option in piece.options))
             optional = isinstance(item, Repeated) and not item.at_least_one
-            pieces.append(Piece(options, optional))
+            words = tuple(word for piece in made for word in piece.words)
+            pieces.append(Piece(options, optional, words))
             del todo[0]
         elif isinstance(item, Series):
             todo[:1] = item.items
@@ -439,9 +442,10 @@ def _piece(terminal: Terminal, leads: bool, block: bool) -> Piece:
     pattern = terminal.pattern
     if terminal.words:
         kind = Kind.DECLARATION if leads else Kind.CHOICE if terminal.rule else Kind.CLAUSE
+        words = tuple((kind, word) for word in terminal.words)
         if not terminal.rule or not re.fullmatch(pattern, "1"):
-            return Piece(((pattern, kind),))
-        return Piece(((rf"(?:{'|'.join(terminal.words)})\b", kind), (pattern, Kind.NUMBER)))
+            return Piece(((pattern, kind),), words=words)
+        return Piece(((rf"(?:{'|'.join(terminal.words)})\b", kind), (pattern, Kind.NUMBER)), words=words)
     if re.fullmatch(pattern, '"x"'):
         return Piece(((pattern, Kind.TEXT),))
     if any(re.fullmatch(pattern, number) for number in ("1", "1s")):

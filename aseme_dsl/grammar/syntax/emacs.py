@@ -1,0 +1,134 @@
+"""The mode for Emacs. It colours words by what they are called, not by where they stand."""
+
+from __future__ import annotations
+
+from aseme_dsl.grammar.formula import BUILT_IN_TYPES, RESERVED
+from aseme_dsl.grammar.syntax.contexts import EXPRESSION_WORDS, Context, Kind
+
+_TEXT = """\
+;;; aseme-mode.el --- Multi-agent systems in text  -*- lexical-binding: t; -*-
+
+;; Made from aseme_dsl/grammar/*.tx: python3 dev.py syntax
+;; Package-Requires: ((emacs "27.1"))
+;; SPDX-License-Identifier: MIT
+
+;;; Commentary:
+
+;; (require 'aseme-mode)
+;; (add-hook 'aseme-mode-hook #'eglot-ensure)   ; the language server, `asemec lsp'
+
+;;; Code:
+
+(defgroup aseme nil "Multi-agent systems in text." :group 'languages)
+
+(defcustom aseme-command '("asemec")
+  "The program asemec, with arguments if it needs any."
+  :type '(repeat string))
+
+(defcustom aseme-indent 2
+  "Columns of a step of indentation."
+  :type 'integer :safe #'integerp)
+
+(defconst aseme-entries
+  '({entries})
+  "Words with which a declaration or an entry begins.")
+
+(defconst aseme-clauses
+  '({clauses})
+  "Words with which a clause begins, and those of expressions.")
+
+(defconst aseme-blocks
+  '({blocks})
+  "Words of blocks that have a name.")
+
+(defconst aseme-types '({types}))
+
+(defconst aseme-constants '({constants}))
+
+(defvar aseme-mode-syntax-table
+  (let ((table (make-syntax-table)))
+    (modify-syntax-entry ?/ ". 124b" table)
+    (modify-syntax-entry ?* ". 23" table)
+    (modify-syntax-entry ?\\n "> b" table)
+    (modify-syntax-entry ?_ "_" table)
+    (dolist (sign '(?= ?< ?> ?+ ?- ?| ?& ?~ ?! ?# ?@ ?:))
+      (modify-syntax-entry sign "." table))
+    table))
+
+(defconst aseme-font-lock-keywords
+  `((,(concat "\\\\(?:^\\\\|[{{}}]\\\\)[ \\t]*\\\\(" (regexp-opt aseme-entries 'symbols) "\\\\)")
+     1 font-lock-keyword-face)
+    (,(concat (regexp-opt aseme-blocks 'symbols) "[ \\t]+\\\\([A-Za-z_][A-Za-z0-9_]*\\\\)")
+     2 font-lock-type-face)
+    ("^[ \\t]*\\\\([A-Za-z_][A-Za-z0-9_]*\\\\)[ \\t]*=[^=]" 1 font-lock-function-name-face)
+    ("\\\\.[ \\t]*[A-Za-z_][A-Za-z0-9_]*" . 'default)
+    (,(regexp-opt aseme-clauses 'symbols) . font-lock-builtin-face)
+    (,(regexp-opt aseme-types 'symbols) . font-lock-type-face)
+    (,(regexp-opt aseme-constants 'symbols) . font-lock-constant-face)))
+
+(defun aseme-indent-line ()
+  "Indent by the braces that are open."
+  (interactive)
+  (let* ((state (save-excursion (syntax-ppss (line-beginning-position))))
+         (closes (save-excursion (back-to-indentation) (looking-at-p "[])}}]")))
+         (column (if (nth 8 state) (current-indentation)
+                   (* aseme-indent (max 0 (- (nth 0 state) (if closes 1 0)))))))
+    (if (<= (current-column) (current-indentation))
+        (indent-line-to column)
+      (save-excursion (indent-line-to column)))))
+
+;;;###autoload
+(define-derived-mode aseme-mode prog-mode "ASEME"
+  "The mode for .aseme files."
+  (setq-local comment-start "// "
+              comment-end ""
+              comment-start-skip "//+\\\\s-*\\\\|/\\\\*+\\\\s-*"
+              indent-tabs-mode nil
+              indent-line-function #'aseme-indent-line
+              compile-command (mapconcat #'identity (append aseme-command '("check")) " ")
+              font-lock-defaults '(aseme-font-lock-keywords)))
+
+;;;###autoload
+(add-to-list 'auto-mode-alist '("\\\\.aseme\\\\'" . aseme-mode))
+
+(defvar eglot-server-programs)
+(with-eval-after-load 'eglot
+  (add-to-list 'eglot-server-programs
+               (cons 'aseme-mode (lambda (&rest _) (append aseme-command '("lsp"))))))
+
+(provide 'aseme-mode)
+;;; aseme-mode.el ends here
+"""
+
+
+def emacs_mode(contexts: tuple[Context, ...]) -> str:
+    """The text of the mode."""
+    words: dict[Kind, set[str]] = {kind: set() for kind in Kind}
+    blocks: set[str] = set()
+    for context in contexts:
+        for phrase in context.phrases:
+            for piece in phrase.pieces:
+                for kind, word in piece.words:
+                    words[kind].add(word)
+            if any(kind is Kind.BLOCK for piece in phrase.pieces[1:2] for _, kind in piece.options):
+                blocks |= {word for _, word in phrase.pieces[0].words}
+    entries = words[Kind.DECLARATION]
+    clauses = words[Kind.CLAUSE] | words[Kind.CHOICE] | set(EXPRESSION_WORDS) | set(RESERVED)
+    constants = {"true", "false"}
+    return _TEXT.format(
+        entries=_listed(entries),
+        clauses=_listed(clauses - constants),
+        types=_listed(BUILT_IN_TYPES),
+        constants=_listed(constants),
+        blocks=_listed(blocks),
+    )
+
+
+def _listed(words: set[str] | tuple[str, ...]) -> str:
+    """The words as texts of Lisp, some to a line."""
+    lines = [""]
+    for word in sorted(words):
+        if len(lines[-1]) + len(word) > 100:
+            lines.append("")
+        lines[-1] += f' "{word}"'
+    return "\n    ".join(line.strip() for line in lines)

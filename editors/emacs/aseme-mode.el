@@ -1,0 +1,102 @@
+;;; aseme-mode.el --- Multi-agent systems in text  -*- lexical-binding: t; -*-
+
+;; Made from aseme_dsl/grammar/*.tx: python3 dev.py syntax
+;; Package-Requires: ((emacs "27.1"))
+;; SPDX-License-Identifier: MIT
+
+;;; Commentary:
+
+;; (require 'aseme-mode)
+;; (add-hook 'aseme-mode-hook #'eglot-ensure)   ; the language server, `asemec lsp'
+
+;;; Code:
+
+(defgroup aseme nil "Multi-agent systems in text." :group 'languages)
+
+(defcustom aseme-command '("asemec")
+  "The program asemec, with arguments if it needs any."
+  :type '(repeat string))
+
+(defcustom aseme-indent 2
+  "Columns of a step of indentation."
+  :type 'integer :safe #'integerp)
+
+(defconst aseme-entries
+  '("abstract" "activities" "actor" "aip" "algorithm" "capability" "clause" "control" "data" "engage"
+    "enter" "enum" "environment" "exit" "finish" "function" "functionality" "goal" "import" "includes"
+    "language" "leave" "let" "liveness" "message" "modules" "on" "optional" "outcome" "participant"
+    "permissions" "plays" "property" "receives" "repeat" "repeated" "resume" "role" "sag" "scenario"
+    "sends" "signal" "skip" "srm" "start" "state" "statechart" "suc" "system" "team" "technology" "topic"
+    "usecase" "var")
+  "Words with which a declaration or an entry begins.")
+
+(defconst aseme-clauses
+  '("AND" "BASIC" "CONDITION" "END" "OR" "START" "above" "abstract" "activity" "after" "and" "around" "as"
+    "async" "at" "before" "below" "by" "depends" "else" "ends" "every" "external" "for" "from" "human"
+    "includes" "leads" "legacy" "most" "not" "on" "one" "or" "persist" "process" "queued" "radio"
+    "read_messages" "reads" "realises" "send" "srm" "step" "system" "takes" "thread" "three" "to" "two"
+    "under" "uses" "when" "with" "within" "write_messages" "writes")
+  "Words with which a clause begins, and those of expressions.")
+
+(defconst aseme-blocks
+  '("actor" "aip" "control" "enum" "functionality" "message" "participant" "srm" "statechart" "team"
+    "topic")
+  "Words of blocks that have a name.")
+
+(defconst aseme-types '("bool" "bytes" "double" "duration" "int" "string"))
+
+(defconst aseme-constants '("false" "true"))
+
+(defvar aseme-mode-syntax-table
+  (let ((table (make-syntax-table)))
+    (modify-syntax-entry ?/ ". 124b" table)
+    (modify-syntax-entry ?* ". 23" table)
+    (modify-syntax-entry ?\n "> b" table)
+    (modify-syntax-entry ?_ "_" table)
+    (dolist (sign '(?= ?< ?> ?+ ?- ?| ?& ?~ ?! ?# ?@ ?:))
+      (modify-syntax-entry sign "." table))
+    table))
+
+(defconst aseme-font-lock-keywords
+  `((,(concat "\\(?:^\\|[{}]\\)[ \t]*\\(" (regexp-opt aseme-entries 'symbols) "\\)")
+     1 font-lock-keyword-face)
+    (,(concat (regexp-opt aseme-blocks 'symbols) "[ \t]+\\([A-Za-z_][A-Za-z0-9_]*\\)")
+     2 font-lock-type-face)
+    ("^[ \t]*\\([A-Za-z_][A-Za-z0-9_]*\\)[ \t]*=[^=]" 1 font-lock-function-name-face)
+    ("\\.[ \t]*[A-Za-z_][A-Za-z0-9_]*" . 'default)
+    (,(regexp-opt aseme-clauses 'symbols) . font-lock-builtin-face)
+    (,(regexp-opt aseme-types 'symbols) . font-lock-type-face)
+    (,(regexp-opt aseme-constants 'symbols) . font-lock-constant-face)))
+
+(defun aseme-indent-line ()
+  "Indent by the braces that are open."
+  (interactive)
+  (let* ((state (save-excursion (syntax-ppss (line-beginning-position))))
+         (closes (save-excursion (back-to-indentation) (looking-at-p "[])}]")))
+         (column (if (nth 8 state) (current-indentation)
+                   (* aseme-indent (max 0 (- (nth 0 state) (if closes 1 0)))))))
+    (if (<= (current-column) (current-indentation))
+        (indent-line-to column)
+      (save-excursion (indent-line-to column)))))
+
+;;;###autoload
+(define-derived-mode aseme-mode prog-mode "ASEME"
+  "The mode for .aseme files."
+  (setq-local comment-start "// "
+              comment-end ""
+              comment-start-skip "//+\\s-*\\|/\\*+\\s-*"
+              indent-tabs-mode nil
+              indent-line-function #'aseme-indent-line
+              compile-command (mapconcat #'identity (append aseme-command '("check")) " ")
+              font-lock-defaults '(aseme-font-lock-keywords)))
+
+;;;###autoload
+(add-to-list 'auto-mode-alist '("\\.aseme\\'" . aseme-mode))
+
+(defvar eglot-server-programs)
+(with-eval-after-load 'eglot
+  (add-to-list 'eglot-server-programs
+               (cons 'aseme-mode (lambda (&rest _) (append aseme-command '("lsp"))))))
+
+(provide 'aseme-mode)
+;;; aseme-mode.el ends here
