@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
 
-from aseme_dsl.amola.messages import BOOL, DURATION, Channel, Function, Kind, Type
+from aseme_dsl.amola.messages import AGENT, BOOL, DURATION, Channel, Function, Kind, Type
 from aseme_dsl.source import Source, Span
 
 # ---- values ------------------------------------------------------------------------------------
@@ -17,7 +17,10 @@ from aseme_dsl.source import Source, Span
 
 @dataclass(frozen=True, slots=True)
 class Literal:
-    """A constant; a duration's value is in ns. The initial value of an enum is its constant's name."""
+    """A constant; a duration's value is in ns. The initial value of an enum is its constant's name.
+
+    That of an agent is empty: there is none at first.
+    """
 
     value: bool | int | float | str
     type: Type
@@ -64,6 +67,30 @@ class Member:
 
 
 @dataclass(frozen=True, slots=True)
+class Bound:
+    """The agent message that the transition takes (`path` is empty), or a member of it: never absent itself.
+
+    `name` is how it is written: `b` after `propose Bid b from contractor`, else `propose.Bid`.
+    """
+
+    name: str
+    message: str
+    path: tuple[str, ...]
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Sender:
+    """Who has sent the agent message that the transition takes, or (`lost`) which agent is gone."""
+
+    name: str
+    span: Span
+    lost: bool = False
+    type: Type = AGENT
+
+
+@dataclass(frozen=True, slots=True)
 class Call:
     """A pure function, or one of the built-in ones (`function.target` starts with "builtin:")."""
 
@@ -75,9 +102,9 @@ class Call:
 
 @dataclass(frozen=True, slots=True)
 class Has:
-    """Whether a message is there: never absent itself."""
+    """Whether a message is there, or a variable holds an agent: never absent itself."""
 
-    message: Member
+    message: Member | VariableValue
     span: Span
     type: Type = BOOL
 
@@ -218,6 +245,8 @@ Value = (
     | VariableValue
     | ParameterValue
     | Member
+    | Bound
+    | Sender
     | Call
     | Has
     | Age
@@ -248,12 +277,25 @@ class After:
 
 @dataclass(frozen=True, slots=True)
 class Received:
-    """`inform Done from contractor`: an agent message of the conversation."""
+    """`inform Done from contractor`: an agent message of the conversation.
+
+    `name` is what it is called in the condition and the actions, if it has a name.
+    """
 
     performative: str
     message: str
     participant: str
     span: Span
+    name: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Lost:
+    """`lost contractor c`: an agent that plays the participant in the conversation is gone."""
+
+    participant: str
+    span: Span
+    name: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -271,7 +313,7 @@ class Failed:
     span: Span
 
 
-Event = After | Received | Raised | Failed
+Event = After | Received | Lost | Raised | Failed
 
 # ---- actions -----------------------------------------------------------------------------------
 
@@ -308,13 +350,36 @@ class StartTimer:
 
 
 @dataclass(frozen=True, slots=True)
+class Fill:
+    """`f.g = value` in the braces of a message."""
+
+    path: tuple[str, ...]
+    type: Type
+    value: Value
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Send:
-    """`send cfp Task to contractor`."""
+    """`send accept_proposal Award { task = job } to best`.
+
+    To all who play `participant` but those of `excepts`, or to the one agent `to`. `fills` is None where the
+    activity has prepared what the message says.
+    """
 
     performative: str
     message: str
     participant: str
     span: Span
+    fills: tuple[Fill, ...] | None = None
+    to: Value | None = None
+    excepts: tuple[Value, ...] = ()
+
+    @property
+    def values(self) -> tuple[Value, ...]:
+        """What it computes, from left to right."""
+        receivers = (self.to,) if self.to is not None else ()
+        return (*(item.value for item in self.fills or ()), *receivers, *self.excepts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -400,7 +465,10 @@ def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
             return replace(value, message=_member(parts[0], message), offset=parts[1])
         case Mean(message=message):
             return replace(value, message=_member(parts[0], message), window=parts[1])
-        case Has(message=message) | Age(message=message):
+        case Has(message=message):
+            part = parts[0]
+            return replace(value, message=part if isinstance(part, Member | VariableValue) else message)
+        case Age(message=message):
             return replace(value, message=_member(parts[0], message))
     return value
 
@@ -449,6 +517,17 @@ def _rewritten_action(action: Action, change: Callable[[Value], Value]) -> Actio
         case Evaluate(value=value):
             new = rewritten(value, change)
             return action if new is value else replace(action, value=new)
+        case Send(fills=fills, to=to, excepts=excepts):
+            values = tuple(rewritten(item, change) for item in action.values)
+            if all(item is other for item, other in zip(values, action.values, strict=True)):
+                return action
+            given = iter(values)
+            return replace(
+                action,
+                fills=None if fills is None else tuple(replace(item, value=next(given)) for item in fills),
+                to=None if to is None else next(given),
+                excepts=tuple(next(given) for _ in excepts),
+            )
     return action
 
 
@@ -487,6 +566,14 @@ def values_of(expression: TransitionExpression) -> Iterator[Value]:
         match action:
             case Assign(value=value) | Evaluate(value=value) | StartTimer(duration=value):
                 yield from walk(value)
+            case Send():
+                for value in action.values:
+                    yield from walk(value)
+
+
+def taken_message(expression: TransitionExpression) -> bool:
+    """Whether the condition or the actions speak of the agent message that the transition takes."""
+    return any(isinstance(value, Bound | Sender) for value in values_of(expression))
 
 
 # ---- spelling ----------------------------------------------------------------------------------
@@ -562,6 +649,10 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = name
             case Member(host=host, channel=channel, path=path):
                 text = ".".join(([host] if host else []) + [str(channel), *path])
+            case Bound(name=name, path=path):
+                text = ".".join((name, *path))
+            case Sender(name=name, lost=lost):
+                text = name if lost else f"sender({name})"
             case Call(function=function, arguments=arguments):
                 text = f"{function.name}({', '.join(show(a) for a in arguments)})"
             case Has(message=message):
@@ -603,8 +694,10 @@ def event_text(event: Event) -> str:
     match event:
         case After(duration=duration):
             return f"after({duration_text(duration)})"
-        case Received(performative=performative, message=message, participant=participant):
-            return f"{performative} {message} from {participant}"
+        case Received(performative=performative, message=message, participant=participant, name=name):
+            return f"{performative} {message}{' ' if name else ''}{name} from {participant}"
+        case Lost(participant=participant, name=name):
+            return f"lost {participant} {name}".rstrip()
         case Raised(name=name):
             return name
         case Failed():
@@ -622,8 +715,13 @@ def action_text(action: Action, *, expand: bool = False) -> str:
             return "read_messages"
         case StartTimer(timer=timer, duration=duration):
             return f"start_timer({timer}, {value_text(duration, expand=expand)})"
-        case Send(performative=performative, message=message, participant=participant):
-            return f"send {performative} {message} to {participant}"
+        case Send(performative=performative, message=message, participant=participant, to=to):
+            fills = [f"{'.'.join(i.path)} = {value_text(i.value, expand=expand)}" for i in action.fills or ()]
+            content = "" if action.fills is None else f" {{ {', '.join(fills)} }}" if fills else " { }"
+            receiver = participant if to is None else value_text(to, expand=expand)
+            text = f"send {performative} {message}{content} to {receiver}"
+            others = ", ".join(value_text(item, expand=expand) for item in action.excepts)
+            return f"{text} except {others}" if others else text
         case Evaluate(value=value):
             return value_text(value, expand=expand)
 

@@ -21,6 +21,7 @@ class Kind(StrEnum):
     MESSAGE = "message"
     OUTCOME = "outcome"
     """How the activity that names the type has ended; only conditions have such values."""
+    AGENT = "agent"
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +41,8 @@ DOUBLE = Type(Kind.DOUBLE)
 STRING = Type(Kind.STRING)
 BYTES = Type(Kind.BYTES)
 DURATION = Type(Kind.DURATION)
+AGENT = Type(Kind.AGENT)
+"""An agent of the team: what a variable may hold, and no member of a message."""
 BUILT_IN = {str(t): t for t in (BOOL, INT, DOUBLE, STRING, BYTES, DURATION)}
 
 

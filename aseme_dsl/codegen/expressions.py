@@ -14,6 +14,7 @@ from aseme_dsl.amola.expression import (
     Age,
     Arithmetic,
     At,
+    Bound,
     Call,
     Compare,
     EnumConstant,
@@ -29,11 +30,12 @@ from aseme_dsl.amola.expression import (
     Not,
     Outcome,
     ParameterValue,
+    Sender,
     StateValue,
     Value,
     VariableValue,
 )
-from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Type
+from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Type
 
 Known = Mapping[str, str]
 """Slots that are known to hold a message at this point, with the local name of the message."""
@@ -74,6 +76,8 @@ class Names:
     states: Callable[[StateValue], str] = _nowhere
     """The code that answers a question about a state."""
     prefix: str = ""
+    mail: str = ""
+    """The local name of the agent message that the transition takes."""
     locals: int = 0
     may_raise: bool = False
 
@@ -117,7 +121,7 @@ def _is(truth: bool, value: Value, names: Names, known: Known) -> tuple[str, Kno
                 known = after if every else known
             return (" and ".join(codes) if every else f"({' or '.join(codes)})"), known
         case Has(message=message):
-            return f"b.{_slot(message, names)} is {'not ' if truth else ''}None", known
+            return f"{_place(message, names)} is {'not ' if truth else ''}None", known
         case Holds(operand=operand):
             code, _ = _is(True, operand, names, known)
             return (f"({code})" if truth else f"not ({code})"), known
@@ -136,6 +140,13 @@ def _negated(value: Value, code: str) -> str:
 def _wrapped(code: str) -> str:
     plain = code.replace(".", "").replace("_", "").isalnum()
     return code if plain or (code.startswith("self.call(") and code.count("(") == 1) else f"({code})"
+
+
+def _place(message: Member | VariableValue, names: Names) -> str:
+    """Where a message, or an agent, is looked for: None is there without one."""
+    if isinstance(message, VariableValue):
+        return f"self.{names.variables[message.name]}"
+    return f"b.{_slot(message, names)}"
 
 
 def _slot(message: Member, names: Names) -> str:
@@ -161,10 +172,18 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
         case EnumConstant(constant=constant, type=kind):
             names.enums.add((kind.name, constant))
             return Piece(enum_name(kind.name, constant), known=known)
-        case VariableValue(name=name):
-            return Piece(f"self.{names.variables[name]}", known=known)
         case ParameterValue(name=name):
             raise AssertionError(f"{name} is replaced where its formula is expanded")
+        case VariableValue(name=name, type=kind):
+            code = f"self.{names.variables[name]}"
+            if kind != AGENT:
+                return Piece(code, known=known)
+            local = names.local()
+            return Piece(local, (f"({local} := {code}) is not None",), known)
+        case Bound(message=message, path=path):
+            return _path(f"{names.mail}.content", message, path, (), names, known)
+        case Sender():
+            return Piece(f"{names.mail}.sender", known=known)
         case Member():
             return _member(value, names, known)
         case Age(message=message):
@@ -216,7 +235,7 @@ def _in_parentheses(piece: Piece, value: Value) -> Piece:
 def _truth(value: Value, names: Names, known: Known) -> Piece:
     """A logic expression as a plain value: True, False, or absent where it neither holds nor fails."""
     if isinstance(value, Has):
-        return Piece(f"(b.{_slot(value.message, names)} is not None)", known=known)
+        return Piece(f"({_place(value.message, names)} is not None)", known=known)
     if isinstance(value, Holds):
         return Piece(f"({holds(value.operand, names, known)[0]})", known=known)
     yes, _ = holds(value, names, known)

@@ -9,7 +9,7 @@ from typing import Any
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.aip import Participant
-from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Topic
+from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Topic
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable, transition_text
 from aseme_dsl.amola.system import System
@@ -36,6 +36,10 @@ def value_term(value: e.Value) -> Term:
             raise AssertionError(f"{name} is replaced where its formula is expanded")
         case e.Member(host=host, channel=channel, path=path):
             return ("member", host, str(channel), path)
+        case e.Bound(path=path):
+            return ("taken", path)
+        case e.Sender():
+            return ("sender",)
         case e.Call(function=function, arguments=arguments):
             values = tuple(value_term(argument) for argument in arguments)
             if function.target.startswith("builtin:"):
@@ -85,6 +89,8 @@ def event_term(event: e.Event) -> Term:
             return ("after", duration)
         case e.Received(performative=performative, message=message, participant=participant):
             return ("received", performative, message, participant)
+        case e.Lost(participant=participant):
+            return ("lost", participant)
         case e.Raised(name=name):
             return ("raised", name)
         case e.Failed():
@@ -105,7 +111,14 @@ def action_term(action: e.Action) -> Term:
         case e.StartTimer(timer=timer, duration=duration):
             return ("start_timer", timer, value_term(duration))
         case e.Send(performative=performative, message=message, participant=participant):
-            return ("send", performative, message, participant)
+            said = ("send", performative, message, participant)
+            if action.fills is None and action.to is None and not action.excepts:
+                return said
+            fills = None
+            if action.fills is not None:
+                fills = tuple((item.path, value_term(item.value)) for item in action.fills)
+            to = None if action.to is None else value_term(action.to)
+            return (*said, fills, to, tuple(value_term(item) for item in action.excepts))
         case e.Evaluate(value=value):
             return ("evaluate", value_term(value))
 
@@ -163,7 +176,9 @@ def _transition(transition: Transition, placed: bool = True) -> str:
 
 
 def _variable(system: System, variable: Variable) -> str:
-    initial = variable.initial.value
+    initial: Any = variable.initial.value
+    if variable.type == AGENT:
+        initial = None
     enum = system.enum(variable.type.name)
     if enum is not None:
         initial = dict(enum.constants)[str(initial)]
@@ -295,12 +310,12 @@ def plan_sections(system: System, chart: Statechart) -> list[tuple[str, list[str
             "functions",
             [repr((key, functions[key].target, str(functions[key].result))) for key in sorted(functions)],
         ),
-        ("branches", [_branch(system, node) for node in flat.branches]),
+        ("branches", [_branch(system, chart, node) for node in flat.branches]),
     ]
     return [(name, items) for name, items in sections if items]
 
 
-def _branch(system: System, node: Node) -> str:
+def _branch(system: System, chart: Statechart, node: Node) -> str:
     participant = _participant(system, node.origin.owner, node.origin.name)
     sends = tuple((m.performative, m.message) for m in participant.sends) if participant else ()
     receives = tuple((m.performative, m.message) for m in participant.receives) if participant else ()
@@ -311,8 +326,16 @@ def _branch(system: System, node: Node) -> str:
             ("sends", sends, ()),
             ("receives", receives, ()),
             ("version", protocol_version(system, node.origin.owner), ""),
+            ("loses", _lost_in(chart, node.label), ()),
         ],
     )
+
+
+def _lost_in(chart: Statechart, branch: str) -> tuple[str, ...]:
+    """The participants whose loss a transition of a branch waits for."""
+    inside = (item for item in chart.transitions if item.source.startswith(f"{branch}."))
+    events = (event for item in inside for event in item.expression.events)
+    return tuple(dict.fromkeys(event.participant for event in events if isinstance(event, e.Lost)))
 
 
 def protocol_version(system: System, protocol: str) -> str:

@@ -7,6 +7,7 @@ what a careful person writes by hand. Methods of the class, for region 3:
     _around_…   the transitions of a composite that may be taken while it is not complete
     _first_…    the transitions of a composite that are tried before anything inside it
     _enter_3    the region's AND is entered;  _leave_3: it is left
+    _picks_12   the agent message that transition 12 takes, where it speaks of it
     _holds_12   the condition of transition 12, where evaluating it may raise
     _seen_12    what the condition of the `on` transition 12 reads
     _exit_…     what is done when a state is left
@@ -17,7 +18,7 @@ what a careful person writes by hand. Methods of the class, for region 3:
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -29,6 +30,7 @@ from aseme_dsl.amola.expression import (
     Event,
     Expired,
     Failed,
+    Lost,
     Member,
     Outcome,
     Publish,
@@ -41,6 +43,7 @@ from aseme_dsl.amola.expression import (
     TransitionExpression,
     Value,
     VariableValue,
+    taken_message,
     values_of,
     walk,
 )
@@ -56,12 +59,24 @@ from aseme_dsl.amola.statechart import (
     transition_text,
 )
 from aseme_dsl.amola.system import System
-from aseme_dsl.codegen.expressions import Names, Piece, converted, enum_name, evaluate, holds
+from aseme_dsl.codegen.expressions import (
+    NOTHING,
+    Known,
+    Names,
+    Piece,
+    converted,
+    enum_name,
+    evaluate,
+    holds,
+)
 from aseme_dsl.codegen.flat import FlatChart, Wait, Way, signals
 from aseme_dsl.codegen.place import place
 
 TABLE = 64
 """Regions with more numbers than this dispatch through a tuple of functions, others through comparisons."""
+
+LOST = "lost"
+"""What stands for the performative where an agent is lost."""
 
 _PYTHON = {
     Kind.BOOL: "bool",
@@ -70,6 +85,7 @@ _PYTHON = {
     Kind.STRING: "str",
     Kind.BYTES: "bytes",
     Kind.DURATION: "int",
+    Kind.AGENT: "str | None",
 }
 
 
@@ -349,6 +365,8 @@ class _Generator:
 
     def _initial(self, variable: Variable) -> str:
         value = variable.initial.value
+        if variable.type.kind is Kind.AGENT:
+            return "None"
         if variable.type.kind is Kind.ENUM:
             constant = str(value)
             self.enums.add((variable.type.name, constant))
@@ -608,7 +626,11 @@ class _Generator:
                 depth += 1
             for channel, host in asked:
                 method.add(depth, f"b.ask({channel!r}, {host!r})")
-            tests.append(self._guard(method, region, way.number, expression.condition))
+            if not taken_message(expression):
+                tests.append(self._guard(method, region, way.number, expression.condition))
+        if taken_message(expression):
+            picked = self._pick(region, way.number, expression)
+            tests.append(f"({_mail(way.number)} := {picked}) is not None")
         tests = [test for test in tests if test != "True"]
         if tests:
             method.add(depth, f"if {' and '.join(tests)}:")
@@ -632,14 +654,42 @@ class _Generator:
                 return f"now - self.{self._time(source)} >= {duration}"
             case Received():
                 return f"self.waiting_mail({self._letter(source, event)}) is not None"
+            case Lost():
+                return f"self.waiting_mail({self._letter(source, event)}) is not None"
             case Raised(name=name):
                 return f"self.happened({region}, {name!r})"
             case Failed():
                 return f"self.failed_inside({source!r})"
 
-    def _letter(self, source: str, event: Received) -> str:
+    def _letter(self, source: str, event: Received | Lost) -> str:
         branch = self.flat.branch_of(source)
-        return f"{branch!r}, {event.performative!r}, {event.message!r}, {event.participant!r}"
+        return f"{branch!r}, {', '.join(map(repr, _kind(event)))}"
+
+    def _pick(self, region: int, number: int, expression: TransitionExpression) -> str:
+        """A method that finds the agent message which a transition takes, if its condition depends on it."""
+        if number not in self.guards:
+            self.guards.add(number)
+            pick = _Method(self._names(region))
+            pick.names.mail = "mail"
+            self._asked_by(number, pick.names)
+            branch = self.flat.branch_of(self.flat.transition(number).source)
+            kinds = tuple(_kind(event) for event in expression.events if isinstance(event, Received | Lost))
+            pick.add(2, f"for mail in self.letters({branch!r}, {kinds!r}):")
+            if expression.condition is None:
+                pick.add(3, "return mail")
+            else:
+                code, _ = holds(expression.condition, pick.names)
+                depth = 4 if pick.names.may_raise else 3
+                if pick.names.may_raise:
+                    pick.add(3, "try:")
+                pick.add(depth, f"if {code}:", "    return mail")
+                if pick.names.may_raise:
+                    pick.add(3, "except Exception as error:", f"    self.fault({number}, error)")
+            pick.add(2, "return None")
+            signature = f"_picks_{number}(self, b: Board{region}, now: int) -> Any"
+            document = f"What is taken by {_docstring(self._place(number))}."
+            self._method(signature, document, pick)
+        return f"self._picks_{number}(self.b{region}, now)"
 
     def _guard(self, method: _Method, region: int, number: int, condition: Value) -> str:
         """The condition in line, or as a method of its own where evaluating it may raise."""
@@ -709,7 +759,11 @@ class _Generator:
     ) -> None:
         transitions = [self.flat.transition(number) for number in taken]
         method.add(depth, f"self.taken.append({taken!r})")
-        self._spend_events(method, depth, region, source, [t.expression for t in transitions])
+        plain = [t.expression for t in transitions if not taken_message(t.expression)]
+        self._spend_events(method, depth, region, source, plain)
+        for number, transition in zip(taken, transitions, strict=True):
+            if taken_message(transition.expression):
+                method.add(depth, f"self.take_letter({_mail(number)})")
         scope = self.chart.scope_of(transitions[0])
         target = transitions[-1].target
         for transition in transitions[1:]:
@@ -730,6 +784,7 @@ class _Generator:
         looked_at = dict.fromkeys(found for item in conditions for found in signals(walk(item)))
         still_seen = set(looked_at)  # until an action puts messages on the board
         for number, transition in zip(taken, transitions, strict=True):
+            method.names.mail = _mail(number)
             for action in transition.expression.actions:
                 for channel, host in signals(_read_by(action)):
                     if (channel, host) not in still_seen:
@@ -773,7 +828,9 @@ class _Generator:
         for channel, host in asked:
             method.add(depth, f"b.ask({channel!r}, {host!r})")
         guard = "True"
-        if expression.condition is not None:
+        if taken_message(expression):
+            guard = f"({_mail(number)} := {self._pick(region, number, expression)}) is not None"
+        elif expression.condition is not None:
             guard = self._guard(method, region, number, expression.condition)
         if guard != "True":
             method.add(depth, f"if {guard}:")
@@ -791,6 +848,9 @@ class _Generator:
             else self._spent(region, source, event)
             for event in expression.events
         ]
+        if taken_message(expression):
+            method.add(depth, f"self.take_letter({_mail(number)})")
+            spent = there = []
         for index, (test, action) in enumerate(zip(there, spent, strict=True)):
             if len(spent) == 1 and not expression.when:
                 method.add(depth, action)
@@ -853,7 +913,9 @@ class _Generator:
         self, method: _Method, depth: int, region: int, source: str, segments: list[TransitionExpression]
     ) -> None:
         """Spend the first event of each segment that is there, one that several name once."""
-        spending = [item for item in segments if any(isinstance(e, Received | Raised) for e in item.events)]
+        spending = [
+            item for item in segments if any(isinstance(e, Received | Lost | Raised) for e in item.events)
+        ]
         if not spending:
             return
         if len(spending) == 1:
@@ -882,7 +944,7 @@ class _Generator:
     def _spent(self, region: int, source: str, event: Event) -> str:
         """What spends an event; time and failures are not spent."""
         match event:
-            case Received():
+            case Received() | Lost():
                 return f"self.take_mail({self._letter(source, event)})"
             case Raised(name=name):
                 return f"self.spend_event({region}, {name!r})"
@@ -1200,21 +1262,26 @@ class _Generator:
                 method.add(depth, f"self.publish({region}, b, {str(channel)!r})")
             case Send(performative=performative, message=message, participant=participant):
                 branch = self.flat.branch_of(source)
-                method.add(depth, f"self.send({branch!r}, {performative!r}, {message!r}, {participant!r})")
+                letter = f"{branch!r}, {performative!r}, {message!r}, {participant!r}"
+                self._computed(method, depth, number, action.values, lambda *p: [_sending(letter, action, p)])
             case StartTimer(timer=timer, duration=duration):
                 self._computed(
                     method,
                     depth,
                     number,
-                    duration,
+                    (duration,),
                     lambda piece: [f"b.timers[{timer!r}] = now + {piece.code}"],
                 )
             case Assign(target=target, value=value):
                 self._computed(
-                    method, depth, number, value, lambda piece: self._assignment(region, target, value, piece)
+                    method,
+                    depth,
+                    number,
+                    (value,),
+                    lambda piece: self._assignment(region, target, value, piece),
                 )
             case Evaluate(value=value):
-                self._computed(method, depth, number, value, lambda piece: [piece.code])
+                self._computed(method, depth, number, (value,), lambda piece: [piece.code])
 
     def _assignment(
         self, region: int, target: VariableValue | Member, value: Value, piece: Piece
@@ -1231,23 +1298,28 @@ class _Generator:
         method: _Method,
         depth: int,
         number: int,
-        value: Value,
-        use: Callable[[Piece], list[str]],
+        values: Sequence[Value],
+        use: Callable[..., list[str]],
     ) -> None:
-        """Compute a value and use it; an absent or raising one is a fault."""
+        """Compute values and use them; an absent or raising one is a fault."""
         before, method.names.may_raise = method.names.may_raise, False
         self._asked_by(number, method.names)
-        piece = evaluate(value, method.names)
+        pieces: list[Piece] = []
+        known: Known = NOTHING
+        for value in values:
+            pieces.append(evaluate(value, method.names, known))
+            known = pieces[-1].known
+        needs = [need for piece in pieces for need in piece.needs]
         raises, method.names.may_raise = method.names.may_raise, before
         if raises:
             method.add(depth, "try:")
             depth += 1
-        if piece.needs:
-            method.add(depth, f"if {' and '.join(piece.needs)}:")
-            method.add(depth + 1, *use(piece))
+        if needs:
+            method.add(depth, f"if {' and '.join(needs)}:")
+            method.add(depth + 1, *use(*pieces))
             method.add(depth, "else:", f"    self.fault({number}, ABSENT)")
         else:
-            method.add(depth, *use(piece))
+            method.add(depth, *use(*pieces))
         if raises:
             method.add(depth - 1, "except Exception as error:", f"    self.fault({number}, error)")
 
@@ -1331,6 +1403,35 @@ class _Generator:
                 depth += 1
                 method.add(depth, f"at = {board}.{slot}_time + {wait.amount}")
         method.add(depth, "if now < at < best:", "    best = at")
+
+
+def _kind(event: Received | Lost) -> tuple[str, str, str]:
+    """What mail an event waits for: performative, message and participant."""
+    if isinstance(event, Lost):
+        return LOST, "", event.participant
+    return event.performative, event.message, event.participant
+
+
+def _mail(number: int) -> str:
+    """The local name of what a transition takes."""
+    return f"mail_{number}"
+
+
+def _sending(letter: str, action: Send, pieces: Sequence[Piece]) -> str:
+    """The call that sends an agent message, with what its values have come to."""
+    fills = action.fills
+    count = len(fills or ())
+    arguments = [letter]
+    if fills is not None:
+        given = zip(fills, pieces, strict=False)
+        members = [f"{i.path!r}: {converted(p, i.value.type, i.type)}" for i, p in given]
+        arguments.append(f"{{{', '.join(members)}}}")
+    if action.to is not None:
+        arguments.append(f"to={pieces[count].code}")
+        count += 1
+    if action.excepts:
+        arguments.append(f"excepts=({', '.join(piece.code for piece in pieces[count:])},)")
+    return f"self.send({', '.join(arguments)})"
 
 
 def _natural(attribute: tuple[str, str, str | None]) -> list[tuple[int, str]]:

@@ -33,6 +33,7 @@ FORMS: dict[str, str] = {
     "in": "in(Formula)",
     "done": "done(Formula)",
     "count": "count(Activity) < 3",
+    "sender": "sender(message)",
 }
 """What looks like a function and is part of the language, with an example of its use."""
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Member, Value
-from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Comm, Function, Kind, Type
+from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, STRING, Comm, Function, Kind, Type
 from aseme_dsl.compiler.builtins import FORMS
 from aseme_dsl.compiler.checker import Checker, a, is_number
 from aseme_dsl.compiler.constants import NotConstant, fold
@@ -42,8 +42,12 @@ def call(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Va
     """A function or form with typed arguments."""
     match name:
         case "has":
+            if len(arguments) == 1 and is_variable(arguments[0], AGENT):
+                return amola.Has(_variable(arguments[0]), written.span)
             message = _message(checker, name, written, arguments, 1)
             return None if message is None else amola.Has(message, written.span)
+        case "sender":
+            return _sender(checker, written, arguments)
         case "age":
             message = _message(checker, name, written, arguments, 1)
             if message is None or not _is_timed(checker, message):
@@ -178,6 +182,31 @@ def _message(
     return replace(message, span=arguments[0].span)
 
 
+def is_variable(value: Value, kind: Type) -> bool:
+    """Whether it is a variable of that type, by its own name or a let's."""
+    return isinstance(unnamed(value), amola.VariableValue) and value.type == kind
+
+
+def _variable(value: Value) -> amola.VariableValue:
+    found = unnamed(value)
+    assert isinstance(found, amola.VariableValue)
+    return found
+
+
+def _sender(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
+    """Who has sent the agent message that the transition takes."""
+    message = arguments[0] if len(arguments) == 1 else None
+    if isinstance(message, amola.Bound) and not message.path:
+        return amola.Sender(message.name, written.span)
+    problem = f"`sender` takes 1 argument, not {len(arguments)}"
+    if isinstance(message, amola.Sender) and message.lost:
+        problem = f"`{message.name}` is the agent itself"
+    elif message is not None:
+        problem = "`sender` wants the agent message that the transition takes"
+    wrong_form(checker, "sender", written.span, problem)
+    return None
+
+
 def _is_timed(checker: Checker, message: Member) -> bool:
     if message.channel.comm is not Comm.SIGNAL:
         return True
@@ -269,7 +298,7 @@ def timer(checker: Checker, written: tree.Call, name: str, count: int) -> str | 
 def assignable(checker: Checker, value: Value, expected: Type) -> bool:
     """Whether a value may go where `expected` is wanted; an int may where a double is."""
     kind = value.type
-    if kind == expected or (expected == DOUBLE and kind == INT):
+    if kind == expected or (expected == DOUBLE and kind == INT) or (expected == STRING and kind == AGENT):
         return True
     if expected == INT and kind == DOUBLE:
         hint = "round it: `floor`, `ceil` and `round` of `import math` give an int"

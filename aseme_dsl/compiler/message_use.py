@@ -11,6 +11,7 @@ from aseme_dsl.amola.expression import (
     Member,
     Named,
     Publish,
+    Send,
     StartTimer,
     TransitionExpression,
     Value,
@@ -111,6 +112,8 @@ def members_of(expression: TransitionExpression) -> Iterator[tuple[Member, Span]
         match action:
             case Assign(value=value) | Evaluate(value=value) | StartTimer(duration=value):
                 values.append(value)
+            case Send():
+                values += action.values
     return members_in(values)
 
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Member, Named, ParameterValue, Value, VariableValue
 from aseme_dsl.amola.messages import Channel, Comm, EnumType, Kind, Message, Topic, Type
-from aseme_dsl.compiler.builtins import COMM_TYPES
+from aseme_dsl.compiler.builtins import COMM_TYPES, PERFORMATIVES
 from aseme_dsl.compiler.checker import Checker, a
 from aseme_dsl.compiler.library import providers
 from aseme_dsl.compiler.names import listed, unknown
-from aseme_dsl.compiler.scope import TypedLet
+from aseme_dsl.compiler.scope import Taken, TypedLet
 from aseme_dsl.diagnostics import Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
@@ -26,6 +26,8 @@ def value_of_path(checker: Checker, path: tree.Path) -> Value | None:
     """What a dotted name stands for; None, reported, when it is nothing."""
     scope = checker.scope
     first = path.segments[0]
+    if scope.taken is not None and scope.taken.name == first.text:
+        return _of_taken(checker, path, scope.taken)
     if first.text in scope.parameters:
         return _parameter(checker, path)
     if first.text in scope.variables:
@@ -38,6 +40,8 @@ def value_of_path(checker: Checker, path: tree.Path) -> Value | None:
     if len(path.segments) == 1:
         _unknown_word(checker, first)
         return None
+    if first.text in PERFORMATIVES and scope.symbols.topic(first.text) is None:
+        return _by_performative(checker, path)
     return member_of(checker, path)
 
 
@@ -49,6 +53,53 @@ def _parameter(checker: Checker, path: tree.Path) -> Value | None:
     if len(path.segments) == 1:
         return ParameterValue(name, kind, path.span)
     checker.report("E501", f"the parameter `{name}` is used as a whole", path.segments[1].span)
+    return None
+
+
+def _of_taken(checker: Checker, path: tree.Path, taken: Taken) -> Value | None:
+    """What the transition takes, or a member of it."""
+    if not taken.lost:
+        return _bound(checker, path, taken.name, taken.message, path.segments[1:])
+    if len(path.segments) > 1:
+        problem = f"`{taken.name}` is an agent: it has no members"
+        checker.report("E501", problem, path.segments[1].span)
+        return None
+    return amola.Sender(taken.name, path.span, lost=True)
+
+
+def _bound(
+    checker: Checker, path: tree.Path, name: str, message: str, members: tuple[tree.Name, ...]
+) -> Value | None:
+    if checker.scope.symbols.message(message) is None:
+        return None  # said where it is waited for
+    found = member_path(checker, Type(Kind.MESSAGE, message), (), members)
+    return None if found is None else amola.Bound(name, message, *found, path.span)
+
+
+def _by_performative(checker: Checker, path: tree.Path) -> Value | None:
+    """`propose.Bid.cost`: the one agent message that the transition takes (E533)."""
+    taken = checker.scope.taken
+    first, message = path.segments[:2]
+    said = f"{first} {message}"
+    if (
+        taken is not None
+        and not taken.lost
+        and (taken.performative, taken.message)
+        == (
+            first.text,
+            message.text,
+        )
+    ):
+        if not taken.name:
+            return _bound(checker, path, f"{first}.{message}", message.text, path.segments[2:])
+        members = "".join(f".{item}" for item in path.segments[2:])
+        hint = f"write `{taken.name}{members}`"
+        checker.report("E533", f"the message is called `{taken.name}` here", path.span, hint)
+        return None
+    hint = f"name it in the event, `{said} b from …`, and write `b.member`"
+    if taken is None and not checker.scope.parties:
+        hint = "agent messages are known in the `control` of a participant of an `aip`"
+    checker.report("E533", f"no `{said}` is taken here", path.span, hint)
     return None
 
 
@@ -353,8 +404,16 @@ def _no_channel(checker: Checker, topic: Topic, comm: tree.Name, message: tree.N
 
 def _members(checker: Checker, start: Member, names: tuple[tree.Name, ...], span: Span) -> Member | None:
     """From a message (or a member that is one) along the names of members."""
+    found = member_path(checker, start.type, start.path, names)
+    return None if found is None else Member(start.host, start.channel, *found, span)
+
+
+def member_path(
+    checker: Checker, kind: Type, start: tuple[str, ...], names: tuple[tree.Name, ...]
+) -> tuple[tuple[str, ...], Type] | None:
+    """The path along the names of members from a message (at `start` in another), and the type at its end."""
     symbols = checker.scope.symbols
-    kind, path = start.type, list(start.path)
+    path = list(start)
     for name in names:
         owner = symbols.message(kind.name) if kind.kind is Kind.MESSAGE else None
         if owner is None:
@@ -377,7 +436,7 @@ def _members(checker: Checker, start: Member, names: tuple[tree.Name, ...], span
             return None
         kind = field.type
         path.append(name.text)
-    return Member(start.host, start.channel, tuple(path), kind, span)
+    return tuple(path), kind
 
 
 def _no_member(checker: Checker, owner: Message, name: tree.Name) -> None:
@@ -389,11 +448,11 @@ def _no_member(checker: Checker, owner: Message, name: tree.Name) -> None:
     )
 
 
-def through_optional(checker: Checker, member: Member) -> str | None:
+def through_optional(checker: Checker, message: str, path: tuple[str, ...]) -> str | None:
     """The first optional message on the way to a member, which a draft does not have."""
     symbols = checker.scope.symbols
-    owner = symbols.message(member.channel.message)
-    for name in member.path[:-1]:
+    owner = symbols.message(message)
+    for name in path[:-1]:
         field = owner.field(name) if owner is not None else None
         if field is None:
             return None

@@ -15,6 +15,7 @@ from aseme_dsl.amola.expression import (
     Named,
     Not,
     Publish,
+    Send,
     StartTimer,
     Value,
     operands,
@@ -66,8 +67,8 @@ def there_if_holds(value: Value) -> Channels:
             return frozenset.intersection(*(there_if_holds(part) for part in parts))
         case Named(expression=inner):
             return there_if_holds(inner)
-        case Has(message=message):
-            return frozenset((message.channel,))
+        case Has(message=Member(channel=channel)):
+            return frozenset((channel,))
         case Holds(operand=operand):
             return there_if_holds(operand)
     return _read(value)
@@ -111,12 +112,18 @@ def _needed(transition: Transition) -> Iterator[tuple[Member, Span]]:
     for action in transition.expression.actions:
         match action:
             case Assign(value=value) | Evaluate(value=value) | StartTimer(duration=value):
-                needed = _read(value)
-                for member, span in members_in([value]):
-                    if member.channel in needed and member.channel not in there:
-                        yield member, span
-            case Publish(channel=channel):
-                there.add(channel)
+                values: Sequence[Value] = (value,)
+            case Send():
+                values = action.values
+            case _:
+                values = ()
+        for value in values:
+            needed = _read(value)
+            for member, span in members_in([value]):
+                if member.channel in needed and member.channel not in there:
+                    yield member, span
+        if isinstance(action, Publish):
+            there.add(action.channel)
 
 
 def _in_actions(
@@ -281,7 +288,8 @@ def _signs(
             case Named(expression=inner, span=span):
                 stack.append((inner, sign, place or span))
             case Has(message=message):
-                asserted.add(message.channel)
+                if isinstance(message, Member):
+                    asserted.add(message.channel)
             case Compare(operator="!=") | Compare(operator="=="):
                 positive = sign == (value.operator == "==")
                 _sign(value, positive, place, opposed, asserted)

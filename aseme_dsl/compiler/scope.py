@@ -41,6 +41,20 @@ class TypedLet:
 
 
 @dataclass(frozen=True, slots=True)
+class Taken:
+    """What a transition takes, as its condition and actions know it: an agent message, or an agent (`lost`).
+
+    Without a `name` it is called by its performative and type: `propose.Bid.cost`.
+    """
+
+    name: str
+    performative: str
+    message: str
+    lost: bool
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Scope:
     """What is visible. `variables` gives each name its key in the statechart and its type.
 
@@ -53,6 +67,7 @@ class Scope:
     lets: Mapping[str, TypedLet] = field(default_factory=dict)
     participant: str | None = None
     parties: Mapping[str, Party] = field(default_factory=dict)
+    taken: Taken | None = None
     parameters: Mapping[str, Type | None] = field(default_factory=dict)
     """Those of the formula whose control, or whose arguments, the expression is in: they hide other names.
 

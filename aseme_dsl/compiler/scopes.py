@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.aip import AgentMessage, DeclaredVariable
 from aseme_dsl.amola.expression import Literal
-from aseme_dsl.amola.messages import BOOL, BYTES, DOUBLE, STRING, Kind, Type
+from aseme_dsl.amola.messages import AGENT, BOOL, BYTES, DOUBLE, STRING, Kind, Type
 from aseme_dsl.amola.python_names import taken_as_member
 from aseme_dsl.compiler.builtins import OTHER_SPELLINGS, PERFORMATIVES, reserved
 from aseme_dsl.compiler.names import declared_twice, unknown, unknown_performative
@@ -92,13 +92,13 @@ def _keys(variables: Iterable[DeclaredVariable]) -> dict[str, tuple[str, Type]]:
 def type_variables(
     variables: Sequence[tree.Var], scope: Scope
 ) -> tuple[tuple[DeclaredVariable, ...], tuple[Diagnostic, ...]]:
-    """Variables with their types and initial values; by default 0, false, "" or the first constant.
+    """Variables with their types and initial values; by default 0, false, "", the first constant or no agent.
 
     One whose type is wrong is missing; one whose initial value is wrong has the default.
     """
     found: dict[str, DeclaredVariable] = {}
     diagnostics: list[Diagnostic] = []
-    kinds = {item.name.text: scope.symbols.type_named(item.type.text) for item in variables}
+    kinds = {item.name.text: _kind_named(item.type.text, scope) for item in variables}
     # All are visible, so that one whose initial value names another is told that this is no constant.
     scope = replace(scope, variables={name: (name, kind) for name, kind in kinds.items() if kind is not None})
     for item in variables:
@@ -120,7 +120,11 @@ def type_variables(
                 diagnostics += type_value(item.initial, scope)[1]
             continue
         initial = default_value(kind, scope)
-        if item.initial is not None:
+        if item.initial is not None and kind == AGENT:
+            hint = "it is set when a message has come: `/ best = sender(b)`"
+            problem = "a variable of type agent has no initial value"
+            diagnostics.append(Diagnostic("E534", problem, item.initial.span, hint=hint))
+        elif item.initial is not None:
             written, problems = constant(item.initial, kind, scope)
             diagnostics += problems
             initial = written or initial
@@ -128,9 +132,15 @@ def type_variables(
     return tuple(found.values()), tuple(diagnostics)
 
 
+def _kind_named(name: str, scope: Scope) -> Type | None:
+    """The type of that name; only variables hold agents."""
+    return scope.symbols.type_named(name) or (AGENT if name == str(AGENT) else None)
+
+
 def _variable_type(name: tree.Name, scope: Scope) -> tuple[Type | None, tuple[Diagnostic, ...]]:
-    kind = scope.symbols.type_named(name.text)
+    kind = _kind_named(name.text, scope)
     usable = [text for text in scope.symbols.type_names if scope.symbols.message(text) is None]
+    usable.append(str(AGENT))
     if kind is None:
         if scope.symbols.is_excused(name.text):
             return None, ()
@@ -141,7 +151,7 @@ def _variable_type(name: tree.Name, scope: Scope) -> tuple[Type | None, tuple[Di
         return None, (unknown("E200", "there is no type", name, set(usable) - {"bytes"}),)
     if kind == BYTES or kind.kind is Kind.MESSAGE:
         what = "a message" if kind.kind is Kind.MESSAGE else "bytes"
-        hint = "a variable is a bool, int, double, string, duration or an enum"
+        hint = "a variable is a bool, int, double, string, duration, agent or an enum"
         return None, (Diagnostic("E500", f"a variable cannot hold {what}", name.span, hint=hint),)
     return kind, ()
 
@@ -156,7 +166,7 @@ def default_value(kind: Type, scope: Scope) -> Literal:
         return Literal(0.0, kind, span)
     if kind == BOOL:
         return Literal(False, kind, span)
-    return Literal("" if kind == STRING else 0, kind, span)
+    return Literal("" if kind in (STRING, AGENT) else 0, kind, span)
 
 
 # ---- messages of participants ------------------------------------------------------------------

@@ -8,6 +8,7 @@ from dataclasses import replace
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Named, Value, operands
 from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, STRING, Kind, Type
+from aseme_dsl.compiler import exchange
 from aseme_dsl.compiler.builtins import ACTIONS, FORMS, PERFORMATIVES, STATE_QUESTIONS
 from aseme_dsl.compiler.calls import (
     assignable,
@@ -19,7 +20,7 @@ from aseme_dsl.compiler.calls import (
 )
 from aseme_dsl.compiler.checker import Checker
 from aseme_dsl.compiler.constants import LARGEST_INT, NotConstant, fold
-from aseme_dsl.compiler.names import unknown, unknown_performative
+from aseme_dsl.compiler.names import unknown
 from aseme_dsl.compiler.operators import COMPARISONS, arithmetic, compare, is_condition, negate
 from aseme_dsl.compiler.outcome_values import alone, compare_outcome, is_about_outcome
 from aseme_dsl.compiler.paths import channel_of, member_of, through_optional, value_of_path
@@ -47,6 +48,9 @@ def type_expression(
     """
     checker = Checker(scope)
     events = [_event(checker, event) for event in written.events]
+    taken = exchange.taken_by(checker, written)
+    if taken is not None:
+        checker.scope = replace(scope, taken=taken)
     condition = None
     if written.condition is not None:
         value = _whole(checker, written.condition)
@@ -54,16 +58,17 @@ def type_expression(
             condition = value
     elif written.when:
         checker.report("E505", "`when` needs a condition", written.span, "write `when [condition]`")
-    actions = [_action(checker, action) for action in written.actions]
+    actions = [item for action in written.actions for item in _actions(checker, action)]
     typed = amola.TransitionExpression(
         tuple(event for event in events if event is not None),
         written.when,
         written.otherwise,
         condition,
-        tuple(action for action in actions if action is not None),
+        tuple(actions),
         written.span,
         None if written.every is None else written.every.nanoseconds,
     )
+    exchange.check_use(checker, taken, typed)
     return typed, tuple(checker.diagnostics)
 
 
@@ -263,11 +268,10 @@ def _event(checker: Checker, written: tree.Event) -> amola.Event | None:
                 return None
             nanoseconds = constant_duration(checker, "the time of `after`", value, 0, None)
             return None if nanoseconds is None else amola.After(nanoseconds, span)
-        case tree.Received(span=span):
-            if not _is_exchanged(checker, written.performative, written.message, written.participant, False):
-                return None
-            parts = (written.performative.text, written.message.text, written.participant.text)
-            return amola.Received(*parts, span)
+        case tree.Received():
+            return exchange.received(checker, written)
+        case tree.Lost():
+            return exchange.lost(checker, written)
         case tree.Raised(name=name, span=span):
             if name.text == "error":
                 return amola.Failed(span)
@@ -286,58 +290,28 @@ def _event(checker: Checker, written: tree.Event) -> amola.Event | None:
             return amola.Raised(name.text, span)
 
 
-def _is_exchanged(
-    checker: Checker, performative: tree.Name, message: tree.Name, other: tree.Name, sending: bool
-) -> bool:
-    """Whether the participant sends (or receives) this message to (from) the other one: E205, E511, E512."""
-    scope = checker.scope
-    if performative.text not in PERFORMATIVES:
-        checker.diagnostics.append(unknown_performative(performative))
-        return False
-    if scope.participant is None:
-        what = "sent" if sending else "received"
-        hint = "write it in the `control` of a participant of an `aip`"
-        problem = f"an agent message is {what} by a participant of a protocol"
-        checker.report("E205", problem, performative.span.to(other.span), hint)
-        return False
-    if other.text not in scope.parties:
-        if not scope.symbols.is_excused(other.text):
-            pool = set(scope.parties)
-            checker.diagnostics.append(unknown("E205", "the protocol has no participant", other, pool))
-        return False
-    if scope.symbols.is_excused(message.text) and scope.symbols.message(message.text) is None:
-        return False
-    own, peer = scope.parties[scope.participant], scope.parties[other.text]
-    sent, received = ("sends", own.sends), ("receives", peer.receives)
-    if not sending:
-        sent, received = ("receives", own.receives), ("sends", peer.sends)
-    said = f"{performative} {message}"
-    for party, (verb, listed) in ((own, sent), (peer, received)):
-        texts = [f"{item.performative} {item.message}" for item in listed]
-        if said in texts:
-            continue
-        if not party.wrong.isdisjoint((performative.text, message.text)):
-            return False  # it may be what is wrong there
-        near = closest(said, texts)
-        if near is not None and near.split()[0] == performative.text:
-            checker.report(
-                "E511",
-                f"`{party.name}` does not list `{verb} {said}`",
-                message.span,
-                f"did you mean `{near.split()[1]}`?",
-                (Related(party.span, "the participant"),),
-                near.split()[1],
-            )
-            return False
-        hint = f"write `{verb} {said}` there" + (f"; it {verb} {', '.join(texts)}" if texts else "")
-        related = (Related(party.span, "the participant"),)
-        span = performative.span.to(message.span)
-        checker.report("E511", f"`{party.name}` does not list `{verb} {said}`", span, hint, related)
-        return False
-    return True
-
-
 # ---- actions -----------------------------------------------------------------------------------
+
+
+def _actions(checker: Checker, written: tree.Action) -> Iterator[amola.Action]:
+    """What an action stands for: a message that is filled where it is published, for several."""
+    if isinstance(written, tree.Publish) and written.fills is not None:
+        yield from _filled(checker, written, written.fills)
+        return
+    made = _action(checker, written)
+    if made is not None:
+        yield made
+
+
+def _filled(checker: Checker, written: tree.Publish, fills: tuple[tree.Fill, ...]) -> Iterator[amola.Action]:
+    """`write_messages.t.state.M { f = v }`: fill the draft, then publish it."""
+    publish = _publish(checker, written.path, written.span)
+    if not isinstance(publish, amola.Publish):
+        return
+    for item in exchange.fill(checker, publish.channel.message, fills, _whole) or ():
+        target = amola.Member(None, publish.channel, item.path, item.type, item.span)
+        yield amola.Assign(target, item.value, item.span)
+    yield publish
 
 
 def _action(checker: Checker, written: tree.Action) -> amola.Action | None:
@@ -348,11 +322,8 @@ def _action(checker: Checker, written: tree.Action) -> amola.Action | None:
             return _publish(checker, path, span)
         case tree.ReadMessages(span=span):
             return amola.ReadMessages(span)
-        case tree.Send(span=span):
-            if not _is_exchanged(checker, written.performative, written.message, written.participant, True):
-                return None
-            parts = (written.performative.text, written.message.text, written.participant.text)
-            return amola.Send(*parts, span)
+        case tree.Send():
+            return exchange.send(checker, written, _whole)
         case tree.Evaluate(expression=tree.Call(function=function) as inner, span=span) if (
             function.text == "start_timer"
         ):
@@ -475,7 +446,7 @@ def _target(checker: Checker, path: tree.Path) -> amola.VariableValue | amola.Me
         what = "a whole message" if not member.path else "a message inside a message"
         checker.report("E507", f"{what} is not assigned to", path.span, "assign to its members one by one")
         return None
-    optional = through_optional(checker, member)
+    optional = through_optional(checker, member.channel.message, member.path)
     if optional is not None:
         hint = "an activity can publish the message with it"
         checker.report("E507", f"`{optional}` is optional and not there in a new message", path.span, hint)

@@ -78,6 +78,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E222": ("error", "a role that includes itself"),
     "E223": ("error", "a name that a role has from two others"),
     "E224": ("error", "an agent with an abstract role"),
+    "E225": ("error", "a member that is filled twice"),
+    "E226": ("error", "a name that what is taken cannot have"),
     "W110": ("warning", "a part of a foreign file without a counterpart"),
     "W111": ("warning", "a module of a foreign file without a period"),
     "W200": ("warning", "a name that is close to a declared one"),
@@ -161,6 +163,11 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E523": ("error", "the wrong number of arguments of an activity or a formula"),
     "E524": ("error", "an argument that may be used up"),
     "E525": ("error", "a binding to an activity with other parameters"),
+    "E530": ("error", "a name for something that may not be there"),
+    "E531": ("error", "something that is no agent"),
+    "E532": ("error", "a message that no participant receives"),
+    "E533": ("error", "an agent message that is not taken"),
+    "E534": ("error", "an agent before anybody is known"),
     "W500": ("warning", "an action that no one sees"),
     "W501": ("warning", "a timer that is never started"),
     "W520": ("warning", "a signal that nobody reads"),
@@ -176,6 +183,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W540": ("warning", "a message that does not fit its channel"),
     # Roles and agent messages (W55x)
     "W550": ("warning", "an abstract role that no role includes"),
+    "W551": ("warning", "a name for what is taken that nothing uses"),
     # Statecharts (E6xx): the structural rules of the papers' tools
     "E600": ("error", "a statechart without exactly one root"),
     "E601": ("error", "an OR state without exactly one START"),

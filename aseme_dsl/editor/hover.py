@@ -36,6 +36,7 @@ _TYPES = {
     "string": 'a text in double quotes: `"text"`',
     "bytes": "bytes; conditions cannot look inside",
     "duration": "a time: `200ms`, `1.5s`, `2min`",
+    "agent": "an agent of the team; nobody at first",
 }
 
 

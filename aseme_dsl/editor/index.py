@@ -12,7 +12,7 @@ from typing import Any
 
 from aseme_dsl.amola.liveness import Formula, names
 from aseme_dsl.amola.messages import BUILT_IN
-from aseme_dsl.compiler.builtins import COMM_TYPES
+from aseme_dsl.compiler.builtins import COMM_TYPES, PERFORMATIVES
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.compiler.usecases import folded
 from aseme_dsl.grammar import tree
@@ -155,6 +155,10 @@ class Around:
     parties: Mapping[str, Symbol] = field(default_factory=dict)
     lets: Mapping[Symbol, tree.Expression] = field(default_factory=dict)
     node: Any = None
+    taken: Mapping[str, str] = field(default_factory=dict)
+    """The types of the agent messages that have names here."""
+    filled: str = ""
+    """The message whose members are filled in braces here."""
 
     def term(self, name: str) -> Symbol:
         return self.terms.get(name) or Symbol(Kind.ACTIVITY, name)
@@ -187,6 +191,14 @@ def _type(around: Around, name: tree.Name) -> Symbol | None:
 
 def _party(around: Around, name: tree.Name) -> Symbol | None:
     return around.parties.get(name.text)
+
+
+def _receiver(around: Around, name: tree.Name) -> Symbol | None:
+    return around.parties.get(name.text) or around.values.get(name.text)
+
+
+def _value_named(around: Around, name: tree.Name) -> Symbol | None:
+    return around.values.get(name.text)
 
 
 def _term(around: Around, name: tree.Name) -> Symbol | None:
@@ -280,10 +292,13 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.Received, "performative"): (Use.READ, _is(Kind.PERFORMATIVE)),
     (tree.Received, "message"): (Use.READ, _is(Kind.MESSAGE)),
     (tree.Received, "participant"): (Use.READ, _party),
+    (tree.Received, "name"): (Use.DECLARATION, _value_named),
+    (tree.Lost, "participant"): (Use.READ, _party),
+    (tree.Lost, "name"): (Use.DECLARATION, _value_named),
     (tree.Raised, "name"): (Use.READ, _event),
     (tree.Send, "performative"): (Use.READ, _is(Kind.PERFORMATIVE)),
     (tree.Send, "message"): (Use.READ, _is(Kind.MESSAGE)),
-    (tree.Send, "participant"): (Use.READ, _party),
+    (tree.Send, "participant"): (Use.READ, _receiver),
     (tree.Srm, "name"): (Use.DECLARATION, _is(Kind.ROLE)),
     (tree.Srm, "includes"): (Use.READ, _is(Kind.ROLE)),
     (tree.Plays, "protocol"): (Use.READ, _is(Kind.PROTOCOL)),
@@ -331,8 +346,14 @@ def _value(around: Around, path: tree.Path, use: Use = Use.READ) -> Iterator[Occ
     if first.text in around.values:
         symbol = around.values[first.text]
         yield Occurrence(first.span, symbol, use, node)
-        message = _message_of_let(around, symbol)
+        message = around.taken.get(first.text) or _message_of_let(around, symbol)
         yield from _members(around, message, path.segments[1:], use)
+        return
+    if first.text in PERFORMATIVES and symbols.topic(first.text) is None and len(path.segments) > 1:
+        message = path.segments[1].text
+        yield Occurrence(first.span, Symbol(Kind.PERFORMATIVE, first.text), use, node)
+        yield Occurrence(path.segments[1].span, Symbol(Kind.MESSAGE, message), use, node)
+        yield from _members(around, message, path.segments[2:], use)
         return
     enum = symbols.enum(first.text)
     if enum is not None:
@@ -439,6 +460,8 @@ def _path(node: Any, name: str, path: tree.Path, around: Around) -> Iterator[Occ
             timer = Symbol(Kind.TIMER, path.text, around.owner)
             use = Use.WRITE if node.function.text == "start_timer" else Use.READ
             return iter((Occurrence(path.segments[0].span, timer, use, node),))
+        case tree.Fill() if name == "target":
+            return _filled(node, path, around)
         case tree.Assign() if name == "target":
             return _value(around, path, Use.WRITE)
         case tree.Publish() | tree.Activity():
@@ -446,6 +469,18 @@ def _path(node: Any, name: str, path: tree.Path, around: Around) -> Iterator[Occ
         case tree.ActivityRead():
             return _channel(around, path)
     return _value(around, path)
+
+
+def _filled(node: tree.Fill, path: tree.Path, around: Around) -> Iterator[Occurrence]:
+    """The members of a message that is filled in braces."""
+    message = around.filled
+    for segment in path.segments:
+        owner = around.world.symbols.message(message)
+        member = owner.field(segment.text) if owner is not None else None
+        if member is None:
+            return
+        yield Occurrence(segment.span, Symbol(Kind.FIELD, segment.text, message), Use.WRITE, node)
+        message = member.type.name
 
 
 _FIELDS: dict[type, tuple[str, ...]] = {}
@@ -503,7 +538,30 @@ def _inside(node: Any, around: Around) -> Around:
                     return _in_participant(party, around)
         case tree.Srm() | tree.Statechart():
             return _in_role(node, around)
+        case tree.TransitionExpression(events=events):
+            named = [item for item in events if isinstance(item, tree.Received) and item.name is not None]
+            taken = {str(item.name): item.message.text for item in named}
+            return replace(around, values={**around.values, **_taken(events, around)}, taken=taken)
+        case tree.Send(message=message):
+            return replace(around, filled=message.text)
+        case tree.Publish(path=path):
+            return replace(around, filled=path.segments[-1].text)
     return around
+
+
+def _taken(events: Iterable[tree.Event], around: Around) -> dict[str, Symbol]:
+    """The names of what a transition takes: each is known on its own line only."""
+    found: dict[str, Symbol] = {}
+    for item in events:
+        if isinstance(item, tree.Received | tree.Lost) and item.name is not None:
+            place = f"{around.owner}:{_start(events)}"
+            found[item.name.text] = Symbol(Kind.VARIABLE, item.name.text, place)
+    return found
+
+
+def _start(events: Iterable[tree.Event]) -> int:
+    """Where the first of them stands."""
+    return min(item.span.start for item in events)
 
 
 def _in_participant(party: tree.Participant, around: Around) -> Around:

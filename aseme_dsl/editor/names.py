@@ -11,7 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from aseme_dsl.amola.liveness import names
-from aseme_dsl.amola.messages import BYTES, Kind
+from aseme_dsl.amola.messages import AGENT, BYTES, Kind
 from aseme_dsl.compiler.aip_to_eac import PROCESS
 from aseme_dsl.compiler.builtins import PERFORMATIVES
 from aseme_dsl.editor.ask import Ask
@@ -76,7 +76,8 @@ def _variable_types(ask: Ask) -> Iterator[Item]:
         kind = symbols.type_named(name)
         return kind is not None and kind != BYTES and kind.kind is not Kind.MESSAGE
 
-    return _type_items(ask.known, fits)
+    yield from _type_items(ask.known, fits)
+    yield Item(str(AGENT), ItemKind.TYPE, "built in", rank=2)
 
 
 def _type_items(known: Known, fits: Callable[[str], bool]) -> Iterator[Item]:

@@ -16,6 +16,7 @@ from aseme_dsl.amola.liveness import Argument
 from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, STRING
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
 from aseme_dsl.grammar import tree
+from aseme_dsl.grammar.filling import apart
 from aseme_dsl.grammar.formula import RESERVED, Malformed, is_hyphen
 from aseme_dsl.grammar.lexer import UNITS, shown
 from aseme_dsl.grammar.recovery import BLOCKS
@@ -77,7 +78,7 @@ def read_transition(source: Source, tokens: Sequence[Token], place: Span) -> tre
     """
     if not tokens:
         return tree.TransitionExpression((), False, False, None, (), place)
-    return _Reader(source, tokens).transition()
+    return _Reader(source, apart(tokens)).transition()
 
 
 def read_arguments(source: Source, tokens: Sequence[Token]) -> tuple[Argument, ...]:
@@ -290,14 +291,19 @@ class _Reader:
         ):
             if first == "if" and self.tokens[self.index : self.index + 2][1:] != ["from"]:
                 raise self._if(first)
+            if first == "lost" and self.tokens[self.index + 1 : self.index + 2] != ["from"]:
+                return self._lost(first)
             self.index -= 1
             performative = self.need_name("a performative")
             message = self.need_name("a message")
+            name = None
+            if _is_name(self.next) and self.tokens[self.index + 1 : self.index + 2] == ["from"]:
+                name = self.need_name("a name for the message")
             if self.next != "from":
                 raise self._no_from()
             self.take()
             participant = self.need_name("the participant that sends the message")
-            return tree.Received(performative, message, participant, self.since(first.start))
+            return tree.Received(performative, message, participant, self.since(first.start), name)
         if (
             "." in first
             or following in ("(", "and")
@@ -305,6 +311,13 @@ class _Reader:
         ):
             raise self._bare_condition(start)
         return tree.Raised(tree.Name(str(first), self.span(first)), self.span(first))
+
+    def _lost(self, word: Token) -> tree.Lost:
+        participant = self.need_name("a participant")
+        name = None
+        if _is_name(self.next) and self.next not in RESERVED:
+            name = self.need_name("a name for the agent")
+        return tree.Lost(participant, name, self.since(word.start))
 
     def action(self) -> tree.Action:
         if self.next[:1] in _BEGINS_NO_ACTION or self.next in _ARE_NO_ACTION:
@@ -327,7 +340,9 @@ class _Reader:
                     first,
                     hint="write_messages.team.state.Assignment",
                 )
-            return tree.Publish(tree.Path(path.segments[1:], path.segments[1].span.to(path.span)), path.span)
+            topic = tree.Path(path.segments[1:], path.segments[1].span.to(path.span))
+            fills = self.fills() if self.next == "{" else None
+            return tree.Publish(topic, self.since(first.start), fills)
         expression = self.expression()
         if self.next != "=":
             return tree.Evaluate(expression, self.since(first.start))
@@ -341,11 +356,48 @@ class _Reader:
         start = self.take().start
         performative = self.need_name("a performative")
         message = self.need_name("a message")
+        fills = self.fills() if self.next == "{" else None
         if self.next != "to":
             raise self.unexpected("'to' and a participant")
         self.take()
-        participant = self.need_name("the participant that receives the message")
-        return tree.Send(performative, message, participant, self.since(start))
+        participant, receiver = None, None
+        if self.index + 1 < len(self.tokens) and self.tokens[self.index + 1] in ("(", "["):
+            receiver = self.value()
+        else:
+            participant = self.need_name("the participant that receives the message")
+        excepts: list[tree.Expression] = []
+        if self.next == "except":
+            self.take()
+            excepts.append(self.value())
+            while self.next == ",":
+                self.take()
+                excepts.append(self.value())
+        return tree.Send(
+            performative, message, participant, self.since(start), fills, receiver, tuple(excepts)
+        )
+
+    def fills(self) -> tuple[tree.Fill, ...]:
+        """`{ f = v, g.h = v }`"""
+        opener = self.take()
+        found: list[tree.Fill] = []
+        while self.next != "}":
+            if self.index == len(self.tokens) or not _is_name(self.next) or self.next in RESERVED:
+                raise self.unexpected("a member of the message or '}'", (self._still_open(opener),))
+            name = self.take()
+            if self.next != "=":
+                at = self.tokens[min(self.index, len(self.tokens) - 1)]
+                raise self.error(
+                    "E102", f"expected '=' after {shown(name)}, found {shown(at)}", at, f"write {name} = …"
+                )
+            self.take()
+            value = self.expression()
+            found.append(tree.Fill(read_path(self.source, name), value, self.since(name.start)))
+            if self.next in (",", ";"):
+                self.take()
+            elif self.next != "}":
+                raise self.unexpected("an operator, ',' or '}'", (self._still_open(opener),))
+        self.take()
+        return tuple(found)
 
     # ---- expressions ---------------------------------------------------------------------------
 

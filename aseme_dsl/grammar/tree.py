@@ -131,9 +131,21 @@ class After:
 
 @dataclass(frozen=True, slots=True)
 class Received:
+    """`propose Bid b from contractor`; `name` is what the message is called, if anything."""
+
     performative: Name
     message: Name
     participant: Name
+    span: Span
+    name: Name | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Lost:
+    """`lost contractor c`"""
+
+    participant: Name
+    name: Name | None
     span: Span
 
 
@@ -145,7 +157,7 @@ class Raised:
     span: Span
 
 
-Event = After | Received | Raised
+Event = After | Received | Lost | Raised
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,11 +168,24 @@ class Assign:
 
 
 @dataclass(frozen=True, slots=True)
+class Fill:
+    """`g.h = v` in the braces behind a message."""
+
+    target: Path
+    value: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Publish:
-    """`write_messages.topic.commType.Message`; `path` is what follows `write_messages.`."""
+    """`write_messages.topic.commType.Message { f = v }`; `path` is what follows `write_messages.`.
+
+    `fills` is None without braces.
+    """
 
     path: Path
     span: Span
+    fills: tuple[Fill, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,10 +195,19 @@ class ReadMessages:
 
 @dataclass(frozen=True, slots=True)
 class Send:
+    """`send accept_proposal Award { task = job } to best`, `… to contractor except best`.
+
+    `fills` is None without braces. `participant` is the name behind `to`, which may be a variable's; None
+    where an expression stands there (`receiver`).
+    """
+
     performative: Name
     message: Name
-    participant: Name
+    participant: Name | None
     span: Span
+    fills: tuple[Fill, ...] | None = None
+    receiver: Expression | None = None
+    excepts: tuple[Expression, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -138,7 +138,10 @@ def asks(branch: Transition) -> bool:
     """Whether it has a condition that reads something."""
     condition = branch.expression.condition
     return condition is not None and any(
-        isinstance(part, e.Member | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.Call)
+        isinstance(
+            part,
+            e.Member | e.Bound | e.Sender | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.Call,
+        )
         for part in e.walk(condition)
     )
 
@@ -220,7 +223,7 @@ def _free_atom(value: e.Value, vocabulary: Vocabulary) -> e.Value | None:
             (value.right, value.left) if isinstance(value.left, constants) else (value.left, value.right)
         )
         kind = atom.type.kind
-        if not isinstance(other, constants) or kind in (Kind.STRING, Kind.BYTES):
+        if not isinstance(other, constants) or kind in (Kind.STRING, Kind.BYTES, Kind.AGENT):
             return None
         enum = vocabulary.enums.get(atom.type.name)
         if kind is Kind.OUTCOME and len(vocabulary.outcomes[atom.type.name]) < 2:
@@ -231,14 +234,12 @@ def _free_atom(value: e.Value, vocabulary: Vocabulary) -> e.Value | None:
         atom = atom.expression
     if isinstance(atom, e.Call):
         plain = all(
-            isinstance(part, e.Call | e.Member | e.VariableValue | e.Literal) for part in e.walk(atom)
+            isinstance(part, e.Call | e.Member | e.Bound | e.VariableValue | e.Literal)
+            for part in e.walk(atom)
         )
         return atom if is_unknown_function(atom) and plain else None
-    return (
-        atom
-        if isinstance(atom, e.Member | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.Has)
-        else None
-    )
+    kinds = e.Member | e.Bound | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.Has
+    return atom if isinstance(atom, kinds) else None
 
 
 __all__ = [

@@ -21,6 +21,7 @@ from aseme_dsl.proofs.unknowns import (
     MEAN,
     RAISES,
     STATE,
+    TAKEN,
     THERE,
     VALUE,
     Key,
@@ -34,7 +35,7 @@ from aseme_dsl.proofs.unknowns import (
 )
 
 _INT_BITS = 63
-_TEXTS = (Kind.STRING, Kind.BYTES)
+_TEXTS = (Kind.STRING, Kind.BYTES, Kind.AGENT)
 
 Formula = Any
 """A Python bool or a boolean expression of z3."""
@@ -93,7 +94,7 @@ class Encoder:
             self.facts.append(self._z3.And(symbol >= 0, symbol <= last))
         elif kind in _TEXTS or key[0] == AGE or (key[0] == STATE and kind is Kind.INT):
             self.facts.append(symbol >= 0)
-        elif kind is Kind.INT and key[0] == VALUE:
+        elif kind is Kind.INT and key[0] in (VALUE, TAKEN):
             self.facts.append(self._z3.And(symbol >= -(2**_INT_BITS), symbol < 2**_INT_BITS))
 
     def _symbol(self, name: str, kind: Type) -> Any:
@@ -173,8 +174,8 @@ class Encoder:
             case e.Logic(operator=operator, operands=operands):
                 parts = [self._is(truth, operand) for operand in operands]
                 return self._all(parts) if (operator == "&&") is truth else self._any(parts)
-            case e.Has(message=message):
-                there = self.symbols[HAS, message.host, message.channel]
+            case e.Has():
+                there = self.symbols[identity(value)]
                 return Truth(there if truth else self.not_(there), False)
             case e.Holds(operand=operand):
                 held = self._is(True, operand)
@@ -210,7 +211,7 @@ class Encoder:
         match value:
             case e.Named(expression=inner):
                 return self._look(inner)
-            case e.Member():
+            case e.Member() | e.Bound() | e.VariableValue():
                 return self._present(presences(value, self._vocabulary)), False
             case e.Age(message=message):
                 return self._present(presences(message, self._vocabulary)[:1]), False
@@ -244,8 +245,8 @@ class Encoder:
                 return self._z3.IntVal(number, self._context), False
             case e.Not() | e.Logic() | e.Holds():
                 return self._is(True, value).yes, False
-            case e.Has(message=message):
-                return self.symbols[HAS, message.host, message.channel], False
+            case e.Has():
+                return self.symbols[identity(value)], False
             case e.Call() if is_unknown_function(value):
                 faults = [self._compute(argument)[1] for argument in value.arguments if not _whole(argument)]
                 key = identity(value)
@@ -275,7 +276,7 @@ class Encoder:
                 return self._z3.BoolVal(bool(constant), self._context)
             case Kind.DOUBLE:
                 return self._real(Fraction(repr(constant)) if isinstance(constant, float) else constant)
-            case Kind.STRING | Kind.BYTES:
+            case Kind.STRING | Kind.BYTES | Kind.AGENT:
                 return self._real(self.texts.index(constant))
             case Kind.OUTCOME if isinstance(constant, str):
                 number = self._vocabulary.outcomes[kind.name].index(constant)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Kind
+from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Kind
 from aseme_dsl.proofs.unknowns import RAISES, THERE, Key, Vocabulary, identity, presences
 
 Values = Mapping[Key, Any]
@@ -104,13 +104,15 @@ def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
     match value:
         case e.Named(expression=inner):
             return _is_there(inner, values, vocabulary)
-        case e.Member():
+        case e.Member() | e.Bound():
             return _is_known_there(identity(value), presences(value, vocabulary), values)
         case e.Age(message=message):
             return _is_known_there(identity(value), presences(message, vocabulary)[:1], values)
         case e.At() | e.Mean():
             key = identity(value)
             return _is_known_there(key, ((THERE, *key),), values)
+        case e.VariableValue() if value.type == AGENT:
+            return _is_known_there(identity(value), presences(value, vocabulary), values)
         case (
             e.Literal()
             | e.EnumConstant()
@@ -120,6 +122,7 @@ def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
             | e.StateValue()
             | e.Has()
             | e.Holds()
+            | e.Sender()
         ):
             return True
         case e.Not() | e.Logic():

@@ -252,7 +252,7 @@ class Snapshot:
                 return [number for _, number in enum.constants] if enum is not None else []
             case Kind.OUTCOME:
                 return list(range(len(self._vocabulary.outcomes[unknown.type.name])))
-            case Kind.STRING | Kind.BYTES:
+            case Kind.STRING | Kind.BYTES | Kind.AGENT:
                 return list(self._encoder.texts)
             case Kind.DURATION:
                 lengths = [int(number) for number in self._numbers if isinstance(number, int)]
@@ -296,7 +296,7 @@ class Snapshot:
         return found
 
     def _is_text(self, key: Key) -> bool:
-        return self._encoder.unknowns[key].type.kind in (Kind.STRING, Kind.BYTES)
+        return self._encoder.unknowns[key].type.kind in (Kind.STRING, Kind.BYTES, Kind.AGENT)
 
     def _below(self, place: Fraction) -> int:
         """Which of the written texts is the last at or before a place."""
@@ -373,6 +373,8 @@ class Snapshot:
             case Kind.STRING | Kind.BYTES:
                 escaped = str(value).replace("\\", "\\\\").replace('"', '\\"')
                 return f'"{escaped}"'
+            case Kind.AGENT:
+                return f"agent {len(value) + 1}"
             case Kind.DOUBLE:
                 return format(Decimal(repr(value)).normalize(), "f")
         return str(value)

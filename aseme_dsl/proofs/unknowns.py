@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from aseme_dsl.amola import expression as e
-from aseme_dsl.amola.messages import BOOL, Comm, EnumType, Function, Kind, Message, Type
+from aseme_dsl.amola.messages import AGENT, BOOL, Comm, EnumType, Function, Kind, Message, Type
 
 Key = tuple[Any, ...]
 """Which unknown it is: two places that read the same in one snapshot have the same key."""
 
 HAS, SET, VALUE, VARIABLE, EXPIRED, AGE = "has", "set", "value", "variable", "expired", "age"
 OUTCOME, STATE = "outcome", "state"
+TAKEN, SENDER = "taken", "sender"
 AT, MEAN, CALL, RAISES, THERE = "at", "mean", "call", "raises", "there"
 PRESENCES = (HAS, SET, THERE)
 
@@ -23,8 +24,8 @@ PRESENCES = (HAS, SET, THERE)
 class Unknown:
     """Something with a value of `type`; `text` is how it is written.
 
-    Keys begin with a word: `has` (a message is there), `set` (an optional member is), `there` (a history
-    has a value), `raises` (a function does), and else what has the value.
+    Keys begin with a word: `has` (a message is there), `set` (an optional member is, or an agent in its
+    variable), `there` (a history has a value), `raises` (a function does), and else what has the value.
     """
 
     key: Key
@@ -75,7 +76,13 @@ def identity(value: e.Value) -> Key:
             return (STATE, question, state)
         case e.Member(host=host, channel=channel, path=path):
             return (VALUE, host, channel, path)
+        case e.Bound(message=message, path=path):
+            return (TAKEN, None, message, path)
+        case e.Sender(lost=lost):
+            return (SENDER, lost)
         case e.Has(message=message):
+            if isinstance(message, e.VariableValue):
+                return (SET, VARIABLE, message.name)
             return (HAS, message.host, message.channel)
         case e.Age(message=message):
             return (AGE, message.host, message.channel)
@@ -105,16 +112,28 @@ def nanoseconds(extent: e.Value) -> int:
     return int(extent.value)
 
 
-def presences(message: e.Member, vocabulary: Vocabulary) -> tuple[Key, ...]:
-    """What must be there for a member to have a value: its message, and each optional member on the path."""
-    found: list[Key] = [(HAS, message.host, message.channel)]
-    owner = vocabulary.messages.get(message.channel.message)
-    for place, name in enumerate(message.path, 1):
+Read = e.Member | e.Bound | e.VariableValue
+"""What may be there or not: as a whole, or in a part."""
+
+
+def presences(read: Read, vocabulary: Vocabulary) -> tuple[Key, ...]:
+    """What must be there for it to have a value: its message, and each optional member on the path."""
+    if isinstance(read, e.VariableValue):
+        return ((SET, VARIABLE, read.name),) if read.type == AGENT else ()
+    found: list[Key] = []
+    if isinstance(read, e.Bound):
+        where: Key = (None, read.message)
+        owner = vocabulary.messages.get(read.message)
+    else:
+        where = (read.host, read.channel)
+        owner = vocabulary.messages.get(read.channel.message)
+        found.append((HAS, *where))
+    for place, name in enumerate(read.path, 1):
         item = owner.field(name) if owner is not None else None
         if item is None:
             break
         if item.label == "optional":
-            found.append((SET, message.host, message.channel, message.path[:place]))
+            found.append((SET, *where, read.path[:place]))
         owner = vocabulary.messages.get(item.type.name)
     return tuple(found)
 
@@ -123,7 +142,7 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
     """Every unknown of a value in the order in which it is read, presences before what needs them."""
     for part in e.walk(value):
         match part:
-            case e.Member():
+            case e.Member() | e.Bound():
                 yield from _presence_unknowns(part, vocabulary)
                 if part.type.kind is not Kind.MESSAGE:
                     yield Unknown(identity(part), e.value_text(part), part.type, presences(part, vocabulary))
@@ -139,7 +158,10 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 yield Unknown(there, e.value_text(part), BOOL)
                 if part.type.kind is not Kind.MESSAGE:
                     yield Unknown(identity(part), e.value_text(part), part.type, (there,))
-            case e.VariableValue() | e.Expired() | e.Outcome() | e.StateValue():
+            case e.VariableValue():
+                yield from _presence_unknowns(part, vocabulary)
+                yield Unknown(identity(part), e.value_text(part), part.type, presences(part, vocabulary))
+            case e.Expired() | e.Outcome() | e.StateValue() | e.Sender():
                 yield Unknown(identity(part), e.value_text(part), part.type)
             case e.Call() if is_unknown_function(part):
                 read = list(_needs(part, vocabulary))
@@ -155,7 +177,7 @@ def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
     stack = [value]
     while stack:
         match item := stack.pop():
-            case e.Member():
+            case e.Member() | e.Bound() | e.VariableValue():
                 yield from _presence_unknowns(item, vocabulary)
             case e.Age(message=message):
                 yield from itertools.islice(_presence_unknowns(message, vocabulary), 1)
@@ -167,21 +189,25 @@ def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 stack.extend(reversed(e.operands(item)))
 
 
-def _presence_unknowns(message: e.Member, vocabulary: Vocabulary) -> Iterator[Unknown]:
-    whole = ".".join(([message.host] if message.host else []) + [str(message.channel)])
-    for key in presences(message, vocabulary):
-        text = whole if key[0] == HAS else ".".join((whole, *key[3]))
+def _presence_unknowns(read: Read, vocabulary: Vocabulary) -> Iterator[Unknown]:
+    whole = e.value_text(read if isinstance(read, e.VariableValue) else replace(read, path=()))
+    for key in presences(read, vocabulary):
+        text = ".".join((whole, *key[3])) if len(key) > 3 else whole
         yield Unknown(key, text, BOOL)
 
 
 def sources(value: e.Value) -> frozenset[Key]:
     """The messages, variables, timers, outcomes and states that a value depends on."""
-    found = set()
+    found: set[Key] = set()
     for part in e.walk(value):
         match part:
             case e.Member(host=host, channel=channel):
                 found.add((HAS, host, channel))
             case e.VariableValue() | e.Expired() | e.Outcome() | e.StateValue():
+                found.add(identity(part))
+            case e.Bound(message=message):
+                found.add((TAKEN, None, message, ()))
+            case e.Sender():
                 found.add(identity(part))
     return frozenset(found)
 

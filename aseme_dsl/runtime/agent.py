@@ -239,7 +239,10 @@ class Agent:
             outcome,
             configuration if changed else None,
         )
-        for effect in outcome.effects:
+        stop = _stop(outcome) if outcome.failure is not None else -1
+        for place, effect in enumerate(outcome.effects):
+            if place == stop:
+                self.conversations.lost(self)
             self._carried_out[type(effect)](effect)
         if outcome.failure is not None:
             self._note_failure(now, outcome)
@@ -296,6 +299,7 @@ class Agent:
             self.failed_at = self.plan.transitions[self.recent[-1][0]].at
         now = self.driver.clock.now()
         self.trace.failure(now, self.name, reason, self.failed_at, traceback=frames)
+        self.conversations.lost(self)
         self._end()
 
     def stop(self) -> None:
@@ -354,6 +358,7 @@ class Agent:
             old.effects.clear()
             old.leave()
             effects = old.effects if not dead else [item for item in old.effects if not _is_said(item)]
+            self.conversations.lost(self)
             for effect in effects:
                 self._carried_out[type(effect)](effect)
         with self.conversations.still():
@@ -466,12 +471,16 @@ class Agent:
     def _send(self, effect: Sending) -> None:
         content = effect.content
         for key in ((effect.branch, effect.message), (None, effect.message)):
-            if key in self._prepared:
+            if not effect.filled and key in self._prepared:
                 content = self._prepared.pop(key)
                 break
-        self.conversations.send(
-            self, effect.branch, effect.performative, effect.message, content, effect.participant
-        )
+        performative, message = effect.performative, effect.message
+        if effect.to is not None:
+            self.conversations.send_to_agent(self, effect.branch, performative, message, content, effect.to)
+        else:
+            self.conversations.send(
+                self, effect.branch, performative, message, content, effect.participant, effect.excepts
+            )
 
     # ---- what activities do ------------------------------------------------------------------
 
@@ -581,6 +590,14 @@ class Agent:
             known = ", ".join(" ".join(pair) for pair in info.sends) or "nothing"
             raise LookupError(f"{info.participant} sends {known}, not {performative} {message}")
         self.conversations.check_receiver(self, branch, to)
+
+
+def _stop(outcome: Outcome) -> int:
+    """Where among the effects of a step those begin that leave everything because the agent has failed."""
+    place = len(outcome.effects)
+    while place and isinstance(outcome.effects[place - 1], Cancel | Left):
+        place -= 1
+    return place
 
 
 def _identities(inputs: Iterable[Posted]) -> list[Identity]:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from importlib import import_module
 from typing import Any, ClassVar
 
-from aseme_dsl.runtime.board import QUEUE, Board
+from aseme_dsl.runtime.board import QUEUE, Board, built
 from aseme_dsl.runtime.clock import shown
 from aseme_dsl.runtime.inputs import (
     Arrived,
@@ -421,6 +421,22 @@ class Chart:
             self.mail[branch].remove(item)
             self.effects.append(MailTaken(branch, item.identity))
 
+    def letters(self, branch: str, kinds: Iterable[tuple[str, str, str]]) -> Iterable[Mail]:
+        """The agent messages of these kinds that wait in a branch: kind by kind, the oldest first."""
+        waiting = self.mail[branch]
+        return [
+            item
+            for kind in kinds
+            for item in waiting
+            if (item.performative, item.message, item.participant) == kind
+        ]
+
+    def take_letter(self, item: Mail) -> None:
+        """A transition takes an agent message, unless another part of it has done so."""
+        if any(other is item for other in self.mail[item.branch]):
+            self.mail[item.branch] = [other for other in self.mail[item.branch] if other is not item]
+            self.effects.append(MailTaken(item.branch, item.identity))
+
     def publish(self, region: int, board: Board, channel: str) -> None:
         """Publish the region's drafts of a channel; the region itself sees a message to all at once."""
         label = self.REGIONS[region]
@@ -430,10 +446,20 @@ class Chart:
                 own = Arrived(channel, message, self.agent, self.now, (self.agent, 0), label)
                 self._put(region, board, own)
 
-    def send(self, branch: str, performative: str, message: str, participant: str) -> None:
-        """Send an agent message with the content that was prepared for it."""
-        content = self.MESSAGES[message]()
-        self.effects.append(Sending(branch, performative, message, content, participant))
+    def send(
+        self,
+        branch: str,
+        performative: str,
+        message: str,
+        participant: str,
+        members: Mapping[tuple[str, ...], Any] | None = None,
+        to: str | None = None,
+        excepts: tuple[str, ...] = (),
+    ) -> None:
+        """Send an agent message with these members, or with the content that was prepared for it."""
+        content = built(self.MESSAGES[message](), members or {})
+        filled = members is not None
+        self.effects.append(Sending(branch, performative, message, content, participant, filled, to, excepts))
 
     def read_messages(self, region: int, board: Board) -> None:
         """Let the region see what has arrived since the step began."""

@@ -9,7 +9,7 @@ from typing import Any, Protocol, TypeVar, overload
 from aseme_dsl.runtime import history
 from aseme_dsl.runtime.body import Body
 from aseme_dsl.runtime.clock import SECOND, nanoseconds
-from aseme_dsl.runtime.inputs import Arrived, Mail
+from aseme_dsl.runtime.inputs import LOST, Arrived, Mail
 
 MessageT = TypeVar("MessageT")
 
@@ -335,7 +335,8 @@ def check_message(channel: str, message: Any) -> None:
 def matches(mail: Mail, performative: str | None, message: str | None, sender: str | None) -> bool:
     """Whether an agent message is of a kind and from a sender, where they are given."""
     return (
-        performative in (None, mail.performative)
+        mail.performative != LOST
+        and performative in (None, mail.performative)
         and message in (None, mail.message)
         and sender in (None, mail.sender)
     )

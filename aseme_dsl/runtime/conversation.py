@@ -12,7 +12,7 @@ answered `not_understood`.
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.convert import Messages, mailed
-from aseme_dsl.runtime.inputs import Identity, Mail
+from aseme_dsl.runtime.inputs import LOST, Identity, Mail
 from aseme_dsl.runtime.plan import BranchInfo, Plan
 from aseme_dsl.runtime.trace import Trace
 from aseme_dsl.runtime.transport.port import LOCAL, Transport
@@ -154,40 +154,101 @@ class Conversations:
         if to not in self._plans and not self._players(protocol, to):
             raise LookupError(f"{to} is neither an agent nor a participant of {protocol} that somebody plays")
 
-    def send(self, agent: Agent, branch: str, performative: str, message: str, content: Any, to: str) -> None:
-        """Send in the conversation of a branch, which it opens if it has none; `to` may be an agent."""
+    def send(
+        self,
+        agent: Agent,
+        branch: str,
+        performative: str,
+        message: str,
+        content: Any,
+        to: str,
+        excepts: Collection[str] = (),
+    ) -> None:
+        """Send in the conversation of a branch, which it opens if it has none; `to` may be an agent.
+
+        It does not go to the agents in `excepts`.
+        """
         with self._driver.holding(), self._lock:
-            info = agent.branch_info(branch)
-            place = self._branches[agent.name].get(branch)
-            if place is None:  # left meanwhile
-                self._tell(
-                    "unsent", agent, performative, message, content, info, reason="its participant was left"
+            place = self._place_of(agent, branch, performative, message, content)
+            if place is not None:
+                invited, part = self._receivers(agent, place, to)
+                receivers = tuple(name for name in invited if name not in excepts)
+                self._send(agent, place, performative, message, content, receivers, part)
+                if not invited:
+                    text = f"{performative} {message} reaches nobody: no other agent plays {part}"
+                    self._trace.fault(self._driver.clock.now(), agent.name, text)
+
+    def send_to_agent(
+        self, agent: Agent, branch: str, performative: str, message: str, content: Any, to: str
+    ) -> None:
+        """Send to one agent, as the participant that it plays and that receives such a message."""
+        with self._driver.holding(), self._lock:
+            part = self._part_of(agent, branch, performative, message, to)
+            if part is None:
+                protocol = agent.branch_info(branch).protocol
+                text = (
+                    f"{performative} {message} is not sent: {to} plays no part of {protocol} that receives it"
                 )
-                return
-            if place.conversation is None:
-                self._open(agent, place)
-            assert place.conversation is not None
-            receivers, part = self._receivers(agent, place, to)
-            identity = agent.identity()
-            acl = AclMessage(
-                performative,
-                agent.name,
-                receivers,
-                message,
-                content,
-                info.protocol,
-                place.conversation,
-                info.participant,
-                part,
-                identity,
-                info.version,
-            )
-            self._tell_sent(acl)
-            if not receivers:
-                text = f"{performative} {message} reaches nobody: no other agent plays {part}"
                 self._trace.fault(self._driver.clock.now(), agent.name, text)
-            for name in receivers:
-                self._bring(name, acl)
+                return
+            place = self._place_of(agent, branch, performative, message, content)
+            if place is not None:
+                self._send(agent, place, performative, message, content, (to,), part)
+
+    def _part_of(self, agent: Agent, branch: str, performative: str, message: str, to: str) -> str | None:
+        """As which participant an agent gets a message: the one that it is in this conversation, if any."""
+        protocol = agent.branch_info(branch).protocol
+        plan = self._plans.get(to)
+        parts = [
+            info.participant
+            for info in (plan.branches if plan is not None else ())
+            if info.protocol == protocol and (performative, message) in info.receives
+        ]
+        place = self._branches[agent.name].get(branch)
+        conversation = self._conversations.get((place.conversation or "") if place is not None else "")
+        members = conversation.members if conversation is not None else {}
+        return next((part for part in parts if to in members.get(part, ())), next(iter(parts), None))
+
+    def _place_of(
+        self, agent: Agent, branch: str, performative: str, message: str, content: Any
+    ) -> _Branch | None:
+        """The branch in a conversation, which is opened if there is none; None, told, if it was left."""
+        place = self._branches[agent.name].get(branch)
+        if place is None:
+            info = agent.branch_info(branch)
+            reason = "its participant was left"
+            self._tell("unsent", agent, performative, message, content, info, reason=reason)
+        elif place.conversation is None:
+            self._open(agent, place)
+        return place
+
+    def _send(
+        self,
+        agent: Agent,
+        place: _Branch,
+        performative: str,
+        message: str,
+        content: Any,
+        receivers: tuple[str, ...],
+        part: str,
+    ) -> None:
+        assert place.conversation is not None
+        acl = AclMessage(
+            performative,
+            agent.name,
+            receivers,
+            message,
+            content,
+            place.info.protocol,
+            place.conversation,
+            place.info.participant,
+            part,
+            agent.identity(),
+            place.info.version,
+        )
+        self._tell_sent(acl)
+        for name in receivers:
+            self._bring(name, acl)
 
     def _bring(self, name: str, acl: AclMessage) -> None:
         """Deliver a message to an agent here, or have it carried to one elsewhere."""
@@ -261,12 +322,33 @@ class Conversations:
 
     def vanished(self, name: str) -> None:
         """An agent elsewhere is gone: tell it in each conversation here that counts on it."""
-        with self._lock:
-            for agent in self._agents.values():
-                for place in self._branches[agent.name].values():
-                    conversation = self._conversations.get(place.conversation or "")
-                    if conversation is not None and any(name in who for who in conversation.members.values()):
-                        self._told("gone", agent, place, place.conversation or "", peer=name)
+        with self._driver.holding(), self._lock:
+            self._tell_gone(name, elsewhere=True)
+
+    def _tell_gone(self, name: str, *, elsewhere: bool) -> None:
+        """Tell of an agent that is gone in the middle of the conversations that count on it.
+
+        A branch with a transition for it gets it as mail, once for each participant that the agent was.
+        """
+        for agent in self._agents.values():
+            for place in self._branches[agent.name].values() if agent.name != name else ():
+                conversation = self._conversations.get(place.conversation or "")
+                if conversation is None:
+                    continue
+                parts = [
+                    part
+                    for part, who in conversation.members.items()
+                    if name in who and (name, part) not in conversation.past
+                ]
+                awaited = [part for part in parts if part in place.info.loses]
+                for part in awaited:
+                    identity = agent.identity()
+                    mail = Mail(place.info.label, LOST, "", None, part, name, identity)
+                    self._told("gone", agent, place, place.conversation or "", None, name, part, identity)
+                    place.waiting.append(mail)
+                    agent.post(identity, mail, conversation=place.conversation)
+                if elsewhere and parts and not awaited:
+                    self._told("gone", agent, place, place.conversation or "", peer=name)
 
     def _deliver(self, agent: Agent, acl: AclMessage) -> None:
         place = self._place_in(agent, acl)
@@ -445,7 +527,8 @@ class Conversations:
         """What a participation has taken: the last of each kind and sender, the newest at the end."""
         with self._lock:
             place = self._branches[agent.name].get(branch)
-            return () if place is None else tuple(place.taken.values())
+            taken = () if place is None else place.taken.values()
+            return tuple(mail for mail in taken if mail.performative != LOST)
 
     def arrives(self, agent: Agent, mail: Mail, conversation: str | None) -> bool:
         """Whether mail that was under way still finds its participant; tells and answers if it does not."""
@@ -453,6 +536,8 @@ class Conversations:
             place = self._branches[agent.name].get(mail.branch)
             if conversation is None or (place is not None and place.conversation == conversation):
                 return True
+            if mail.performative == LOST:
+                return False
             info = agent.branch_info(mail.branch)
             acl = AclMessage(
                 mail.performative,
@@ -469,6 +554,11 @@ class Conversations:
             )
             self._unexpected(agent, acl, "its part in the conversation is over")
             return False
+
+    def lost(self, agent: Agent) -> None:
+        """An agent leaves everything though its part is not done: others may wait to hear of it."""
+        with self._driver.holding(), self._lock:
+            self._tell_gone(agent.name, elsewhere=False)
 
     def gone(self, agent: Agent, reason: str = "") -> None:
         """An agent has ended or left its plan: it takes part in nothing, and what waited is answered."""
@@ -578,17 +668,21 @@ class Conversations:
         name: str,
         untaken: list[list[Any]] | None = None,
         peer: str | None = None,
+        played: str | None = None,
+        identity: Identity | None = None,
     ) -> None:
         self._trace.write(
             "conversation",
             self._driver.clock.now(),
             agent=agent.name,
+            sequence=None if identity is None else identity[1],
             what=what,
             conversation=name,
             participant=place.info.participant,
             branch=place.info.label,
             untaken=untaken,
             peer=peer,
+            played=played,
         )
 
 

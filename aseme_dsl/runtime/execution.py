@@ -695,6 +695,7 @@ _TYPES: dict[str, tuple[type, ...]] = {
     "string": (str,),
     "bytes": (bytes,),
     "duration": (int,),
+    "agent": (str, type(None)),
 }
 
 

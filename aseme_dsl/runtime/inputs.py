@@ -10,6 +10,10 @@ Identity = tuple[str, int]
 """Who sent something, and which of the sender's it is: (agent, sequence)."""
 
 
+LOST = "lost"
+"""The performative of what tells that an agent which plays a participant is gone."""
+
+
 # ---- inputs ------------------------------------------------------------------------------------
 
 
@@ -67,7 +71,10 @@ class Written:
 
 @dataclass(frozen=True, slots=True)
 class Mail:
-    """An agent message for the protocol branch at `branch`, to wait there until something takes it."""
+    """An agent message for the protocol branch at `branch`, to wait there until something takes it.
+
+    That an agent is gone is told as one whose performative is `LOST`, without a message, from that agent.
+    """
 
     branch: str
     performative: str
@@ -119,13 +126,20 @@ class Publication:
 
 @dataclass(frozen=True, slots=True)
 class Sending:
-    """Send an agent message in the conversation of the protocol branch at `branch`."""
+    """Send an agent message in the conversation of the protocol branch at `branch`.
+
+    To all who play `participant` but those in `excepts`, or to the one agent `to`. What is `filled` is as it
+    shall be; otherwise an activity may have prepared what it says.
+    """
 
     branch: str
     performative: str
     message: str
     content: Any
     participant: str
+    filled: bool = False
+    to: str | None = None
+    excepts: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

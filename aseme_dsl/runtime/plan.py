@@ -6,16 +6,19 @@ Conditions and values are nested tuples whose first item says what they are:
 
     ("const", value)  ("enum", "PlayerState", "PLAYING", 3)  ("variable", name)
     ("member", host or None, "vision.state.Ball", ("visible",))      (the message itself with an empty path)
-    ("call", name, value, …)  ("builtin", name, value, …)
-    ("has", member)  ("age", member)  ("at", member, value)  ("mean", member, value)  ("expired", timer)
+    ("taken", path)  ("sender",)                   (of the agent message that the transition takes)
+    ("call", name, value, …)  ("builtin", name, value, …)  ("has", member or variable)
+    ("age", member)  ("at", member, value)  ("mean", member, value)  ("expired", timer)
     ("outcome", activity)  ("in" | "done" | "count", state name)
     ("!", value)  ("&&", value, …)  ("||", value, …)  ("neg", value)  ("holds", value)
     ("==" | "!=" | "<" | "<=" | ">" | ">=", value, value)
     ("+" | "-" | "*" | "/" | "//" | "%", value, value)
 
-Events are ("after", ns), ("received", performative, message, participant), ("raised", name), ("error",);
-actions ("assign", name, value), ("fill", member, value), ("publish", channel), ("read_messages",),
-("start_timer", name, value), ("send", performative, message, participant), ("evaluate", value).
+Events are ("after", ns), ("received", performative, message, participant), ("lost", participant),
+("raised", name), ("error",); actions ("assign", name, value), ("fill", member, value), ("publish", channel),
+("read_messages",), ("start_timer", name, value), ("evaluate", value), ("send", performative, message,
+participant) and, where more is said, three more items: what is filled as ((path, value), …) or None, the
+value that is the one receiver or None, and the values that it does not go to.
 Durations are in ns; ("duration", value) cuts a computed one to whole ns.
 """
 
@@ -141,6 +144,8 @@ class BranchInfo:
     receives: tuple[tuple[str, str], ...] = ()
     version: str = ""
     """The hash of how the system plays the protocol: those who play the same may meet in one run of it."""
+    loses: tuple[str, ...] = ()
+    """The participants of which it waits to hear that an agent is gone."""
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from enum import IntEnum
 from typing import Any, Protocol
 
 from aseme_dsl.runtime.inputs import (
+    LOST,
     Arrived,
     Cancel,
     Completed,
@@ -96,11 +97,18 @@ class Run:
     def wrote(self, variable: str, value: Any) -> Written:
         return Written(variable, value)
 
-    def mail(self, performative: str, message: str, sender: str = "ann", at: str | None = None) -> Mail:
+    def mail(
+        self, performative: str, message: str, sender: str = "ann", at: str | None = None, **members: Any
+    ) -> Mail:
         """An agent message of participant `b` for the branch of `a` (at a label, where there are several)."""
         branch = at or self.plan.branches[0].label
-        content = self.generated.message(message)
+        content = self.generated.message(message, **members)
         return Mail(branch, performative, message, content, "b", sender, (sender, next(self._numbers)))
+
+    def lost(self, agent: str, participant: str = "b") -> Mail:
+        """An agent that plays a participant is gone."""
+        branch = self.plan.branches[0].label
+        return Mail(branch, LOST, "", None, participant, agent, (agent, next(self._numbers)))
 
     def label(self, name: str) -> str:
         """The label of a BASIC state by its activity; a label is its own."""
@@ -150,8 +158,10 @@ class Run:
                 return f"cancel {activity}"
             case Publication(channel=channel, message=message, host=host):
                 return f"publish {channel} {said(message)}" + (f" to {host}" if host else "")
-            case Sending(performative=performative, message=message, participant=participant):
-                return f"send {performative} {message} to {participant}"
+            case Sending(performative=performative, message=message, participant=participant, to=to):
+                content = f" {said(effect.content)}" if effect.filled else ""
+                others = f" except {', '.join(effect.excepts)}" if effect.excepts else ""
+                return f"send {performative} {message}{content} to {to or participant}{others}"
             case MailTaken(identity=identity):
                 return f"take mail of {identity[0]}"
             case Joined(branch=branch):

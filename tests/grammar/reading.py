@@ -105,6 +105,11 @@ def short(value: Any) -> Any:
             return f"({short(value.inner)})"
         case tuple():
             return tuple(short(item) for item in value)
+        case tree.Publish(fills=None):
+            return ("Publish", short(value.path))
+        case tree.Received(name=None) | tree.Send(fills=None, receiver=None, excepts=()):
+            parts = (value.performative, value.message, value.participant)
+            return (type(value).__name__, *map(short, parts))
         case _ if is_dataclass(value):
             parts = ((field, getattr(value, field.name)) for field in fields(value) if field.name != "span")
             return (type(value).__name__, *(short(part) for field, part in parts if part != field.default))

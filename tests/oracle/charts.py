@@ -280,6 +280,8 @@ class Words:
     counted: frozenset[str] = frozenset()
     """Those that stand in one place, so that they can be counted."""
     in_condition: bool = False
+    taken: tuple[str, str] = ("", "")
+    """What the agent message that is taken is called, and its type; without one an agent that is gone."""
 
     # ---- values -------------------------------------------------------------------------
 
@@ -341,6 +343,7 @@ class Words:
 
     def _bool(self, depth: int) -> str:
         pick = self.choices
+        agents = 3 if self.is_participant else 0
         match pick.weighted(
             member=4,
             compare=8,
@@ -352,9 +355,14 @@ class Words:
             function=2,
             same=1,
             state=4 if self.in_condition and self.states else 0,
+            agent=agents,
         ):
             case "state":
                 return f"{pick.one_of(('in', 'in', 'done'))}({pick.one_of(self.states)})"
+            case "agent":
+                if pick.one_in(2):
+                    return f"{'!' if pick.one_in(2) else ''}has(who)"
+                return f"({self._agent()} {pick.one_of(('==', '!='))} {self._agent()})"
             case "member":
                 return self._member("bool", depth)
             case "compare":
@@ -417,6 +425,9 @@ class Words:
 
     def _member(self, kind: str, depth: int) -> str:
         pick = self.choices
+        name, message = self.taken
+        if kind in MEMBERS.get(message, {}) and pick.one_in(2):
+            return f"{name}.{pick.one_of(MEMBERS[message][kind])}"
         channel = pick.one_of(self._with_member(kind, CHANNELS))
         if channel in DATA and depth > 0 and pick.one_in(3):
             return self._at(kind)
@@ -427,7 +438,15 @@ class Words:
         member = self.choices.one_of(MEMBERS[channel.split(".")[2]][kind])
         return f"at({self._host()}{channel}.{member}, -{self._duration()})"
 
+    def _agent(self) -> str:
+        name, message = self.taken
+        if not name or self.choices.one_in(3):
+            return "who"
+        return f"sender({name})" if message else name
+
     def _message(self, name: str) -> str:
+        if self.taken[1] == name and self.choices.one_in(2):
+            return self.taken[0]
         return self._host() + self.choices.one_of([c for c in CHANNELS if c.endswith("." + name)])
 
     def _age(self) -> str:
@@ -467,6 +486,13 @@ class Words:
                 text = f"[{asking.value('bool', 2)}]"
             case "when":
                 text = f"when [{asking.value('bool', 2)}]"
+            case "event" if self.is_participant and pick.one_in(2):
+                text, words = self._taking()
+                if pick.one_in(2):
+                    text += f" [{replace(words, in_condition=True).value('bool', 2)}]"
+                if pick.one_in(2):
+                    text += " / " + "; ".join(words._action() for _ in range(pick.number(1, 3)))
+                return text, False
             case "event":
                 text = " or ".join(self._event() for _ in range(pick.number(1, 2)))
                 if pick.one_in(3):
@@ -477,11 +503,29 @@ class Words:
             text += " / " + "; ".join(self._action() for _ in range(pick.number(1, 3)))
         return text, kind == "otherwise"
 
+    def _taking(self) -> tuple[str, Words]:
+        """Events that take something which the rest of the line may speak of, and the words for that."""
+        pick = self.choices
+        match pick.weighted(named=4, unnamed=2, lost=2):
+            case "named":
+                message = pick.one_of(("M", "Note", "Note"))
+                kinds = [performative for performative, of in RECEIVED if of == message]
+                events = [f"{pick.one_of(kinds)} {message} m from other" for _ in range(pick.number(1, 2))]
+                return " or ".join(events), replace(self, taken=("m", message))
+            case "unnamed":
+                performative, message = pick.one_of(RECEIVED)
+                words = replace(self, taken=(f"{performative}.{message}", message))
+                return f"{performative} {message} from other", words
+        return "lost other gone", replace(self, taken=("gone", ""))
+
     def staying(self, verb: str) -> str:
         """What stands on an `on` or `exit` line."""
         pick = self.choices
         asking = replace(self, in_condition=True)
         text = ""
+        if verb == "on" and self.is_participant and pick.one_in(4):
+            text, words = self._taking()
+            return f"{text} / " + "; ".join(words._action() for _ in range(pick.number(1, 3)))
         if verb == "on":
             match pick.weighted(nothing=1, condition=3, event=4, when=6):
                 case "condition":
@@ -496,14 +540,17 @@ class Words:
 
     def _event(self, *, error: bool = True) -> str:
         pick = self.choices
-        received = 8 if self.is_participant else 0
-        match pick.weighted(raised=4, after=3, error=2 if error else 0, received=received):
+        agents = 8 if self.is_participant else 0
+        failing = 2 if error else 0
+        match pick.weighted(raised=4, after=3, error=failing, received=agents, lost=agents // 4):
             case "raised":
                 return pick.one_of(EVENTS)
             case "after":
                 return f"after({pick.one_of(('10ms', '5ms', '1ms', '0ms'))})"
             case "error":
                 return "error"
+            case "lost":
+                return "lost other"
         performative, message = pick.one_of(RECEIVED)
         return f"{performative} {message} from other"
 
@@ -521,15 +568,30 @@ class Words:
                 target = f"{self._host()}{channel}.{pick.one_of(members[kind])}"
                 return f"{target} = {self._assigned(kind)}"
             case "publish":
-                return f"write_messages.{pick.one_of(self.channels)}"
+                channel = pick.one_of(self.channels)
+                content = f" {{ {self._filled(channel.split('.')[2])} }}" if pick.one_in(3) else ""
+                return f"write_messages.{channel}{content}"
             case "timer":
                 return f"start_timer({pick.one_of(TIMERS)}, {self._length()})"
             case "read":
                 return "read_messages"
             case "call":
                 return f"{pick.one_of(('even', 'shy'))}({self.value('int', 1)})"
+        if self.taken[0] and pick.one_in(2):
+            return f"who = {self._agent()}"
         performative, message = pick.one_of(SENT)
-        return f"send {performative} {message} to other"
+        content = f" {{ {self._filled(message)} }}" if pick.one_in(2) else ""
+        to = pick.weighted(all=3, one=2, others=1)
+        if to == "one":
+            return f"send {performative} {message}{content} to {self._agent()}"
+        others = f" except {self._agent()}" if to == "others" else ""
+        return f"send {performative} {message}{content} to other{others}"
+
+    def _filled(self, message: str) -> str:
+        """Some members of a message, each once."""
+        kinds = {member: kind for kind, members in FILLED[message].items() for member in members}
+        some = dict.fromkeys(self.choices.one_of(list(kinds)) for _ in range(self.choices.number(1, 3)))
+        return ", ".join(f"{member} = {self._assigned(kinds[member])}" for member in some)
 
     def _length(self) -> str:
         """The length of a timer: what the compiler can compute may not be negative."""
@@ -665,6 +727,7 @@ def _protocol(outer: Words) -> tuple[str, bool]:
         "  participant a {",
         '  engage "Always."',
         *_variables(variables),
+        "  var who : agent",
         *(f"  {let}" for let in own),
         f"  sends {sends}",
         f"  receives {receives}",

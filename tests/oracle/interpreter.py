@@ -170,6 +170,10 @@ class Reference:
         self.writes: list[tuple[str, str, Any]] = []
         """The writes of the step to variables: (region, variable, value)."""
         self.mailbox: dict[str, list[Mail]] = {branch.label: [] for branch in plan.branches}
+        self.found: dict[int, Mail | None] = {}
+        """What each transition that speaks of it would take, when it was looked at last."""
+        self.in_hand: Mail | None = None
+        """The agent message that a condition or an action speaks of."""
         self.events: set[str] = set()
         self.spent: set[tuple[str, str]] = set()
         """(region, event): what a region has spent in this step."""
@@ -515,8 +519,21 @@ class Reference:
         # "not before 200 ms since T was entered"
         if transition.every is not None and self.now < self.entered[source] + transition.every:
             return False
+        # "The oldest waiting message of that kind *for which the condition holds* is taken."
+        if speaks_of_mail(transition):
+            self.found[number] = self.letter(number, transition, source)
+            return self.found[number] is not None
         # "And the condition, if any, holds."
         return transition.condition is None or self.condition_holds(number, transition)
+
+    def letter(self, number: int, transition: Transition, source: str) -> Mail | None:
+        """What a transition takes that speaks of it: of the events in their order, the oldest first."""
+        for event in transition.events:
+            for mail in self.waiting(event, source):
+                self.in_hand = mail
+                if transition.condition is None or self.condition_holds(number, transition):
+                    return mail
+        return None
 
     def is_on(self, number: int, transition: Transition, source: str, complete: bool) -> bool:
         """Whether an `on` transition is to be taken.
@@ -527,6 +544,9 @@ class Reference:
         if not transition.when and not transition.events and not complete:
             return False
         there = any(self.is_there(event, source, number) for event in transition.events)
+        if speaks_of_mail(transition):
+            self.found[number] = self.letter(number, transition, source)
+            return self.found[number] is not None
         if not transition.when and transition.events:
             return there and (transition.condition is None or self.condition_holds(number, transition))
         if transition.condition is not None and not self.condition_holds(number, transition):
@@ -586,8 +606,8 @@ class Reference:
                 # "once `d` has passed since the source was entered"; "`after` on a branch counts from the
                 # entry of the waiting source"
                 return bool(self.now - self.entered[source] >= duration)
-            case ("received", performative, message, participant):
-                return self.oldest_mail(source, performative, message, participant) is not None
+            case ("received" | "lost", *_):
+                return bool(self.waiting(event, source))
             case ("raised", name):
                 return name in self.events and (self.region_of(source), name) not in self.spent
             case ("error",):
@@ -595,11 +615,15 @@ class Reference:
                 return any(source in (label, *self.around(label)) for label in self.failed)
         raise ValueError(event)
 
-    def oldest_mail(self, source: str, performative: str, message: str, participant: str) -> Mail | None:
-        for mail in self.mailbox[self.branch_of(source)]:
-            if (mail.performative, mail.message, mail.participant) == (performative, message, participant):
-                return mail
-        return None
+    def waiting(self, event: Term, source: str) -> list[Mail]:
+        """The agent messages that an event means, the oldest first; that somebody is lost is one, too."""
+        match event:
+            case ("received", *kind):
+                wanted = tuple(kind)
+            case ("lost", participant):
+                wanted = ("lost", "", participant)
+        box = self.mailbox[self.branch_of(source)]
+        return [mail for mail in box if (mail.performative, mail.message, mail.participant) == wanted]
 
     # ---- taking a transition ----------------------------------------------------------------
 
@@ -613,9 +637,18 @@ class Reference:
             return
 
         # "the first listed that is there is the one spent"; "An event is spent by what takes it."
-        there = [[e for e in transition.events if self.is_there(e, source)] for transition in transitions]
+        letters = {
+            number: self.found[number]
+            for number, transition in zip(way, transitions, strict=True)
+            if speaks_of_mail(transition)
+        }
+        plain = [transition for transition in transitions if not speaks_of_mail(transition)]
+        there = [[e for e in transition.events if self.is_there(e, source)] for transition in plain]
         for event in dict.fromkeys(events[0] for events in there if events):
             self.spend(event, source)
+        for mail in letters.values():
+            assert mail is not None
+            self.take_mail(mail)
 
         # "Everything active inside the scope is left, innermost first;"
         scope = min((self.scope(t.source, t.target) for t in transitions), key=self.place)
@@ -625,6 +658,7 @@ class Reference:
 
         # "then the actions run;" "actions of segment 1, then 2"
         for number in way:
+            self.in_hand = letters.get(number)
             for action in self.plan.transitions[number].actions:
                 self.act(number, action, board)
 
@@ -650,6 +684,10 @@ class Reference:
         """ "Nothing is left or entered." """
         transition = self.plan.transitions[number]
         there = [event for event in transition.events if self.is_there(event, transition.source, number)]
+        self.in_hand = self.found[number] if speaks_of_mail(transition) else None
+        if self.in_hand is not None:
+            self.take_mail(self.in_hand)
+            there = []
         for event in there[:1]:
             if event[0] == "after":
                 self.waited[number] = event[1]
@@ -671,13 +709,17 @@ class Reference:
 
     def spend(self, event: Term, source: str) -> None:
         match event:
-            case ("received", performative, message, participant):
-                mail = self.oldest_mail(source, performative, message, participant)
-                assert mail is not None
-                self.mailbox[mail.branch].remove(mail)
-                self.outcome.effects.append(MailTaken(mail.branch, mail.identity))
+            case ("received" | "lost", *_):
+                self.take_mail(self.waiting(event, source)[0])
             case ("raised", name):
                 self.spent.add((self.region_of(source), name))
+
+    def take_mail(self, mail: Mail) -> None:
+        """ "An agent message waits … until exactly one transition or activity takes it" """
+        box = self.mailbox[mail.branch]
+        if any(other is mail for other in box):
+            self.mailbox[mail.branch] = [other for other in box if other is not mail]
+            self.outcome.effects.append(MailTaken(mail.branch, mail.identity))
 
     def leave(self, label: str) -> None:
         """ "an AND: its regions in document order, inner leaves first" """
@@ -844,6 +886,24 @@ class Reference:
                 branch = self.branch_of(self.plan.transitions[number].source)
                 content = self.messages[message]()
                 self.outcome.effects.append(Sending(branch, performative, message, content, participant))
+            case ("send", performative, message, participant, fills, to, _):
+                branch = self.branch_of(self.plan.transitions[number].source)
+                content = self.messages[message]()
+                for path, _ in fills or ():
+                    content = with_member(content, path, values.pop(0))
+                receiver = None if to is None else values.pop(0)
+                self.outcome.effects.append(
+                    Sending(
+                        branch,
+                        performative,
+                        message,
+                        content,
+                        participant,
+                        filled=fills is not None,
+                        to=receiver,
+                        excepts=tuple(values),
+                    )
+                )
             case ("evaluate", _):
                 pass
 
@@ -933,7 +993,17 @@ class Reference:
             case ("enum", enum, constant, _):
                 return ("const", self.messages[enum][constant])
             case ("variable", name):
-                return ("const", region.variables[name])
+                # A variable of type agent "is absent until set".
+                value = region.variables[name]
+                return ABSENT if value is None else ("const", value)
+            case ("has", ("variable", name)):
+                return ("const", region.variables[name] is not None)
+            case ("taken", path):
+                assert self.in_hand is not None
+                found = member(self.in_hand.content, path)
+            case ("sender",):
+                assert self.in_hand is not None
+                return ("const", self.in_hand.sender)
             case ("expired", timer):
                 # "`expired(t)` is false before `start_timer`, true from the due time until it is started
                 # again"
@@ -1112,6 +1182,8 @@ def values_of(action: Term) -> list[Term]:
     match action:
         case ("assign" | "fill" | "start_timer", _, value) | ("evaluate", value):
             return [value]
+        case ("send", _, _, _, fills, to, excepts):
+            return [*(value for _, value in fills or ()), *([] if to is None else [to]), *excepts]
     return []
 
 
@@ -1121,8 +1193,14 @@ def parts(term: Term | None) -> Iterator[Term]:
         return
     yield term
     for item in term[1:]:
-        if isinstance(item, tuple) and item and term[0] != "member":
+        if isinstance(item, tuple) and item and term[0] not in ("member", "taken"):
             yield from parts(item)
+
+
+def speaks_of_mail(transition: Transition) -> bool:
+    """Whether the condition or an action speaks of the agent message that the transition takes."""
+    values = [value for action in transition.actions for value in values_of(action)]
+    return any(p[0] in ("taken", "sender") for term in (transition.condition, *values) for p in parts(term))
 
 
 def signals_of(*terms: Term | None) -> list[tuple[str, str | None]]:

@@ -9,6 +9,7 @@ from itertools import cycle
 from typing import Any
 
 from aseme_dsl.runtime.inputs import (
+    LOST,
     Arrived,
     Cancel,
     Completed,
@@ -63,7 +64,8 @@ def _operation(choices: Choices) -> Operation:
         case "back":
             return ("back",)
         case "mail":
-            return ("mail", choices.number(0, 3), choices.number(0, 2))
+            members = tuple(choices.number(0, 3) for _ in range(6))
+            return ("mail", choices.number(0, 3), choices.number(0, 2), choices.one_of(HOSTS), members)
         case "write":
             return ("write", choices.number(0, 9), choices.number(0, 3))
         case "stale":
@@ -93,9 +95,21 @@ def _member(annotation: Any, default: Any, numbers: Iterator[int]) -> Any:
     return like(default, number)
 
 
+def _mail(event: Any) -> tuple[str, str, str] | None:
+    """What mail an event waits for, if any: performative, message and participant."""
+    match event:
+        case ("received", performative, message, participant):
+            return performative, message, participant
+        case ("lost", participant):
+            return LOST, "", participant
+    return None
+
+
 def like(example: Any, number: int) -> Any:
     """A value of the same type."""
     match example:
+        case None:
+            return ("ann", "bob", "me", "eve")[number]  # an agent
         case bool():
             return number > 1
         case Enum():
@@ -214,19 +228,18 @@ class Game:
                     return []
                 variable = self.plan.variables[number % len(self.plan.variables)].name
                 return [Written(variable, like(self.expected.variable(variable), value))]
-            case ("mail", kind, number):
+            case ("mail", kind, number, sender, members):
                 if not self.plan.branches:
                     return []
                 branch = self.plan.branches[number % len(self.plan.branches)].label
-                awaited = [e[1:] for way in self.plan.transitions for e in way.events if e[0] == "received"]
-                kinds = list(dict.fromkeys(awaited))
+                awaited = [_mail(e) for way in self.plan.transitions for e in way.events]
+                kinds = list(dict.fromkeys(item for item in awaited if item is not None))
                 if not kinds:
                     return []
                 performative, message, participant = kinds[kind % len(kinds)]
-                content = self.made.message(message)
-                return [
-                    Mail(branch, performative, message, content, participant, "ann", self.identity("ann"))
-                ]
+                content = filled(getattr(self.made.messages, message), cycle(members)) if message else None
+                identity = self.identity(sender)
+                return [Mail(branch, performative, message, content, participant, sender, identity)]
             case ("back",):
                 back = [self.arrived(p.channel, p.message, "me", 0, p.region) for p in self.published]
                 self.published.clear()

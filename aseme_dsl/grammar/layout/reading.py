@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
+from aseme_dsl.grammar.filling import apart
 from aseme_dsl.grammar.layout.pieces import GLUED, ORDER, Block, Gap, Piece, Row
 from aseme_dsl.grammar.layout.rules import (
     DROPPED,
@@ -266,13 +267,13 @@ class _Reader:
         """What is assigned to an attribute: one thing, or a list."""
         first = node[0]
         if _is_terminal(first) and first.rule_name in FORMULAS:
-            self.tokens(node, formula([leaf.value for leaf in node], depth + 1))
+            words = [leaf.value for leaf in node]
+            self.tokens(words, formula(words, depth + 1))
             return
         if _is_terminal(first) and first.rule_name in EXPRESSIONS:
-            pieces = expression(
-                [leaf.value for leaf in node], depth + 1, transition=first.rule_name == "ControlToken"
-            )
-            self.tokens(node, pieces)
+            words = apart(leaf.value for leaf in node)
+            pieces = expression(words, depth + 1, transition=first.rule_name == "ControlToken")
+            self.tokens(words, pieces)
             return
         is_list = any(_is_terminal(child) and child.rule_name == "sep" for child in node)
         separated = ""
@@ -300,10 +301,10 @@ class _Reader:
             level = level_of(depth, _BREAK)
         self.piece(leaf.value, depth, level=level)
 
-    def tokens(self, leaves: Sequence[Any], pieces: Sequence[Piece]) -> None:
+    def tokens(self, words: Sequence[Token], pieces: Sequence[Piece]) -> None:
         pieces[0].blanks = 1
-        for leaf, piece in zip(leaves, pieces, strict=True):
-            self.piece(leaf.value, piece.depth, piece.blanks, piece.level, piece.text)
+        for word, piece in zip(words, pieces, strict=True):
+            self.piece(word, piece.depth, piece.blanks, piece.level, piece.text)
 
     # ---- pieces --------------------------------------------------------------------------------
 

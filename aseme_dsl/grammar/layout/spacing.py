@@ -122,6 +122,13 @@ def expression(tokens: Sequence[str], depth: int, *, transition: bool) -> list[P
             depth -= 1
             at = depth
             blanks = 0
+        elif token == "{":
+            brackets += 1
+            depth += 1
+        elif token == "}":
+            brackets -= 1
+            depth -= 1
+            at = depth
         elif token in (",", ";"):
             blanks = 0
         elif token == "/" and outside and brackets == 0:
