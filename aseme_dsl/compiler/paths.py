@@ -40,8 +40,11 @@ def value_of_path(checker: Checker, path: tree.Path) -> Value | None:
     if len(path.segments) == 1:
         _unknown_word(checker, first)
         return None
-    if first.text in PERFORMATIVES and scope.symbols.topic(first.text) is None:
-        return _by_performative(checker, path)
+    if scope.symbols.topic(first.text) is None:
+        if first.text in PERFORMATIVES:
+            return _by_performative(checker, path)
+        if scope.taken is not None and _is_meant_for(checker, first, scope.taken):
+            return None
     return member_of(checker, path)
 
 
@@ -54,6 +57,16 @@ def _parameter(checker: Checker, path: tree.Path) -> Value | None:
         return ParameterValue(name, kind, path.span)
     checker.report("E501", f"the parameter `{name}` is used as a whole", path.segments[1].span)
     return None
+
+
+def _is_meant_for(checker: Checker, first: tree.Name, taken: Taken) -> bool:
+    """Whether a participant or a type is written where what the transition takes is meant; told if so."""
+    if first.text not in checker.scope.parties and (first.text != taken.message or not taken.message):
+        return False
+    what = "a participant" if first.text in checker.scope.parties else "a type"
+    called = taken.name or f"{taken.performative}.{taken.message}"
+    checker.report("E502", f"`{first}` is {what}", first.span, f"the message that is taken is `{called}`")
+    return True
 
 
 def _of_taken(checker: Checker, path: tree.Path, taken: Taken) -> Value | None:

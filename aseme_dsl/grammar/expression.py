@@ -40,6 +40,17 @@ _TIGHTEST = 6
 _PATH = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _NUMBER = re.compile(r"([0-9]+)(?:\.([0-9]+))?([a-z]*)")
 _LONGEST_NUMBER = 18
+_CONTENT = re.compile(
+    r"\s*(send\s+(?P<kind>[A-Za-z_]\w*)(?:\s+(?P<message>[A-Za-z_]\w*))?|write_messages(?:\s*\.\s*\w+)+)"
+    r"\s*\{",
+    re.ASCII,
+)
+_COLON = re.compile(
+    r'(?:(?:"[^"\n]*"|[^{}":\n])*,)?\s*[A-Za-z_][\w.]*\s*:',
+    re.ASCII,
+)
+_UNCLOSED = re.compile(r"[^{}\n]*?([^\s{},;]+)[ \t,;]*(?=\bto\b(?!\s*=)|\n|\Z)", re.ASCII)
+"""A message with its braces, and what may be wrong inside them."""
 
 _BEGINS_NO_ACTION = ("", ";", "/", "]", ")", "[", ",", "=", ".")
 _ARE_NO_ACTION = ("else", "when", "and", "or")
@@ -291,7 +302,7 @@ class _Reader:
         ):
             if first == "if" and self.tokens[self.index : self.index + 2][1:] != ["from"]:
                 raise self._if(first)
-            if first == "lost" and self.tokens[self.index + 1 : self.index + 2] != ["from"]:
+            if first == "lost":
                 return self._lost(first)
             self.index -= 1
             performative = self.need_name("a performative")
@@ -303,6 +314,11 @@ class _Reader:
                 raise self._no_from()
             self.take()
             participant = self.need_name("the participant that sends the message")
+            if self.next == "as" and name is None and self.index + 1 < len(self.tokens):
+                called = self.tokens[self.index + 1]
+                hint = f"write {performative} {message} {called} from {participant}"
+                word = self.tokens[self.index]
+                raise self.error("E102", "the name of a message stands before 'from'", word, hint)
             return tree.Received(performative, message, participant, self.since(first.start), name)
         if (
             "." in first
@@ -313,6 +329,8 @@ class _Reader:
         return tree.Raised(tree.Name(str(first), self.span(first)), self.span(first))
 
     def _lost(self, word: Token) -> tree.Lost:
+        if self.next == "from":
+            raise self.unexpected("a participant")
         participant = self.need_name("a participant")
         name = None
         if _is_name(self.next) and self.next not in RESERVED:
@@ -320,6 +338,7 @@ class _Reader:
         return tree.Lost(participant, name, self.since(word.start))
 
     def action(self) -> tree.Action:
+        self._check_content()
         if self.next[:1] in _BEGINS_NO_ACTION or self.next in _ARE_NO_ACTION:
             raise self.unexpected("an action")
         first = self.tokens[self.index]
@@ -398,6 +417,29 @@ class _Reader:
                 raise self.unexpected("an operator, ',' or '}'", (self._still_open(opener),))
         self.take()
         return tuple(found)
+
+    def _check_content(self) -> None:
+        """What is wrong where the grammar could not read a message and its braces. Raises Malformed."""
+        is_last = self.index == len(self.tokens)
+        start = self.tokens[-1].end if is_last else self.tokens[self.index].start
+        text = self.source.text
+        found = _CONTENT.match(text, start)
+        if found is None or any(item.end == found.end() for item in self.tokens[self.index :]):
+            return
+        place = Span(self.source, self.tokens[-1].start if is_last else start, found.end())
+        if found["kind"] and not found["message"]:
+            message = f"expected a message after {shown(found['kind'])}, found '{{'"
+            raise Malformed(Diagnostic("E102", message, place, hint="send inform Done { … } to …"))
+        colon = _COLON.match(text, found.end())
+        if colon is not None:
+            at = Span(self.source, colon.end() - 1, colon.end())
+            message, hint = "a member is filled with '='", "write = for :"
+            raise Malformed(Diagnostic("E102", message, place, hint=hint, edits=(Edit(at, " ="),)))
+        end = _UNCLOSED.match(text, found.end())
+        if end is not None:
+            at = Span(self.source, end.end(1), end.end(1))
+            message = f"expected '}}' after {shown(end[1])}"
+            raise Malformed(Diagnostic("E102", message, place, hint="write '}'", edits=(Edit(at, " }"),)))
 
     # ---- expressions ---------------------------------------------------------------------------
 

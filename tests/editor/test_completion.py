@@ -103,7 +103,7 @@ def test_types_of_fields_and_variables() -> None:
         *("E", "M", "N", "optional", "repeated"),
     ]
     text = "system T\nenum E { A }\nmessage M { bool b }\nsrm r { var x : ‸ }\n"
-    assert labels(text) == ["bool", "int", "double", "string", "duration", "E"]
+    assert labels(text) == ["bool", "int", "double", "string", "duration", "agent", "E"]
 
 
 def test_an_initial_value_is_a_constant_of_its_type() -> None:
