@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Fill, Value
@@ -68,6 +69,8 @@ def taken_by(checker: Checker, written: tree.TransitionExpression) -> Taken | No
             other = _taken(item, item.name)
             if (other.name, other.message, other.lost) == (taken.name, taken.message, taken.lost):
                 continue
+            if other.name == taken.name:
+                taken = replace(taken, message="", lost=False)  # nothing is known of it
         checker.report(
             "E530",
             f"`{first.name}` would not be there when this has happened",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
@@ -24,7 +24,7 @@ class Path:
     @property
     def events(self) -> frozenset[str]:
         """The events that it waits for, as they are written."""
-        return frozenset(e.event_text(event) for item in self.segments for event in item.expression.events)
+        return frozenset(_event(event) for item in self.segments for event in item.expression.events)
 
     @property
     def interrupts(self) -> bool:
@@ -74,7 +74,7 @@ def paths(chart: Statechart, source: str) -> tuple[Path, ...]:
 
 def trigger_of(transition: Transition, at_once: bool) -> frozenset[str]:
     """What a transition waits for; `at_once`: its source is always complete, so that `when` says nothing."""
-    events = frozenset(e.event_text(event) for event in transition.expression.events)
+    events = frozenset(_event(event) for event in transition.expression.events)
     if events:
         return events
     return WHEN if transition.expression.when and not at_once else COMPLETION
@@ -117,6 +117,11 @@ def interruptions(chart: Statechart, state: str) -> tuple[Path, ...]:
         for path in paths(chart, around.label)
         if path.events or path.interrupts
     )
+
+
+def _event(event: e.Event) -> str:
+    """An event as it is written, whatever the line calls what it takes."""
+    return e.event_text(replace(event, name="") if isinstance(event, e.Received | e.Lost) else event)
 
 
 __all__ = ["COMPLETION", "MOST", "WHEN", "Fork", "Path", "forks", "interruptions", "paths", "trigger_of"]

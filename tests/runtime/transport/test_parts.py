@@ -416,6 +416,34 @@ def test_a_participant_that_is_gone_is_told(net: Generated) -> None:
     assert gone["peer"] == "bob" and gone["participant"] == "manager"
 
 
+def test_a_line_may_wait_to_hear_that_a_participant_is_gone(box: Box) -> None:
+    text = (
+        NET.replace(
+            "leave AwaitBids : propose Bid from contractor or after(20s)",
+            "leave AwaitBids : lost contractor who [who == best]",
+        )
+        .replace(
+            "process = Announce . AwaitBids", "var best : agent  process = Announce . Collect . AwaitBids"
+        )
+        .replace(
+            "enter Announce : /",
+            "enter AwaitBids : propose Bid b from contractor / best = sender(b)  enter Announce : /",
+        )
+        .replace("AwaitBids takes 30s", "AwaitBids takes 30s  Collect takes 30s")
+    )
+    waiting = generate(text.replace("Offer takes 1ms", "Offer takes 30s"))
+    air = Air()
+    boss = part(waiting, ["ann"], {}, air.link()).start()
+    bob = part(waiting, ["bob"], {}, air.link()).start()
+    wait_until(lambda: boss.of("received", performative="propose"))
+    bob.stop()
+    boss.join()
+    boss.stop()
+    (gone,) = boss.of("conversation", what="gone")
+    assert (gone["peer"], gone["played"]) == ("bob", "contractor")
+    assert boss.result is not None and boss.result.reason == "finished"
+
+
 def test_what_cannot_be(talk: Generated, box: Box) -> None:
     with pytest.raises(TeamError, match="bob, cat cannot be reached: no transport"):
         make(talk, box.activities, here=["ann"], clock="real")
