@@ -285,8 +285,9 @@ class Agent:
         reason = outcome.failure or ""
         states = self.plan.states
         at = next((state.at for state in states if f" of state {state.label} failed: " in reason), "")
-        if not at and outcome.taken:
-            at = self.plan.transitions[outcome.taken[-1][0]].at
+        if not at:
+            taken = [self.plan.transitions[numbers[0]] for numbers in outcome.taken]
+            at = next((way.at for way in reversed(taken) if way.kind != "exit"), "")
         self.failed_at = at
         self.trace.failure(now, self.name, reason, at)
 

@@ -284,13 +284,13 @@ class Chart:
         for board in self.boards():
             if board is not None and board.end_step():
                 outcome.again = True
-        self.events.clear()
-        self._seen_events.clear()
-        self._faults.clear()
         if self.failed and self.failure is None:
             label, reason = next(iter(self.failed.items()))
             name = self.PLAN.by_label[label].name
             self._stop(f"activity {name} of state {label} failed: {reason}")
+        self.events.clear()
+        self._seen_events.clear()
+        self._faults.clear()
         self.finished = self.is_finished()
         outcome.finished = self.finished
         outcome.failure = self.failure

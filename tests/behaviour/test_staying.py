@@ -310,3 +310,15 @@ def test_an_outcome_counts_when_it_is_another(play: Play) -> None:
     run.step(run.done("Grasp", outcome="held"))
     run.step(run.done("B"))
     assert run.variable("n") == 1
+
+
+def test_a_fault_of_what_is_done_on_leaving_is_told_once(play: Play) -> None:
+    """ "a fault is recorded once per transition and step", also when the agent stops in it"""
+    run = play("""
+        srm R {
+          liveness { R = A || B~ }
+          control R { repeat B : go  exit B : / t.state.M.x = t.data.M.x }
+        }
+    """).step()
+    run.step(run.event("go"), run.crashed("A"))
+    assert [line.split()[0] for line in run.did].count("fault") == 1

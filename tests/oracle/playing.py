@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from enum import Enum
 from itertools import cycle
 from typing import Any
@@ -241,7 +241,10 @@ class Game:
                 identity = self.identity(sender)
                 return [Mail(branch, performative, message, content, participant, sender, identity)]
             case ("back",):
-                back = [self.arrived(p.channel, p.message, "me", 0, p.region) for p in self.published]
+                # a message of its own for both engines: each has published another object
+                back = [
+                    self.arrived(p.channel, replace(p.message), "me", 0, p.region) for p in self.published
+                ]
                 self.published.clear()
                 return list(back)
             case ("arrival", number, sender, age, members):
