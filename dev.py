@@ -56,7 +56,11 @@ LONG = [
     ("a real match of ten minutes", ["benchmarks/real_match.py", "10", "SIGINT"], {}),
     ("one that SIGTERM ends", ["benchmarks/real_match.py", "3", "SIGTERM"], {}),
     ("answers to an editor", ["benchmarks/editor.py"], {}),
-    ("random edits", ["-m", "pytest", "tests/editor/test_drift.py"], {"EDITOR_EDITS": "10000"}),
+    (
+        "random edits",
+        ["-m", "pytest", "tests/editor/test_drift.py", "tests/editor/test_endurance.py"],
+        {"EDITOR_EDITS": "10000"},
+    ),
     ("random charts", ["-m", "pytest", "tests/oracle"], {"ORACLE_EXAMPLES": "5000"}),
     ("seeded faults", ["-m", "pytest", "-n", "auto", "tests/faults/test_seeded.py"], {"FAULT_RUNS": "1000"}),
     ("random swaps", ["-m", "pytest", "-n", "auto", "tests/faults/test_swap.py"], {"SWAP_EXAMPLES": "300"}),

@@ -11,7 +11,7 @@ from aseme_dsl.amola.messages import Comm
 from aseme_dsl.amola.statechart import Node, NodeType
 from aseme_dsl.compiler.builtins import FORMS
 from aseme_dsl.diagnostics import CODES
-from aseme_dsl.editor.documentation import documentation
+from aseme_dsl.editor.comments import documentation
 from aseme_dsl.editor.index import Kind, Occurrence, Symbol, Use
 from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
@@ -90,9 +90,10 @@ def _about(program: Program, found: Occurrence) -> Iterator[str]:
         yield from describe(program, symbol)
     declared = program.index.declarations(symbol)
     for item in declared:
-        said = documentation(program, program.whole(item.span))
-        if said:
-            yield said
+        span = program.whole(item.span)
+        for file in program.inspection.loaded.files:
+            if file.source is span.source:
+                yield documentation(file, span)
     labels = _labels(program, found)
     if labels:
         yield "State " + _listed(f"`{label}` of {chart}" for chart, label in labels)

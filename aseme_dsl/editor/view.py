@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from aseme_dsl.diagnostics import Diagnostic
@@ -11,6 +12,22 @@ from aseme_dsl.editor.positions import Lines
 from aseme_dsl.editor.program import Program
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Source, Span
+
+_WORD = re.compile(r"\w*", re.ASCII)
+_LONGEST = 200
+"""How long a word is at most."""
+
+
+def _word_at(text: str, offset: int) -> tuple[int, int]:
+    """Where the word around an offset begins and ends."""
+    before = _WORD.match(text[max(0, offset - _LONGEST) : offset][::-1])
+    behind = _WORD.match(text, offset)
+    assert before is not None and behind is not None  # it may be empty
+    return offset - before.end(), behind.end()
+
+
+def _name_of(declaration: tree.Declaration | None) -> str:
+    return str(getattr(declaration, "name", ""))
 
 
 @dataclass(frozen=True)
@@ -67,9 +84,26 @@ class View:
         return None
 
     def occurrence_at(self, offset: int) -> Occurrence | None:
-        """The name at an offset, or just before it."""
+        """The name at an offset, or just before it; in what cannot be read now, what it meant before."""
         part, inside = self.at(offset)
-        return self.program.index.at(part, inside)
+        return self.program.index.at(part, inside) or self._meant_before(offset)
+
+    def _meant_before(self, offset: int) -> Occurrence | None:
+        """What the word at an offset meant when the file had no mistake of syntax, best in the same block."""
+        if self.earlier is None:
+            return None
+        text = self.source.text
+        start, end = _word_at(text, offset)
+        around = _name_of(self.declaration_at(offset))
+        found: Occurrence | None = None
+        for item in self.earlier.occurrences if end > start else ():
+            if item.span.text == text[start:end]:
+                same = _name_of(self.earlier.program.block_at(item.span)) == around
+                if found is None or same:
+                    found = item
+                if same:
+                    break
+        return None if found is None else replace(found, span=Span(self.source, start, end))
 
     @cached_property
     def occurrences(self) -> tuple[Occurrence, ...]:
