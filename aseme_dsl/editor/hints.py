@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.statechart import NodeType
 from aseme_dsl.editor.hover import type_of
-from aseme_dsl.editor.index import Kind, Symbol
+from aseme_dsl.editor.index import Kind, Symbol, name_of
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
@@ -44,7 +44,7 @@ def hints(view: View, start: int, end: int) -> tuple[Hint, ...]:
             for leaf in names(formula.formula):
                 states = labels.get(leaf.span, [])
                 if len(states) == 1 and leaf is not formula.formula:
-                    found.append(Hint(view.whole(leaf.span).end, states[0], False))
+                    found.append(Hint(view.whole(name_of(leaf)).end, states[0], False))
     return tuple(
         sorted((item for item in found if start <= item.offset <= end), key=lambda item: item.offset)
     )

@@ -12,7 +12,7 @@ from aseme_dsl.amola.statechart import Node, NodeType
 from aseme_dsl.compiler.builtins import FORMS
 from aseme_dsl.diagnostics import CODES
 from aseme_dsl.editor.comments import documentation
-from aseme_dsl.editor.index import Kind, Occurrence, Symbol, Use
+from aseme_dsl.editor.index import Kind, Occurrence, Symbol, Use, name_of
 from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
@@ -259,8 +259,11 @@ def type_of(program: Program, symbol: Symbol) -> str | None:
 
 def _parameter(program: Program, symbol: Symbol) -> Iterator[str]:
     for node in _nodes(program, symbol):
-        if isinstance(node, tree.Parameter):
-            yield _fence(f"{node.type} {node.name}")
+        match node:
+            case tree.Parameter():
+                yield _fence(f"{node.type} {node.name}")
+            case tree.FormulaParameter() | tree.ActivityParameter():
+                yield _fence(f"{node.name} : {node.type}" if node.type is not None else str(node.name))
 
 
 def _formula(program: Program, symbol: Symbol) -> Iterator[str]:
@@ -422,7 +425,8 @@ def _labels(program: Program, found: Occurrence) -> list[tuple[str, str]]:
     """The states that come from a name in a formula, or from the term of that name in a control line."""
     node = found.node
     if isinstance(node, tree.NamedFormula):
-        spans = {found.span} if found.use is Use.READ else {node.formula.span}
+        leaves = {leaf.span for leaf in names(node.formula) if name_of(leaf) == found.span}
+        spans = leaves if found.use is Use.READ else {node.formula.span}
     elif isinstance(node, tree.Term):
         around = program.control_at(found.span)
         formula = program.controlled(*around) if around is not None else None

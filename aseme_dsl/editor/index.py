@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, fields, is_dataclass, replace
 from enum import StrEnum
 from typing import Any
 
-from aseme_dsl.amola.liveness import Formula, names
+from aseme_dsl.amola.liveness import Argument, Formula, names
 from aseme_dsl.amola.messages import BUILT_IN
 from aseme_dsl.compiler.builtins import COMM_TYPES, PERFORMATIVES
 from aseme_dsl.compiler.symbols import Symbols
@@ -154,6 +154,8 @@ class Around:
     terms: Mapping[str, Symbol] = field(default_factory=dict)
     parties: Mapping[str, Symbol] = field(default_factory=dict)
     lets: Mapping[Symbol, tree.Expression] = field(default_factory=dict)
+    formula: str = ""
+    activity: str = ""
     node: Any = None
     taken: Mapping[str, str] = field(default_factory=dict)
     """The types of the agent messages that have names here."""
@@ -179,6 +181,14 @@ def _block(around: Around) -> str:
 
 def _owner(around: Around) -> str:
     return around.owner
+
+
+def _formula(around: Around) -> str:
+    return f"{around.owner}.{around.formula}"
+
+
+def _activity(around: Around) -> str:
+    return around.activity
 
 
 def _type(around: Around, name: tree.Name) -> Symbol | None:
@@ -284,6 +294,8 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.AgentMessage, "performative"): (Use.READ, _is(Kind.PERFORMATIVE)),
     (tree.AgentMessage, "message"): (Use.READ, _is(Kind.MESSAGE)),
     (tree.NamedFormula, "name"): (Use.DECLARATION, _formula_named),
+    (tree.FormulaParameter, "name"): (Use.DECLARATION, _is(Kind.PARAMETER, _formula)),
+    (tree.FormulaParameter, "type"): (Use.READ, _type),
     (tree.Place, "name"): (Use.READ, _place),
     (tree.Place, "at"): (Use.READ, _party),
     (tree.Control, "name"): (Use.READ, _controlled),
@@ -309,6 +321,8 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.Capability, "name"): (Use.DECLARATION, _is(Kind.CAPABILITY, _owner)),
     (tree.Capability, "activities"): (Use.READ, _term),
     (tree.Activity, "name"): (Use.DECLARATION, _is(Kind.ACTIVITY)),
+    (tree.ActivityParameter, "name"): (Use.DECLARATION, _is(Kind.PARAMETER, _activity)),
+    (tree.ActivityParameter, "type"): (Use.READ, _type),
     (tree.Activity, "uses"): (Use.READ, _is(Kind.FUNCTIONALITY)),
     (tree.Functionality, "name"): (Use.DECLARATION, _is(Kind.FUNCTIONALITY)),
     (tree.Statechart, "name"): (Use.DECLARATION, _is(Kind.ROLE)),
@@ -419,6 +433,13 @@ def _called(around: Around, path: tree.Path) -> Iterator[Occurrence]:
 
 
 TIMER_FORMS = ("start_timer", "expired")
+TERM_FORMS = ("in", "done", "count", "outcome")
+"""Forms that are asked of a formula, an activity or a participant."""
+
+
+def name_of(leaf: Formula) -> Span:
+    """The name in a formula's node, without what it is given."""
+    return Span(leaf.span.source, leaf.span.start, leaf.span.start + len(leaf.name))
 
 
 # ---- a whole declaration --------------------------------------------------------------------------
@@ -439,9 +460,11 @@ def occurrences(declaration: tree.Declaration, world: World) -> tuple[Occurrence
                 if isinstance(item, tree.Path):
                     found += _path(node, name, item, around)
                 elif isinstance(item, Formula):
-                    found += (
-                        Occurrence(leaf.span, around.term(leaf.name), Use.READ, node) for leaf in names(item)
-                    )
+                    for leaf in names(item):
+                        found.append(Occurrence(name_of(leaf), around.term(leaf.name), Use.READ, node))
+                        todo += ((argument, around) for argument in leaf.arguments)
+                elif isinstance(item, Argument):
+                    todo.append((item, around))
                 elif meaning is not None:
                     for written in _names_in(item):
                         symbol = meaning(around, written)
@@ -456,6 +479,8 @@ def _path(node: Any, name: str, path: tree.Path, around: Around) -> Iterator[Occ
     match node:
         case tree.Call() if name == "function":
             return _called(around, path)
+        case tree.Call() if node.function.text in TERM_FORMS and len(path.segments) == 1:
+            return iter((Occurrence(path.segments[0].span, around.term(path.text), Use.READ, node),))
         case tree.Call() if node.function.text in TIMER_FORMS and path is node.arguments[0]:
             timer = Symbol(Kind.TIMER, path.text, around.owner)
             use = Use.WRITE if node.function.text == "start_timer" else Use.READ
@@ -531,11 +556,18 @@ def _inside(node: Any, around: Around) -> Around:
             )
         case tree.Participant():
             return _in_participant(node, around)
+        case tree.NamedFormula():
+            return _in_formula(node, around)
+        case tree.Activity():
+            return replace(around, activity=node.name.text)
         case tree.Control() if isinstance(around.block, tree.Aip):
             for party in around.block.participants:
-                formulas = [item.name.text for item in party.formulas]
+                formulas = {item.name.text: item for item in party.formulas}
                 if node.name.text == party.name.text or node.name.text in formulas:
-                    return _in_participant(party, around)
+                    inside = _in_participant(party, around)
+                    return _in_formula(formulas.get(node.name.text), inside)
+        case tree.Control():
+            return _in_formula(_formula_of(around, node.name.text), around)
         case tree.Srm() | tree.Statechart():
             return _in_role(node, around)
         case tree.TransitionExpression(events=events):
@@ -562,6 +594,26 @@ def _taken(events: Iterable[tree.Event], around: Around) -> dict[str, Symbol]:
 def _start(events: Iterable[tree.Event]) -> int:
     """Where the first of them stands."""
     return min(item.span.start for item in events)
+
+
+def _in_formula(formula: tree.NamedFormula | None, around: Around) -> Around:
+    """The parameters of a formula are visible in its text and in its control."""
+    if formula is None or not formula.parameters:
+        return around if formula is None else replace(around, formula=formula.name.text)
+    inside = replace(around, formula=formula.name.text)
+    parameters = {
+        item.name.text: Symbol(Kind.PARAMETER, item.name.text, _formula(inside))
+        for item in formula.parameters
+    }
+    return replace(inside, values={**around.values, **parameters})
+
+
+def _formula_of(around: Around, name: str) -> tree.NamedFormula | None:
+    """The formula of a role that a control block is about."""
+    if not isinstance(around.block, tree.Srm):
+        return None
+    parts = (around.block, *around.world.included.get(around.block.name.text, ()))
+    return next((item for part in parts for item in part.formulas if item.name.text == name), None)
 
 
 def _in_participant(party: tree.Participant, around: Around) -> Around:

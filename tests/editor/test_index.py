@@ -169,6 +169,41 @@ def test_what_a_name_means(marked: str, expected: Symbol) -> None:
     assert symbol(opened(TEAM), marked) == expected
 
 
+CELL = """\
+system Cell
+enum Place { TRAY BELT }
+srm arm {
+  var home : Place = Place.TRAY
+  liveness {
+    arm = deliver(Place.BELT, home)~
+    deliver(from, to) = MoveTo(from) . Grasp . MoveTo(to)
+  }
+  activities { MoveTo(goal : Place) takes 1s  Grasp takes 1s ends held, slipped }
+  control deliver { enter Grasp : [to != Place.TRAY && in(deliver) && outcome(Grasp) == held] }
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("marked", "expected"),
+    [
+        ("Place.BELT, ^home", Symbol(Kind.VARIABLE, "home", "arm")),
+        ("(Place.^BELT", Symbol(Kind.CONSTANT, "BELT", "Place")),
+        ("= ^deliver(", Symbol(Kind.FORMULA, "deliver", "arm")),
+        ("MoveTo(^from", Symbol(Kind.PARAMETER, "from", "arm.deliver")),
+        ("(from, ^to)", Symbol(Kind.PARAMETER, "to", "arm.deliver")),
+        ("[^to !=", Symbol(Kind.PARAMETER, "to", "arm.deliver")),
+        (". ^MoveTo(to", Symbol(Kind.ACTIVITY, "MoveTo")),
+        ("MoveTo(^goal", Symbol(Kind.PARAMETER, "goal", "MoveTo")),
+        ("goal : ^Place", Symbol(Kind.ENUM, "Place")),
+        ("in(^deliver", Symbol(Kind.FORMULA, "deliver", "arm")),
+        ("outcome(^Grasp", Symbol(Kind.ACTIVITY, "Grasp")),
+    ],
+)
+def test_what_parameters_mean(marked: str, expected: Symbol) -> None:
+    assert symbol(opened(CELL), marked) == expected
+
+
 def test_where_a_symbol_is_declared_and_used() -> None:
     view = opened(TEAM)
     index = view.program.index
