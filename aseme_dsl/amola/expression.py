@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
 
-from aseme_dsl.amola.messages import AGENT, BOOL, DURATION, Channel, Function, Kind, Type
+from aseme_dsl.amola.messages import AGENT, BOOL, DOUBLE, DURATION, INT, Channel, Function, Kind, Type
 from aseme_dsl.source import Source, Span
 
 # ---- values ------------------------------------------------------------------------------------
@@ -186,6 +186,22 @@ class Holds:
 
 
 @dataclass(frozen=True, slots=True)
+class Index:
+    """`index`: the agent's number (3 for `carrier3` of `carrier[1..8]`), in an instance of `A[3]` its own."""
+
+    span: Span
+    type: Type = INT
+
+
+@dataclass(frozen=True, slots=True)
+class Random:
+    """`random()`: a double in [0, 1), another each time; in actions and arguments only."""
+
+    span: Span
+    type: Type = DOUBLE
+
+
+@dataclass(frozen=True, slots=True)
 class Not:
     operand: Value
     span: Span
@@ -255,6 +271,8 @@ Value = (
     | Expired
     | Holds
     | Outcome
+    | Index
+    | Random
     | StateValue
     | Not
     | Logic
@@ -532,7 +550,7 @@ def _rewritten_action(action: Action, change: Callable[[Value], Value]) -> Actio
 
 
 def substituted(value: Value, values: Mapping[str, Value]) -> Value:
-    """The value with what the parameters of its formula stand for."""
+    """The value with what the parameters of its formula (and `index`, under INSTANCE) stand for."""
     return rewritten(value, lambda item: _standing_for(item, values))
 
 
@@ -546,7 +564,16 @@ def substituted_expression(
 
 
 def _standing_for(value: Value, values: Mapping[str, Value]) -> Value:
-    return values.get(value.name, value) if isinstance(value, ParameterValue) else value
+    match value:
+        case ParameterValue(name=name):
+            return values.get(name, value)
+        case Index():
+            return values.get(INSTANCE, value)
+    return value
+
+
+INSTANCE = "[n]"
+"""The key of the number of an instance among the values of parameters."""
 
 
 def walk(value: Value) -> Iterator[Value]:
@@ -667,6 +694,10 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = f"expired({timer})"
             case Outcome(activity=activity):
                 text = f"outcome({activity})"
+            case Index():
+                text = "index"
+            case Random():
+                text = "random()"
             case StateValue(question=question, state=state):
                 text = f"{question}({state})"
             case Holds(operand=operand):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from aseme_dsl.amola.aip import Aip
+from aseme_dsl.amola.expression import Literal
 from aseme_dsl.amola.messages import EnumType, Function, Message, ProtoFile, Topic
 from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Srm
@@ -15,11 +16,16 @@ from aseme_dsl.source import Source, Span
 
 @dataclass(frozen=True, slots=True)
 class Agent:
-    """An agent of the team: its name (`carrier3`) and its role."""
+    """An agent of the team: its name (`carrier3`), its role and its number in a range (3).
+
+    `settings` are the initial values of variables of its role, as it has them.
+    """
 
     name: str
     role: str
     span: Span
+    index: int = 1
+    settings: tuple[tuple[str, Literal], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,6 +21,7 @@ from aseme_dsl.amola.expression import (
     Expired,
     Has,
     Holds,
+    Index,
     Literal,
     Logic,
     Mean,
@@ -30,6 +31,7 @@ from aseme_dsl.amola.expression import (
     Not,
     Outcome,
     ParameterValue,
+    Random,
     Sender,
     StateValue,
     Value,
@@ -202,6 +204,10 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return Piece(f"b.timers.get({timer!r}, NEVER) <= now", known=known)
         case Outcome(activity=activity):
             return _outcome(activity, names, known)
+        case Index():
+            return Piece("self.index", known=known)
+        case Random():
+            return Piece("self.random()", known=known)
         case StateValue():
             return Piece(names.states(value), known=known)
         case Call():

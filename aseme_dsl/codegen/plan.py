@@ -12,7 +12,7 @@ from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Topic
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import Node, Statechart, Transition, Variable, transition_text
-from aseme_dsl.amola.system import System
+from aseme_dsl.amola.system import Agent, System
 from aseme_dsl.codegen.expressions import function_key
 from aseme_dsl.codegen.flat import FlatChart
 from aseme_dsl.codegen.place import place
@@ -57,6 +57,10 @@ def value_term(value: e.Value) -> Term:
             return ("expired", timer)
         case e.Outcome(activity=activity):
             return ("outcome", activity)
+        case e.Index():
+            return ("index",)
+        case e.Random():
+            return ("random",)
         case e.StateValue(question=question, state=state):
             return (question, state)
         case e.Holds(operand=operand):
@@ -176,12 +180,7 @@ def _transition(transition: Transition, placed: bool = True) -> str:
 
 
 def _variable(system: System, variable: Variable) -> str:
-    initial: Any = variable.initial.value
-    if variable.type == AGENT:
-        initial = None
-    enum = system.enum(variable.type.name)
-    if enum is not None:
-        initial = dict(enum.constants)[str(initial)]
+    initial = None if variable.type == AGENT else _constant(system, variable.initial)
     return _call("Variable", [variable.name, str(variable.type), initial], [("scope", variable.scope, None)])
 
 
@@ -311,8 +310,37 @@ def plan_sections(system: System, chart: Statechart) -> list[tuple[str, list[str
             [repr((key, functions[key].target, str(functions[key].result))) for key in sorted(functions)],
         ),
         ("branches", [_branch(system, chart, node) for node in flat.branches]),
+        ("settings", [repr(item) for item in _settings(system, chart)]),
+        ("numbers", [repr(item) for item in _numbers(system, chart)]),
     ]
     return [(name, items) for name, items in sections if items]
+
+
+def _agents(system: System, chart: Statechart) -> list[Agent]:
+    """The agents that have the role of a chart, whose names are those of the first team that has them."""
+    agents = {agent.name: agent for team in reversed(system.teams) for agent in reversed(team.agents)}
+    return [agent for agent in reversed(agents.values()) if agent.role == chart.name]
+
+
+def _settings(system: System, chart: Statechart) -> list[tuple[str, str, Any]]:
+    """What the variables of the role hold at first in its agents."""
+    return [
+        (agent.name, name, _constant(system, literal))
+        for agent in _agents(system, chart)
+        for name, literal in agent.settings
+    ]
+
+
+def _numbers(system: System, chart: Statechart) -> list[tuple[str, int]]:
+    """The numbers of the agents that have another than 1, if the chart asks for them."""
+    if not any(isinstance(value, e.Index) for _, value in chart.values()):
+        return []
+    return [(agent.name, agent.index) for agent in _agents(system, chart) if agent.index != 1]
+
+
+def _constant(system: System, literal: e.Literal) -> Any:
+    enum = system.enum(literal.type.name)
+    return literal.value if enum is None else dict(enum.constants)[str(literal.value)]
 
 
 def _branch(system: System, chart: Statechart, node: Node) -> str:

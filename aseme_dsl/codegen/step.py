@@ -334,7 +334,11 @@ class _Generator:
             "    def __init__(self, agent: str) -> None:",
             "        super().__init__(agent)",
         ]
-        return lines + [f"        self.{name}: {kind} = {value}" for name, kind, value in attributes]
+        lines += [f"        self.{name}: {kind} = {value}" for name, kind, value in attributes]
+        agents = [agent for team in self.system.teams for agent in team.agents]
+        if any(agent.settings for agent in agents if agent.role == self.chart.name):
+            lines.append("        self.settle()")
+        return lines
 
     def _deadlines(self) -> list[str]:
         found = self.flat.deadlines

@@ -30,6 +30,7 @@ FORMS: dict[str, str] = {
     "expired": "expired(timer)",
     "start_timer": "start_timer(timer, 200ms)",
     "outcome": "outcome(Activity) == name",
+    "random": "random()",
     "in": "in(Formula)",
     "done": "done(Formula)",
     "count": "count(Activity) < 3",

@@ -53,6 +53,11 @@ def call(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Va
             if message is None or not _is_timed(checker, message):
                 return None
             return amola.Age(message, written.span)
+        case "random":
+            if arguments:
+                wrong_form(checker, name, written.span, "`random` takes no arguments")
+                return None
+            return amola.Random(written.span)
         case "at":
             return _at(checker, written, arguments)
         case "mean":

@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
-from aseme_dsl.amola.expression import Value, substituted, value_text
+from aseme_dsl.amola.expression import INSTANCE, Literal, Value, substituted, value_text
 from aseme_dsl.amola.liveness import Formula, Operator, called, canonical, names, ungrouped, walk
+from aseme_dsl.amola.messages import INT
 from aseme_dsl.amola.statechart import Argument, Node, NodeType, Origin, OriginKind
 from aseme_dsl.compiler.formulas import Formulas, dependencies_first, fold
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -100,6 +101,15 @@ class _Context:
     values: Mapping[str, Value] = field(default_factory=dict)
     """What the parameters of the formula stand for."""
 
+    @property
+    def instance(self) -> dict[str, Value]:
+        """The number of the instance that this is in, as one of `values`."""
+        return {INSTANCE: self.values[INSTANCE]} if INSTANCE in self.values else {}
+
+    def numbered(self, number: int, span: Span) -> _Context:
+        """The context of an instance."""
+        return replace(self, values={**self.values, INSTANCE: Literal(number, INT, span)})
+
     def given(self, term: Formula) -> tuple[Argument, ...]:
         """What a name is given, in terms of the chart."""
         found = self.formulas.given.get(term, ())
@@ -109,7 +119,7 @@ class _Context:
 
     def inside(self, term: Formula) -> _Context:
         """The context of the formula that a name stands for."""
-        values = {item.name: item.value for item in self.given(term)}
+        values = {item.name: item.value for item in self.given(term)} | self.instance or _NOTHING
         if self.branch is not None:
             return self if values == self.values else replace(self, values=values)
         origin = Origin(OriginKind.FORMULA, self.formulas.owner, term.name)
@@ -232,7 +242,9 @@ class _Builder:
             elif term.name in context.played:
                 branch = context.played[term.name]
                 self.branches[label] = branch
-                context = _Context(branch.formulas, branch.origin, {}, label, branch.bindings)
+                context = _Context(
+                    branch.formulas, branch.origin, {}, label, branch.bindings, context.instance
+                )
                 inside = branch.formulas.named[branch.formulas.root].formula
             else:
                 kind, activity = NodeType.BASIC, context.bindings.get(term.name, term.name)
@@ -280,10 +292,16 @@ class _Builder:
             return child, self.name_of(operand, context)
 
         def arrow(
-            source: tuple[str, str], target: tuple[str, str], verb: str, of: Formula, *, first: bool = False
+            source: tuple[str, str],
+            target: tuple[str, str],
+            verb: str,
+            of: Formula,
+            *,
+            first: bool = False,
+            inside: _Context = context,
         ) -> None:
             way = (verb, ungrouped(of))
-            self.arrow(*source, *target, way, branch, origin, of.span, first, context.values)
+            self.arrow(*source, *target, way, branch, origin, of.span, first, inside.values)
 
         start = point(1, NodeType.START)
         match operator:
@@ -320,13 +338,16 @@ class _Builder:
                 for number, operand in enumerate(parts, 1):
                     region = f"{parallel[0]}.{number}"
                     first, last = (f"{region}.1", f"{region}.1"), (f"{region}.3", f"{region}.3")
-                    body = f"{region}.2", self.name_of(operand, context)
+                    inner = context
+                    if operator is Operator.INSTANCES:
+                        inner = context.numbered(number, formula.span)
+                    body = f"{region}.2", self.name_of(operand, inner)
                     node(region, region, NodeType.OR, parallel[0])
                     node(*first, NodeType.START, region)
-                    children.append(_Place(body[0], region, operand, context))
+                    children.append(_Place(body[0], region, operand, inner))
                     node(*last, NodeType.END, region)
-                    arrow(first, body, "enter", operand)
-                    arrow(body, last, "leave", operand)
+                    arrow(first, body, "enter", operand, inside=inner)
+                    arrow(body, last, "leave", operand, inside=inner)
                 node(*end, NodeType.END)
             case Operator.ZERO_OR_MORE | Operator.OPTION:
                 choice = point(2, NodeType.CONDITION)

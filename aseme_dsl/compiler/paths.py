@@ -7,7 +7,7 @@ first segment is a host if and only if the second is not a communication class.
 from __future__ import annotations
 
 from aseme_dsl.amola import expression as amola
-from aseme_dsl.amola.expression import Member, Named, ParameterValue, Value, VariableValue
+from aseme_dsl.amola.expression import Index, Member, Named, ParameterValue, Value, VariableValue
 from aseme_dsl.amola.messages import Channel, Comm, EnumType, Kind, Message, Topic, Type
 from aseme_dsl.compiler.builtins import COMM_TYPES, PERFORMATIVES
 from aseme_dsl.compiler.checker import Checker, a
@@ -38,6 +38,8 @@ def value_of_path(checker: Checker, path: tree.Path) -> Value | None:
     if enum is not None:
         return _constant(checker, path, enum)
     if len(path.segments) == 1:
+        if first.text == "index":
+            return Index(path.span)
         _unknown_word(checker, first)
         return None
     if scope.symbols.topic(first.text) is None:

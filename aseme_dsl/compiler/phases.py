@@ -48,6 +48,7 @@ from aseme_dsl.compiler.scopes import (
     protocol_scopes,
     role_scope,
 )
+from aseme_dsl.compiler.settings import settle
 from aseme_dsl.compiler.srm_to_iac import Role, read_role, srm_to_iac
 from aseme_dsl.compiler.state_values import check_states
 from aseme_dsl.compiler.statecharts import GivenChart, build_statechart, read_statechart
@@ -160,6 +161,7 @@ def _inspect(
         for name, item in ((item.name.text, item) for item in blocks.aips)
     ]
     scopes = {item.name.text: keep(recall(role_scope, item, top)) for item in blocks.roles}
+    teams = keep(settle(symbols.teams, loaded.files, scopes, top))
     roles = {
         item.name.text: keep(recall(read_role, item, scopes[item.name.text], protocols, largest, is_damaged))
         for item in blocks.srms
@@ -296,7 +298,7 @@ def _inspect(
         srms=tuple(srms),
         eacs=_built(eacs),
         iacs=_built(iacs),
-        teams=symbols.teams,
+        teams=teams,
         protos=symbols.protos,
         sources=tuple(file.source for file in loaded.files),
         span=symbols.system.name.span,

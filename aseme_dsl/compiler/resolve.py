@@ -181,9 +181,10 @@ def _agents(
                 problem = f"`{name}[{many[0]}..{many[1]}]` has more than {MOST_AGENTS} agents"
                 collector.report("E215", problem, name.span)
                 continue
-            numbers = [""] if many is None else [str(number) for number in range(many[0], many[1] + 1)]
+            numbers = [None] if many is None else list(range(many[0], many[1] + 1))
             for number in numbers:
-                agent = Agent(name.text + number, line.role.text, name.span)
+                own = name.text if number is None else f"{name.text}{number}"
+                agent = Agent(own, line.role.text, name.span, 1 if number is None else number)
                 first = found.setdefault(agent.name, agent)
                 if first is not agent:
                     called = tree.Name(agent.name, name.span)

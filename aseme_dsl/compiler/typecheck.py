@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from aseme_dsl.amola import expression as amola
-from aseme_dsl.amola.expression import Literal, Named, Value, operands
+from aseme_dsl.amola.expression import Literal, Named, Value, operands, walk
 from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, STRING, Kind, Type
 from aseme_dsl.compiler import exchange
 from aseme_dsl.compiler.builtins import ACTIONS, FORMS, PERFORMATIVES, STATE_QUESTIONS
@@ -54,7 +54,7 @@ def type_expression(
     condition = None
     if written.condition is not None:
         value = _whole(checker, written.condition)
-        if is_condition(checker, value, "a condition"):
+        if is_condition(checker, value, "a condition") and _is_decided(checker, value):
             condition = value
     elif written.when:
         checker.report("E505", "`when` needs a condition", written.span, "write `when [condition]`")
@@ -70,6 +70,16 @@ def type_expression(
     )
     exchange.check_use(checker, taken, typed)
     return typed, tuple(checker.diagnostics)
+
+
+def _is_decided(checker: Checker, value: Value | None) -> bool:
+    """Whether a condition is left to chance (E526): it would be another one each time it is looked at."""
+    drawn = None if value is None else next((v for v in walk(value) if isinstance(v, amola.Random)), None)
+    if drawn is not None:
+        hint = "draw it in an action on the way, `/ chance = random()`, and ask for the variable"
+        problem = "a condition is looked at many times: `random()` would be another number each time"
+        checker.report("E526", problem, drawn.span, hint)
+    return drawn is None
 
 
 def type_value(
@@ -209,10 +219,22 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
             return typed(checker, written, left, right)
         case tree.Logic(operator=operator):
             parts = [_value(checker, part, depth + 1) for part in written.operands]
-            fits = [is_condition(checker, part, f"an operand of `{operator}`") for part in parts]
+            fits = [
+                is_condition(checker, part, f"an operand of `{operator}`") and _is_drawn_once(checker, part)
+                for part in parts
+            ]
             if not all(fits):
                 return None
             return amola.Logic(operator, tuple(part for part in parts if part is not None), written.span)
+
+
+def _is_drawn_once(checker: Checker, value: Value | None) -> bool:
+    """Whether a part of a logic expression, which may be asked twice, is not left to chance (E526)."""
+    drawn = None if value is None else next((v for v in walk(value) if isinstance(v, amola.Random)), None)
+    if drawn is not None:
+        problem = "`random()` is not drawn in `&&`, `||` and `!`"
+        checker.report("E526", problem, drawn.span, "keep it in a variable first: `/ chance = random(); …`")
+    return drawn is None
 
 
 def _checked(checker: Checker, literal: Literal) -> Value | None:
@@ -230,7 +252,8 @@ def _unary(checker: Checker, written: tree.Unary, depth: int) -> Value | None:
         return None
     if written.operator != "!":
         return negate(checker, written, operand)
-    return amola.Not(operand, written.span) if is_condition(checker, operand, "the operand of `!`") else None
+    fits = is_condition(checker, operand, "the operand of `!`") and _is_drawn_once(checker, operand)
+    return amola.Not(operand, written.span) if fits else None
 
 
 def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:

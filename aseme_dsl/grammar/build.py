@@ -15,6 +15,7 @@ from aseme_dsl.grammar.expression import (
     read_path,
     read_text,
     read_transition,
+    tokens_of,
 )
 from aseme_dsl.grammar.formula import BUILT_IN_TYPES, RESERVED, read_formula
 from aseme_dsl.grammar.lexer import shown
@@ -581,7 +582,12 @@ class _Builder:
             (self.new_name(item.name, "an agent"), self.range(item) if item.least else None)
             for item in node.names
         )
-        return tree.TeamAgents(names, self.name(node.role), self.span(node))
+        settings = self.all(self.setting, node.settings)
+        return tree.TeamAgents(names, self.name(node.role), self.span(node), settings)
+
+    def setting(self, node: Any) -> tree.Setting | None:
+        value = self.tried(lambda: read_expression(self.source, tokens_of(node.value)))
+        return tree.Setting(self.name(node.name), value, self.span(node)) if value is not None else None
 
     def range(self, node: Any) -> tuple[int, int] | None:
         least, most = self.integer(node.least), self.integer(node.most)

@@ -102,10 +102,7 @@ def read_arguments(source: Source, tokens: Sequence[Token]) -> tuple[Argument, .
     text = [" "] * (tokens[-1].end - start)
     for part in tokens:
         text[part.start - start : part.end - start] = part
-    found = [
-        token(piece.group(), start + piece.start()) for piece in _EXPRESSION_TOKEN.finditer("".join(text))
-    ]
-    reader = _Reader(source, found)
+    reader = _Reader(source, tokens_of(token("".join(text), start)))
     opener = reader.take()
     arguments = [reader.expression()]
     while reader.next == ",":
@@ -113,6 +110,11 @@ def read_arguments(source: Source, tokens: Sequence[Token]) -> tuple[Argument, .
         arguments.append(reader.expression())
     reader.need(")", opener)
     return tuple(Argument(spelled(item), item, item.span) for item in arguments)
+
+
+def tokens_of(text: Token) -> list[Token]:
+    """The tokens of an expression that the grammar has as one."""
+    return [token(piece.group(), text.start + piece.start()) for piece in _EXPRESSION_TOKEN.finditer(text)]
 
 
 def spelled(written: tree.Expression) -> str:

@@ -84,7 +84,7 @@ BLOCKS: dict[str, Block] = {
     "JunkModule": _names("every takes within as uses reads writes ends", around="JunkSrm"),
     "JunkFunctionality": _block("technology permissions environment algorithm", around="JunkSrm"),
     "JunkChart": _block("state var let activities modules", _LABELS, clauses="activity"),
-    "JunkAgents": _names(),
+    "JunkAgents": _names("with"),
 }
 """By the name of the terminal that takes what is no entry."""
 

@@ -652,12 +652,22 @@ class Statechart:
 
 
 @dataclass(frozen=True, slots=True)
+class Setting:
+    """`limit = 80`: what a variable of the role holds at first in these agents."""
+
+    name: Name
+    value: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class TeamAgents:
-    """`robot1, robot2 : player` or `carrier[1..8] : robot`; a range is (least, most)."""
+    """`robot1, robot2 : player` or `carrier[1..8] : robot with limit = 80`; a range is (least, most)."""
 
     names: tuple[tuple[Name, tuple[int, int] | None], ...]
     role: Name
     span: Span
+    settings: tuple[Setting, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -140,7 +140,15 @@ def asks(branch: Transition) -> bool:
     return condition is not None and any(
         isinstance(
             part,
-            e.Member | e.Bound | e.Sender | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.Call,
+            e.Member
+            | e.Bound
+            | e.Sender
+            | e.VariableValue
+            | e.Expired
+            | e.Outcome
+            | e.StateValue
+            | e.Index
+            | e.Call,
         )
         for part in e.walk(condition)
     )
@@ -238,7 +246,7 @@ def _free_atom(value: e.Value, vocabulary: Vocabulary) -> e.Value | None:
             for part in e.walk(atom)
         )
         return atom if is_unknown_function(atom) and plain else None
-    kinds = e.Member | e.Bound | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.Has
+    kinds = e.Member | e.Bound | e.VariableValue | e.Expired | e.Outcome | e.StateValue | e.Index | e.Has
     return atom if isinstance(atom, kinds) else None
 
 

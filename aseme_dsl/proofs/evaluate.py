@@ -120,6 +120,7 @@ def _is_there(value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
             | e.Expired()
             | e.Outcome()
             | e.StateValue()
+            | e.Index()
             | e.Has()
             | e.Holds()
             | e.Sender()

@@ -14,7 +14,7 @@ Key = tuple[Any, ...]
 """Which unknown it is: two places that read the same in one snapshot have the same key."""
 
 HAS, SET, VALUE, VARIABLE, EXPIRED, AGE = "has", "set", "value", "variable", "expired", "age"
-OUTCOME, STATE = "outcome", "state"
+OUTCOME, STATE, INDEX = "outcome", "state", "index"
 TAKEN, SENDER = "taken", "sender"
 AT, MEAN, CALL, RAISES, THERE = "at", "mean", "call", "raises", "there"
 PRESENCES = (HAS, SET, THERE)
@@ -72,6 +72,10 @@ def identity(value: e.Value) -> Key:
             return (EXPIRED, timer)
         case e.Outcome(activity=activity):
             return (OUTCOME, activity)
+        case e.Index():
+            return (INDEX,)
+        case e.Random():
+            raise AssertionError("no condition is left to chance")
         case e.StateValue(question=question, state=state):
             return (STATE, question, state)
         case e.Member(host=host, channel=channel, path=path):
@@ -161,7 +165,7 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
             case e.VariableValue():
                 yield from _presence_unknowns(part, vocabulary)
                 yield Unknown(identity(part), e.value_text(part), part.type, presences(part, vocabulary))
-            case e.Expired() | e.Outcome() | e.StateValue() | e.Sender():
+            case e.Expired() | e.Outcome() | e.StateValue() | e.Index() | e.Sender():
                 yield Unknown(identity(part), e.value_text(part), part.type)
             case e.Call() if is_unknown_function(part):
                 read = list(_needs(part, vocabulary))
@@ -203,7 +207,7 @@ def sources(value: e.Value) -> frozenset[Key]:
         match part:
             case e.Member(host=host, channel=channel):
                 found.add((HAS, host, channel))
-            case e.VariableValue() | e.Expired() | e.Outcome() | e.StateValue():
+            case e.VariableValue() | e.Expired() | e.Outcome() | e.StateValue() | e.Index():
                 found.add(identity(part))
             case e.Bound(message=message):
                 found.add((TAKEN, None, message, ()))

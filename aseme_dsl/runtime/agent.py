@@ -82,6 +82,7 @@ class Agent:
         self.conversations = conversations
         self.trace = trace
         self.seed = seed
+        chart.seed = seed
         self.body = body
         self.messages: Messages = {}
         """The message classes of the agent's plan, from when messages of other versions may come."""
@@ -398,6 +399,8 @@ class Agent:
                 self.trace.fault(now, self.name, text, input=list(item.identity))
 
     def _adopt(self, chart: Chart) -> None:
+        chart.seed = self.seed
+        chart.chance = chart.chance or self.chart.chance
         self.chart = chart
         self.chart.queue = self._queue
         self.plan = chart.PLAN

@@ -16,6 +16,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from random import Random
 from typing import Any
 
 from aseme_dsl.runtime.board import Board
@@ -189,6 +190,10 @@ class _Carrying:
     def carried(self) -> Carried:
         old, new = self.old, self.new
         new.now, new.started, new.tokens = old.now, old.started, old.tokens
+        new.seed = old.seed
+        if old.chance is not None:  # a copy: the old chart goes on if some other agent cannot
+            new.chance = Random()
+            new.chance.setstate(old.chance.getstate())
         if not old.started:
             self._variables()
             self._board(0, [old.boards()[0]], primary=True)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from importlib import import_module
+from random import Random
 from typing import Any, ClassVar
 
 from aseme_dsl.runtime.board import QUEUE, Board, built
@@ -89,17 +90,20 @@ class Chart:
         "_functions",
         "_seen_events",
         "agent",
+        "chance",
         "effects",
         "events",
         "failed",
         "failure",
         "finished",
+        "index",
         "mail",
         "now",
         "outcome",
         "outcomes",
         "pending",
         "queue",
+        "seed",
         "started",
         "taken",
         "tokens",
@@ -148,9 +152,22 @@ class Chart:
         """How many signals of a queued channel may wait in a region."""
         self._faults: set[int] = set()
         self._functions: dict[str, tuple[Callable[..., Any], tuple[type, ...]]] = {}
+        self.index = dict(self.PLAN.numbers).get(agent, 1)
+        """The agent's number, in the range of agents of which it is one."""
+        self.seed = 1
+        self.chance: Random | None = None
+        """What `random()` draws from; made with the first draw, from the run's seed and the agent's name."""
         self.outcome = Outcome()
         self.taken = self.outcome.taken
         self.effects = self.outcome.effects
+
+    def settle(self) -> None:
+        """Give the variables what the team sets in this agent."""
+        for agent, name, value in self.PLAN.settings:
+            if agent == self.agent:
+                slots = self.VARIABLES[name]
+                kind = type(getattr(self, slots[0]))
+                self.set_variable(name, kind(value))
 
     # ---- generated -------------------------------------------------------------------------
 
@@ -385,6 +402,14 @@ class Chart:
         if not isinstance(value, expected) or (isinstance(value, bool) and bool not in expected):
             raise FunctionError(f"{name} gave {value!r}, which is not a {expected[-1].__name__}")
         self.effects.append(FunctionResult(name, value))
+        return value
+
+    def random(self) -> float:
+        """The next number in [0, 1) of this agent."""
+        if self.chance is None:
+            self.chance = Random(f"{self.seed}/{self.agent}")
+        value = self.chance.random()
+        self.effects.append(FunctionResult("random", value))
         return value
 
     def happened(self, region: int, name: str) -> bool:

@@ -9,7 +9,7 @@ Conditions and values are nested tuples whose first item says what they are:
     ("taken", path)  ("sender",)                   (of the agent message that the transition takes)
     ("call", name, value, …)  ("builtin", name, value, …)  ("has", member or variable)
     ("age", member)  ("at", member, value)  ("mean", member, value)  ("expired", timer)
-    ("outcome", activity)  ("in" | "done" | "count", state name)
+    ("outcome", activity)  ("index",)  ("random",)  ("in" | "done" | "count", state name)
     ("!", value)  ("&&", value, …)  ("||", value, …)  ("neg", value)  ("holds", value)
     ("==" | "!=" | "<" | "<=" | ">" | ">=", value, value)
     ("+" | "-" | "*" | "/" | "//" | "%", value, value)
@@ -167,6 +167,10 @@ class Plan:
     """Functions as (name in call terms, "module:name", result type)."""
     branches: tuple[BranchInfo, ...] = ()
     modules: tuple[ModuleInfo, ...] = ()
+    settings: tuple[tuple[str, str, Any], ...] = ()
+    """What variables hold at first in some agents, as (agent, variable, value)."""
+    numbers: tuple[tuple[str, int], ...] = ()
+    """The numbers of agents that are not 1, as far as somebody asks for them."""
 
     @cached_property
     def by_label(self) -> dict[str, State]:

@@ -12,6 +12,7 @@ from functools import cached_property, reduce
 from importlib import import_module
 from itertools import pairwise
 from operator import add
+from random import Random
 from typing import Any
 
 from aseme_dsl.runtime.inputs import (
@@ -167,6 +168,10 @@ class Reference:
         self.regions: dict[str, Region] = {}
         """The active regions by label."""
         self.initial = {variable.name: variable.initial for variable in plan.variables}
+        # "what is set in an agent" holds at first
+        self.initial |= {name: value for whose, name, value in plan.settings if whose == agent}
+        self.seed = 1
+        self.chance: Random | None = None
         self.writes: list[tuple[str, str, Any]] = []
         """The writes of the step to variables: (region, variable, value)."""
         self.mailbox: dict[str, list[Mail]] = {branch.label: [] for branch in plan.branches}
@@ -1010,6 +1015,11 @@ class Reference:
                 return ("const", timer in region.timers and self.now >= region.timers[timer])
             case ("outcome", activity):
                 found = self.outcome_of(activity)
+            case ("index",):
+                # "the agent's number in its range, 1 if it is in none"
+                found = next((n for name, n in self.plan.numbers if name == self.agent), 1)
+            case ("random",):
+                return term
             case ("in" | "done" | "count" as question, name):
                 return ("const", self.answer(question, name))
             case ("has", ("member", host, channel, path)):
@@ -1061,6 +1071,12 @@ class Reference:
         match term:
             case ("const", constant):
                 return constant
+            case ("random",):
+                # "one generator an agent, from the run's seed and the agent's name"
+                self.chance = self.chance or Random(f"{self.seed}/{self.agent}")
+                drawn = self.chance.random()
+                self.outcome.effects.append(FunctionResult("random", drawn))
+                return drawn
             case ("duration", inner):
                 # "Time is an `int` of nanoseconds everywhere"
                 return int(self.compute(inner))

@@ -161,7 +161,8 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "ChartNode": Line({"type": 1, "name": 2, "activity": 3}),
         # deployment.tx
         "Team": Braces(),
-        "Agents": Line({":": 1}),
+        "Agents": Line({":": 1}, breaks=frozenset(("with",))),
+        "Setting": Part(),
         "AgentName": Part(tight="["),
         "Scenario": Words(),
         "Property": Words(),
