@@ -244,7 +244,10 @@ def told(record: Record) -> str:
             where = f"  in {', '.join(record['configuration'])}" if "configuration" in record else ""
             return f"step {record['step']}: {'; '.join(ways) or 'no transition'}{where}"
         case "activity":
+            given = record.get("arguments", {}).items()
             more = record.get("outcome", record.get("reason"))
+            if given:
+                more = ", ".join(f"{name} = {_short(value)}" for name, value in given)
             reason = f": {more}" if more is not None else ""
             return f"{record['what']} {record['activity']} ({record['label']}){reason}"
         case "message" | "heard" | "arrived":

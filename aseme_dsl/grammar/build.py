@@ -15,7 +15,6 @@ from aseme_dsl.grammar.expression import (
     read_path,
     read_text,
     read_transition,
-    tokens_of,
 )
 from aseme_dsl.grammar.formula import BUILT_IN_TYPES, RESERVED, read_formula
 from aseme_dsl.grammar.lexer import shown
@@ -586,7 +585,7 @@ class _Builder:
         return tree.TeamAgents(names, self.name(node.role), self.span(node), settings)
 
     def setting(self, node: Any) -> tree.Setting | None:
-        value = self.tried(lambda: read_expression(self.source, tokens_of(node.value)))
+        value = self.tried(lambda: read_expression(self.source, node.tokens))
         return tree.Setting(self.name(node.name), value, self.span(node)) if value is not None else None
 
     def range(self, node: Any) -> tuple[int, int] | None:

@@ -59,6 +59,7 @@ _PHRASES = {
     "ProcessToken": "a formula",
     "TermToken": "a term of the formula",
     "ExpressionToken": "an expression",
+    "SettingToken": "a value",
 } | dict.fromkeys(("ControlToken", "Separator", "Word", "FieldLabel", "Reach"), "")
 """What a terminal is called, by the name of its rule; what goes without saying is empty."""
 

@@ -102,7 +102,8 @@ def read_arguments(source: Source, tokens: Sequence[Token]) -> tuple[Argument, .
     text = [" "] * (tokens[-1].end - start)
     for part in tokens:
         text[part.start - start : part.end - start] = part
-    reader = _Reader(source, tokens_of(token("".join(text), start)))
+    found = _EXPRESSION_TOKEN.finditer("".join(text))
+    reader = _Reader(source, [token(piece.group(), start + piece.start()) for piece in found])
     opener = reader.take()
     arguments = [reader.expression()]
     while reader.next == ",":
@@ -110,11 +111,6 @@ def read_arguments(source: Source, tokens: Sequence[Token]) -> tuple[Argument, .
         arguments.append(reader.expression())
     reader.need(")", opener)
     return tuple(Argument(spelled(item), item, item.span) for item in arguments)
-
-
-def tokens_of(text: Token) -> list[Token]:
-    """The tokens of an expression that the grammar has as one."""
-    return [token(piece.group(), text.start + piece.start()) for piece in _EXPRESSION_TOKEN.finditer(text)]
 
 
 def spelled(written: tree.Expression) -> str:

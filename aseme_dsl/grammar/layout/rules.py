@@ -173,7 +173,7 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
 )
 
 FORMULAS = frozenset(("FormulaToken", "ProcessToken", "TermToken"))
-EXPRESSIONS = frozenset(("ExpressionToken", "ControlToken"))
+EXPRESSIONS = frozenset(("ExpressionToken", "ControlToken", "SettingToken"))
 """The terminals whose lists have operators of their own (spacing.py)."""
 
 DROPPED = frozenset(("Separator",))
