@@ -342,7 +342,7 @@ UNNAMED: frozenset[tuple[type, str]] = frozenset(
         (tree.Activity, "kind"),
         (tree.Activity, "ends"),  # what an outcome is compared with
         (tree.ChartNode, "type"),
-        (tree.Scenario, "statements"),  # tokens, executed by the scenarios
+        (tree.Scenario, "statements"),  # tokens, taken apart in `_tokens`
         (tree.Property, "tokens"),
     }
 )
@@ -454,6 +454,9 @@ def occurrences(declaration: tree.Declaration, world: World) -> tuple[Occurrence
     while todo:
         node, around = todo.pop()
         around = replace(_inside(node, around), node=node)
+        if isinstance(node, (tree.Scenario, tree.Property)):
+            found += _tokens(node, around)
+            continue
         for name, value in _parts(node):
             use, meaning = NAMES.get((type(node), name), (Use.READ, None))
             for item in value if isinstance(value, tuple) else (value,):
@@ -473,6 +476,33 @@ def occurrences(declaration: tree.Declaration, world: World) -> tuple[Occurrence
                 elif is_dataclass(item):
                     todo.append((item, around))
     return tuple(sorted(found, key=lambda item: (item.span.start, item.span.end)))
+
+
+def _tokens(node: tree.Scenario | tree.Property, around: Around) -> Iterator[Occurrence]:
+    """What the words of a scenario or property mean, as far as they name what is declared."""
+    symbols = around.world.symbols
+    for word in _names_in(node.statements if isinstance(node, tree.Scenario) else node.tokens):
+        if "." in word.text:
+            yield from _channel(around, _dotted(word))
+        elif word.text in symbols.agents:
+            yield Occurrence(word.span, Symbol(Kind.AGENT, word.text), Use.READ, node)
+        elif word.text in around.world.roles:
+            yield Occurrence(word.span, Symbol(Kind.ROLE, word.text), Use.READ, node)
+        elif word.text in symbols.activities:
+            yield Occurrence(word.span, Symbol(Kind.ACTIVITY, word.text), Use.READ, node)
+        else:
+            found = around.world.realised.get(folded(word.text))
+            if found is not None and found.name == word.text:
+                yield Occurrence(word.span, found, Use.READ, node)
+
+
+def _dotted(word: tree.Name) -> tree.Path:
+    segments: list[tree.Name] = []
+    start = word.span.start
+    for text in word.text.split("."):
+        segments.append(tree.Name(text, Span(word.span.source, start, start + len(text))))
+        start += len(text) + 1
+    return tree.Path(tuple(segments), word.span)
 
 
 def _path(node: Any, name: str, path: tree.Path, around: Around) -> Iterator[Occurrence]:

@@ -107,8 +107,11 @@ class Workspace:
         """The file counts as it is on disk again."""
         path = os.path.realpath(path)
         self.buffers.pop(path, None)
-        self._good.pop(path, None)
-        self._recent.pop(path, None)
+        for known in (self._good, self._recent, self._memories, self._parts, self._headers):
+            known.pop(path, None)
+        if not self.buffers:
+            self._memories.clear()
+            self._parts.clear()
         self.forget()
 
     def forget(self) -> None:

@@ -33,6 +33,8 @@ def test_a_use_case_and_its_activity_are_renamed_together_each_in_its_spelling()
     assert "includes run_to_ball, pass_ball, walk_towards_goal, kick_ball" in text
     assert "WalkTowardsBall" not in text and "walk_towards_ball" not in text
     assert text.count("RunToBall") == KOURETES.count("WalkTowardsBall")
+    scenario = renamed(KOURETES, "by 3s  robot1 in ^ScanForBall", "Look")
+    assert "activity" in scenario and "robot1 in Look" in scenario and "enter Look : else" in scenario
     before, after = (analyse(Source(PATH, item)).diagnostics for item in (KOURETES, text))
     assert [item.code for item in after] == [item.code for item in before]
 
