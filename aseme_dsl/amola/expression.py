@@ -102,9 +102,9 @@ class Call:
 
 @dataclass(frozen=True, slots=True)
 class Has:
-    """Whether a message is there, or a variable holds an agent: never absent itself."""
+    """Whether a message or an optional member is there, or an agent in its variable: never absent itself."""
 
-    message: Member | VariableValue
+    message: Member | Bound | VariableValue
     span: Span
     type: Type = BOOL
 
@@ -485,7 +485,9 @@ def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
             return replace(value, message=_member(parts[0], message), window=parts[1])
         case Has(message=message):
             part = parts[0]
-            return replace(value, message=part if isinstance(part, Member | VariableValue) else message)
+            return replace(
+                value, message=part if isinstance(part, Member | Bound | VariableValue) else message
+            )
         case Age(message=message):
             return replace(value, message=_member(parts[0], message))
     return value

@@ -123,6 +123,9 @@ def _is(truth: bool, value: Value, names: Names, known: Known) -> tuple[str, Kno
                 known = after if every else known
             return (" and ".join(codes) if every else f"({' or '.join(codes)})"), known
         case Has(message=message):
+            if isinstance(message, Bound) or (isinstance(message, Member) and message.path):
+                there = " and ".join(evaluate(message, names, known).needs)
+                return there if truth else f"not ({there})", known
             return f"{_place(message, names)} is {'not ' if truth else ''}None", known
         case Holds(operand=operand):
             code, _ = _is(True, operand, names, known)
@@ -241,7 +244,7 @@ def _in_parentheses(piece: Piece, value: Value) -> Piece:
 def _truth(value: Value, names: Names, known: Known) -> Piece:
     """A logic expression as a plain value: True, False, or absent where it neither holds nor fails."""
     if isinstance(value, Has):
-        return Piece(f"({_place(value.message, names)} is not None)", known=known)
+        return Piece(f"({_is(True, value, names, known)[0]})", known=known)
     if isinstance(value, Holds):
         return Piece(f"({holds(value.operand, names, known)[0]})", known=known)
     yes, _ = holds(value, names, known)

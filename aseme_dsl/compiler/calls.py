@@ -13,7 +13,7 @@ from aseme_dsl.compiler.checker import Checker, a, is_number
 from aseme_dsl.compiler.constants import NotConstant, fold
 from aseme_dsl.compiler.library import providers
 from aseme_dsl.compiler.names import unknown
-from aseme_dsl.compiler.paths import unnamed
+from aseme_dsl.compiler.paths import is_optional, unnamed
 from aseme_dsl.diagnostics import Related
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
@@ -42,10 +42,7 @@ def call(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Va
     """A function or form with typed arguments."""
     match name:
         case "has":
-            if len(arguments) == 1 and is_variable(arguments[0], AGENT):
-                return amola.Has(_variable(arguments[0]), written.span)
-            message = _message(checker, name, written, arguments, 1)
-            return None if message is None else amola.Has(message, written.span)
+            return _has(checker, written, arguments)
         case "sender":
             return _sender(checker, written, arguments)
         case "age":
@@ -187,15 +184,21 @@ def _message(
     return replace(message, span=arguments[0].span)
 
 
-def is_variable(value: Value, kind: Type) -> bool:
-    """Whether it is a variable of that type, by its own name or a let's."""
-    return isinstance(unnamed(value), amola.VariableValue) and value.type == kind
-
-
-def _variable(value: Value) -> amola.VariableValue:
-    found = unnamed(value)
-    assert isinstance(found, amola.VariableValue)
-    return found
+def _has(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
+    """Whether something is there that may be absent: a message, an optional member, an agent."""
+    asked = unnamed(arguments[0]) if len(arguments) == 1 else None
+    if isinstance(asked, amola.VariableValue) and asked.type == AGENT:
+        return amola.Has(asked, written.span)
+    if isinstance(asked, Member | amola.Bound) and asked.path:
+        message = asked.message if isinstance(asked, amola.Bound) else asked.channel.message
+        if is_optional(checker, message, asked.path):
+            return amola.Has(asked, written.span)
+    if isinstance(asked, amola.Bound):
+        what = "the message that is taken" if not asked.path else f"`{'.'.join(asked.path)}`"
+        wrong_form(checker, "has", arguments[0].span, f"{what} is there in any case")
+        return None
+    found = _message(checker, "has", written, arguments, 1)
+    return None if found is None else amola.Has(found, written.span)
 
 
 def _sender(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:

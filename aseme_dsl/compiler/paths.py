@@ -475,3 +475,15 @@ def through_optional(checker: Checker, message: str, path: tuple[str, ...]) -> s
             return name
         owner = symbols.message(field.type.name)
     return None
+
+
+def is_optional(checker: Checker, message: str, path: tuple[str, ...]) -> bool:
+    """Whether the member at the end of a path is declared optional."""
+    symbols = checker.scope.symbols
+    owner, label = symbols.message(message), ""
+    for name in path:
+        field = owner.field(name) if owner is not None else None
+        if field is None:
+            return False
+        owner, label = symbols.message(field.type.name), field.label
+    return label == "optional"

@@ -175,7 +175,7 @@ class Encoder:
                 parts = [self._is(truth, operand) for operand in operands]
                 return self._all(parts) if (operator == "&&") is truth else self._any(parts)
             case e.Has():
-                there = self.symbols[identity(value)]
+                there = self._present(presences(value.message, self._vocabulary))
                 return Truth(there if truth else self.not_(there), False)
             case e.Holds(operand=operand):
                 held = self._is(True, operand)
@@ -246,7 +246,7 @@ class Encoder:
             case e.Not() | e.Logic() | e.Holds():
                 return self._is(True, value).yes, False
             case e.Has():
-                return self.symbols[identity(value)], False
+                return self._present(presences(value.message, self._vocabulary)), False
             case e.Call() if is_unknown_function(value):
                 faults = [self._compute(argument)[1] for argument in value.arguments if not _whole(argument)]
                 key = identity(value)

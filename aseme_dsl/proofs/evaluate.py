@@ -170,6 +170,9 @@ def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> Any:
         case e.Not() | e.Logic() | e.Holds():
             found = _is(True, value, values, vocabulary)
             return _UNKNOWN if found is None else found
+        case e.Has(message=message):
+            known_there = [values.get(key) for key in presences(message, vocabulary)]
+            return False if False in known_there else _UNKNOWN if None in known_there else True
         case e.Call(function=function) if function.target.startswith("builtin:"):
             known = [_value(argument, values, vocabulary) for argument in value.arguments]
             return _UNKNOWN if _UNKNOWN in known else _BUILT_IN[function.target[8:]](*known)

@@ -31,6 +31,7 @@ from aseme_dsl.proofs.unknowns import (
     Vocabulary,
     identity,
     is_unknown_function,
+    presences,
     unknowns_of,
 )
 
@@ -121,7 +122,11 @@ class Snapshot:
         self._encoder = Encoder(z3, context, vocabulary, conditions)
         self._conditions = tuple(conditions)
         self._asked = {
-            identity(part) for item in conditions for part in e.walk(item) if isinstance(part, e.Has)
+            key
+            for item in conditions
+            for part in e.walk(item)
+            if isinstance(part, e.Has)
+            for key in presences(part.message, vocabulary)
         }
         self._holds: dict[int, Formula] = {}
         self._solver = z3.SimpleSolver(ctx=context)

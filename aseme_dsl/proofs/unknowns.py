@@ -85,9 +85,7 @@ def identity(value: e.Value) -> Key:
         case e.Sender(lost=lost):
             return (SENDER, lost)
         case e.Has(message=message):
-            if isinstance(message, e.VariableValue):
-                return (SET, VARIABLE, message.name)
-            return (HAS, message.host, message.channel)
+            return (HAS, identity(message))
         case e.Age(message=message):
             return (AGE, message.host, message.channel)
         case e.At(message=message, offset=extent):

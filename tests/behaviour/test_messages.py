@@ -204,3 +204,38 @@ def test_one_of_several_agents_is_waited_for(play: Play) -> None:
     assert run.active == ["B"]
     run.step(run.lost("bob"))
     assert run.active == ["C"] and run.variable("low") == 0
+
+
+OPTIONAL = """
+message Place { int x  optional int height  optional Note note }
+topic map { state Place }
+"""
+
+
+def test_an_optional_member_is_there_or_not(play: Play) -> None:
+    """ "optional fields: unset is absent, `has(x.field)` works for members" """
+    text = OPTIONAL + (
+        "srm R { var n : int = 0  liveness { R = A . (B | C | D) } control R { "
+        "enter B : [has(map.state.Place.height) && map.state.Place.height > 2] "
+        "enter C : [!has(map.state.Place.height) && has(map.state.Place)] "
+        "enter D : [map.state.Place.height <= 2] } }"
+    )
+    for members, there in (({}, "C"), ({"height": 3}, "B"), ({"height": 0}, "D")):
+        run = play(text).step()
+        run.step(run.done("A"))
+        assert run.active == ["0.3.1"], "no message is there, and then no member is"
+        run.step(run.heard("map.state.Place", **members))
+        assert run.active == [there]
+
+
+def test_a_member_of_an_optional_member_is_there_with_it(play: Play) -> None:
+    text = OPTIONAL + (
+        "srm R { liveness { R = A . (B | C) } control R { "
+        "enter B : [has(map.state.Place.note)] enter C : [!has(map.state.Place.note)] } }"
+    )
+    run = play(text).step()
+    run.step(run.done("A"))
+    assert run.active == ["C"]
+    run = play(text).step(run.heard("map.state.Place", note=run.generated.message("Note")))
+    run.step(run.done("A"))
+    assert run.active == ["B"]

@@ -373,6 +373,10 @@ class Words:
                 return f"({self._joined('||', depth)})"
             case "no":
                 return f"(!{self.value('bool', depth - 1)})"
+            case "has" if pick.one_in(3):
+                name, message = self.taken
+                inner = f"{self._host()}{pick.one_of([c for c in CHANNELS if c.endswith('.M')])}"
+                return f"has({name if message == 'M' else inner}.inner.z)"
             case "has":
                 return f"has({self._host()}{pick.one_of(self.channels)})"
             case "expired":

@@ -1001,6 +1001,9 @@ class Reference:
                 # A variable of type agent "is absent until set".
                 value = region.variables[name]
                 return ABSENT if value is None else ("const", value)
+            case ("has", ("taken", path)):
+                assert self.in_hand is not None
+                return ("const", member(self.in_hand.content, path) is not ABSENT)
             case ("has", ("variable", name)):
                 return ("const", region.variables[name] is not None)
             case ("taken", path):

@@ -103,3 +103,19 @@ def _text(transition: object) -> str:
     from aseme_dsl.amola.expression import expression_text
 
     return expression_text(transition.expression)  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        ("has(m.extra)", None),
+        ("has(m.cost)", "`cost` is there in any case"),
+        ("has(m)", "the message that is taken is there in any case"),
+        ("has(t.state.Note.n)", "wants the whole message: `t.state.Note`"),
+        ("has(x)", "wants a message, not an int"),
+    ],
+)
+def test_what_may_be_absent_can_be_asked_for(asked: str, said: str | None) -> None:
+    text = PROTOCOL.replace("LINE", f"enter B : propose Bid m from b [{asked} && m.cost > 0]")
+    assert [code for code in codes(text) if code[0] == "E"] == ([] if said is None else ["E504"])
+    assert said is None or said in printed(text)
