@@ -361,7 +361,7 @@ class Words:
                 return f"{pick.one_of(('in', 'in', 'done'))}({pick.one_of(self.states)})"
             case "agent":
                 if pick.one_in(2):
-                    return f"{'!' if pick.one_in(2) else ''}has(who)"
+                    return "(!has(who))" if pick.one_in(2) else "has(who)"
                 return f"({self._agent()} {pick.one_of(('==', '!='))} {self._agent()})"
             case "member":
                 return self._member("bool", depth)
