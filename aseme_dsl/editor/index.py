@@ -156,6 +156,7 @@ class Around:
     lets: Mapping[Symbol, tree.Expression] = field(default_factory=dict)
     formula: str = ""
     activity: str = ""
+    role: str = ""
     node: Any = None
     taken: Mapping[str, str] = field(default_factory=dict)
     """The types of the agent messages that have names here."""
@@ -181,6 +182,14 @@ def _block(around: Around) -> str:
 
 def _owner(around: Around) -> str:
     return around.owner
+
+
+def _of_role(around: Around, name: tree.Name) -> Symbol | None:
+    """A variable of the role that agents have; one that the role takes over is the other role's."""
+    for part in reversed(around.world.included.get(around.role, ())):
+        if any(item.name.text == name.text for item in part.variables):
+            return Symbol(Kind.VARIABLE, name.text, part.name.text)
+    return Symbol(Kind.VARIABLE, name.text, around.role)
 
 
 def _formula(around: Around) -> str:
@@ -332,6 +341,7 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.Team, "name"): (Use.DECLARATION, _is(Kind.TEAM)),
     (tree.TeamAgents, "names"): (Use.DECLARATION, _agent),
     (tree.TeamAgents, "role"): (Use.READ, _is(Kind.ROLE)),
+    (tree.Setting, "name"): (Use.WRITE, _of_role),
 }
 """What a name in a field of a node does there, and what it means."""
 
@@ -588,6 +598,8 @@ def _inside(node: Any, around: Around) -> Around:
             return _in_participant(node, around)
         case tree.NamedFormula():
             return _in_formula(node, around)
+        case tree.TeamAgents():
+            return replace(around, role=node.role.text)
         case tree.Activity():
             return replace(around, activity=node.name.text)
         case tree.Control() if isinstance(around.block, tree.Aip):

@@ -181,6 +181,7 @@ srm arm {
   activities { MoveTo(goal : Place) takes 1s  Grasp takes 1s ends held, slipped }
   control deliver { enter Grasp : [to != Place.TRAY && in(deliver) && outcome(Grasp) == held] }
 }
+team Cell { left : arm with home = Place.BELT }
 """
 
 
@@ -198,6 +199,7 @@ srm arm {
         ("goal : ^Place", Symbol(Kind.ENUM, "Place")),
         ("in(^deliver", Symbol(Kind.FORMULA, "deliver", "arm")),
         ("outcome(^Grasp", Symbol(Kind.ACTIVITY, "Grasp")),
+        ("with ^home", Symbol(Kind.VARIABLE, "home", "arm")),
     ],
 )
 def test_what_parameters_mean(marked: str, expected: Symbol) -> None:
