@@ -48,19 +48,26 @@ def rules(context: Context) -> Iterator[Rule]:
 
 def _whole(phrase: Phrase, begins: bool) -> Iterator[Rule]:
     """All of the phrase, on one line."""
-    pattern = ""
-    kinds: list[Kind | None] = []
-    for piece in phrase.pieces:
-        text, own = _piece_groups(piece.options)
-        if piece.optional:
-            blank = "(?:" + (r"(\s*)" if pattern else "")
-            pattern += f"{blank}{text})?"
-        else:
-            pattern += (r"(\s*)" if pattern else "") + text
-        kinds += [*([None] if kinds else []), *own]
+    pattern, kinds = _all_of(phrase.pieces)
     if begins and len(phrase.pieces) == 1 and phrase.following and not phrase.pieces[0].is_word:
         pattern += compact(rf"(?=\s*(?:{either(phrase.following)}))")
     yield Rule(pattern, tuple(kinds), phrase.enters)
+
+
+def _all_of(pieces: tuple[Piece, ...]) -> tuple[str, list[Kind | None]]:
+    """All pieces but those that are optional, one after the other."""
+    pattern = ""
+    kinds: list[Kind | None] = []
+    for piece in pieces:
+        text, own = _piece_groups(piece.options)
+        if piece.optional and not pattern:
+            text += r"(\s*)"
+            pattern, kinds = f"(?:{text})?", [*own, None]
+            continue
+        blank = r"(\s*)" if pattern and not pattern.endswith(r"(\s*))?") else ""
+        pattern += f"(?:{blank}{text})?" if piece.optional else blank + text
+        kinds += [*([None] if blank else []), *own]
+    return pattern, kinds
 
 
 def _broken(phrases: tuple[Phrase, ...]) -> Iterator[Rule]:
@@ -71,7 +78,11 @@ def _broken(phrases: tuple[Phrase, ...]) -> Iterator[Rule]:
         if others and not phrase.enters and all(kind in _SURE for _, kind in head.options):
             rests.setdefault(head, []).append(tuple(others))
     for head, tails in rests.items():
-        found = [_nested(tail) for tail in tails]
+        # What is there as a whole is surer than a part of something else.
+        found = [
+            *(_all_of(tail) for tail in tails if len(tail) > 1),
+            *(_nested(tail) for tail in tails[::-1]),
+        ]
         pattern, kinds = _piece_groups(head.options)
         rest = Rule(
             "|".join(f"(?:{text})" for text, _ in found), tuple(kind for _, own in found for kind in own)

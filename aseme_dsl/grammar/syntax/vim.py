@@ -197,8 +197,12 @@ class _Writer:
             then += following
         for name in node.enters:
             then += self.entry(name)
+        after = ""
+        if _is_name(piece) and node.children and not node.goes_on and not node.enters:
+            # Not the beginning of something else that begins with a name, too.
+            after = rf"(?=\s*(?:{either([child.pattern for child in node.children])}))"
         return [
-            self.match(f"{guard}{enclosed(pattern)}", kind, then, contained)
+            self.match(f"{guard}{enclosed(pattern)}{after}", kind, then, contained)
             for pattern, kind in piece.options
         ]
 
@@ -239,10 +243,13 @@ def _met(piece: Piece) -> Piece:
     return Piece(piece.options)
 
 
+def _is_name(piece: Piece) -> bool:
+    return any(kind in (Kind.NAME, Kind.BLOCK, Kind.TYPE, Kind.REFERENCE) for _, kind in piece.options)
+
+
 def _not_another(context: Context, piece: Piece) -> str:
     """What keeps the beginning of another entry from being taken for a part of this one."""
     words = [start.start for start in context.starts or () if start.pieces[0].is_word]
     names = [start.start for start in context.starts or () if not start.pieces[0].is_word]
-    is_name = any(kind in (Kind.NAME, Kind.BLOCK, Kind.TYPE, Kind.REFERENCE) for _, kind in piece.options)
-    found = [*words, *names] if is_name else []
+    found = [*words, *names] if _is_name(piece) else []
     return f"(?!{either(found)})" if found else ""
