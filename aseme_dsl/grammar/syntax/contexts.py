@@ -156,16 +156,37 @@ EXPRESSION_WORDS: dict[str, str] = {
     "send": r"(?=\s+[A-Za-z_])",
     "from": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",
     "to": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",
+    "except": r"(?=\s+[A-Za-z_])",
+    "lost": r"(?=\s+(?!(?:and|or)\b)[A-Za-z_])",
     "read_messages": r"(?!\s*\()",
     "write_messages": r"(?=\s*\.)",
 }
 """The words of transition expressions, which expression.py reads, and what must follow."""
+
+CONTENT = "content of a message"
+"""The context between the braces of a message in an expression."""
 
 _NAME = r"[A-Za-z_][A-Za-z0-9_]*"
 _COMMON: tuple[tuple[str, Kind], ...] = (
     (r'"(?:[^"\\\n]|\\.)*"', Kind.TEXT),
     (r"[0-9]+(?:\.[0-9]+)*[A-Za-z]*\b", Kind.NUMBER),
 )
+
+_WITH_CONTENT = tuple(
+    Phrase(
+        (
+            Piece(((rf"{word}\b(?=(?:{after})\s*\{{)", Kind.CLAUSE),)),
+            *parts,
+            Piece(((r"\{", Kind.PUNCTUATION),)),
+        ),
+        CONTENT,
+    )
+    for word, after, parts in (
+        ("send", rf"\s+{_NAME}\s+{_NAME}", (Piece(((_NAME, Kind.REFERENCE),)),) * 2),
+        ("write_messages", rf"(?:\s*\.\s*{_NAME})+", (Piece(((rf"(?:\.\s*{_NAME}\s*)+", Kind.REFERENCE),)),)),
+    )
+)
+"""What brings the content of a message in braces: `send inform Done { by = 1 }`."""
 
 TOKENS: dict[Tokens, tuple[tuple[str, Kind], ...]] = {
     Tokens.EXPRESSION: (
@@ -207,10 +228,19 @@ def enclosed(pattern: str) -> str:
     return f"(?:{pattern})" if "|" in pattern else pattern
 
 
+def _list(name: str, terminal: Terminal) -> Context:
+    """A list of tokens. In an expression, braces are the content of a message."""
+    language = _language(terminal)
+    phrases = _WITH_CONTENT if language is Tokens.EXPRESSION else ()
+    return Context(name, phrases, False, (), (language, terminal.pattern))
+
+
 def outline() -> tuple[Context, ...]:
     """The contexts of the language, the file first."""
     found = _Outline()
     found.body(FILE, grammar().items, closed=False)
+    content = Context(CONTENT, (), True, None, (Tokens.EXPRESSION, r"[^\s{}]"))
+    found.contexts[CONTENT] = content
     return tuple(found.contexts.values())
 
 
@@ -251,7 +281,8 @@ class _Outline:
                 inner, tokens = self.inner(entry.rule, rest)
                 tails = [tail for count in range(1, len(pieces)) for tail in _sure(pieces[count:])]
                 if lists:
-                    self.contexts[name] = Context(name, (), False, (), tokens)
+                    assert isinstance(rest[0], Repeated) and isinstance(rest[0].item, Terminal)
+                    self.contexts[name] = _list(name, rest[0].item)
                 else:
                     heads = dict.fromkeys(sorted([*inner, *tails], key=_unsure))
                     self.contexts[name] = Context(name, tuple(heads), False, starts, tokens)
@@ -296,9 +327,7 @@ class _Outline:
                     terminal = todo.pop(0).item  # type: ignore[union-attr]
                     assert isinstance(terminal, Terminal)
                     enters = terminal.rule
-                    self.contexts[enters] = Context(
-                        enters, (), False, (), (_language(terminal), terminal.pattern)
-                    )
+                    self.contexts[enters] = _list(enters, terminal)
                 phrases += _sure(pieces, enters)
         return phrases, tokens
 

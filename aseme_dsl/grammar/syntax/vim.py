@@ -10,7 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from aseme_dsl.grammar.syntax.contexts import FILE, TOKENS, Context, Kind, Phrase, Piece, either, enclosed
+from aseme_dsl.grammar.syntax.contexts import (
+    CONTENT,
+    FILE,
+    TOKENS,
+    Context,
+    Kind,
+    Phrase,
+    Piece,
+    either,
+    enclosed,
+)
 from aseme_dsl.grammar.syntax.patterns import vim
 from aseme_dsl.grammar.syntax.rules import STRAY
 
@@ -188,8 +198,8 @@ class _Writer:
         self, piece: Piece, node: _Node, following: tuple[str, ...], guard: str = "", contained: bool = True
     ) -> list[str]:
         """The items of a token and of all that may follow it."""
-        if piece.pattern == r"\{" and node.enters:
-            return [self.braces(node.enters[0])]
+        if piece.pattern.startswith(r"\{") and node.enters:
+            return [self.braces(piece, node.enters[0], following)]
         then: list[str] = []
         for child, below in node.children.items():
             then += self.chain(child, below, following)
@@ -206,16 +216,18 @@ class _Writer:
             for pattern, kind in piece.options
         ]
 
-    def braces(self, name: str) -> str:
-        """The region of a body."""
+    def braces(self, piece: Piece, name: str, following: tuple[str, ...]) -> str:
+        """The region of a body, or of the content of a message, behind which the text goes on."""
         self.body(name)
-        key = f"region {name}"
+        then = self.then(following) if name == CONTENT else ""
+        key = f"region {name}{then}"
         if key not in self.heads:
             group = self.group("Punctuation")
             self.heads[key] = (group,)
+            fold = "" if then else " fold"
             self.lines.append(
-                f"syntax region {group} matchgroup=asemePunctuation start=/{{/ end=/}}/ contained transparent"
-                f" fold contains={_cluster(name)}"
+                f"syntax region {group} matchgroup=asemePunctuation start=/\\v{vim(piece.pattern)}/ end=/}}/"
+                f" contained transparent{fold} contains={_cluster(name)}{then}"
             )
         return self.heads[key][0]
 
