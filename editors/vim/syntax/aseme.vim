@@ -5,13 +5,13 @@ if exists("b:current_syntax")
 endif
 scriptencoding utf-8
 syntax sync fromstart
-syntax match asemeReference_852 /\v[^ \t0-9A-Za-z_{}]/
-syntax match asemeReference_851 /\v\w+/
-syntax match asemeNumber_850 /\v[0-9]+%(\.[0-9]+)*\w*/
-syntax match asemeText_849 /\v\"[^"\n]*/ contains=@Spell
-syntax match asemeText_848 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
-syntax region asemePunctuation_853 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
-syntax cluster asemeStrayTrue contains=asemeText_848,asemeText_849,asemeNumber_850,asemeReference_851,asemeReference_852,asemePunctuation_853,asemeComment
+syntax match asemeReference_889 /\v[^ \t0-9A-Za-z_{}]/
+syntax match asemeReference_888 /\v\w+/
+syntax match asemeNumber_887 /\v[0-9]+%(\.[0-9]+)*\w*/
+syntax match asemeText_886 /\v\"[^"\n]*/ contains=@Spell
+syntax match asemeText_885 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
+syntax region asemePunctuation_890 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
+syntax cluster asemeStrayTrue contains=asemeText_885,asemeText_886,asemeNumber_887,asemeReference_888,asemeReference_889,asemePunctuation_890,asemeComment
 syntax match asemeReference_32 /\v[^ \t0-9A-Za-z_{}]/ contained
 syntax match asemeReference_31 /\v\w+/ contained
 syntax match asemeNumber_30 /\v[0-9]+%(\.[0-9]+)*\w*/ contained
@@ -19,93 +19,139 @@ syntax match asemeText_29 /\v\"[^"\n]*/ contained contains=@Spell
 syntax match asemeText_28 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
 syntax region asemePunctuation_33 matchgroup=asemePunctuation start=/{/ end=/}/ contained contains=@asemeStrayFalse transparent
 syntax cluster asemeStrayFalse contains=asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_8,asemeDeclaration_66,asemeDeclaration_78,asemeDeclaration_104,asemeDeclaration_131,asemeDeclaration_161,asemeDeclaration_184,asemeDeclaration_216,asemeDeclaration_469,asemeDeclaration_712,asemeDeclaration_715,asemeDeclaration_783,asemeDeclaration_806,asemeDeclaration_835,asemeDeclaration_846,asemeText_848,asemeText_849,asemeNumber_850,asemeReference_851,asemeReference_852,asemePunctuation_853,asemeComment
-syntax match asemeDeclaration_846 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_845,asemeComment_847 skipwhite skipempty
-syntax region asemeComment_847 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_845,asemeComment_847 skipwhite skipempty
-syntax match asemeComment_847 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_845,asemeComment_847 skipwhite skipempty
-syntax match asemeText_845 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_844 skipwhite skipempty
-syntax cluster asemePropertyInFile contains=asemePunctuation_842,asemeText_843
-syntax match asemeText_843 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_844 skipwhite skipempty
-syntax region asemeComment_844 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_844 skipwhite skipempty
-syntax match asemeComment_844 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_844 skipwhite skipempty
-syntax region asemePunctuation_842 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
-syntax cluster asemeBodyOfProperty contains=asemePunctuation_825,asemeText_837,asemeNumber_838,asemeReference_839,asemeOperator_840,asemePunctuation_841,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemePunctuation_841 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_840 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_839 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_838 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_837 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_835 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_834,asemeComment_836 skipwhite skipempty
-syntax region asemeComment_836 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_834,asemeComment_836 skipwhite skipempty
-syntax match asemeComment_836 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_834,asemeComment_836 skipwhite skipempty
-syntax match asemeText_834 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_833 skipwhite skipempty
-syntax cluster asemeScenarioInFile contains=asemePunctuation_831,asemeText_832
-syntax match asemeText_832 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_833 skipwhite skipempty
-syntax region asemeComment_833 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_833 skipwhite skipempty
-syntax match asemeComment_833 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_833 skipwhite skipempty
-syntax region asemePunctuation_831 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
-syntax cluster asemeBodyOfScenario contains=asemePunctuation_825,asemeText_826,asemeNumber_827,asemeReference_828,asemeOperator_829,asemePunctuation_830,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemePunctuation_830 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_829 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_828 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_827 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_826 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_825 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
-syntax cluster asemeBodyOfBraced contains=asemePunctuation_819,asemeText_820,asemeNumber_821,asemeReference_822,asemeOperator_823,asemePunctuation_824,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemePunctuation_824 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_823 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_822 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_821 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_820 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_819 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
-syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_813,asemeText_814,asemeNumber_815,asemeReference_816,asemeOperator_817,asemePunctuation_818,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemePunctuation_818 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_817 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_816 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_815 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_814 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_813 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
-syntax cluster asemeBodyOfBraced3 contains=asemeText_808,asemeNumber_809,asemeReference_810,asemeOperator_811,asemePunctuation_812,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemePunctuation_812 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_811 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_810 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_809 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_808 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_806 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_805,asemeComment_807 skipwhite skipempty
-syntax region asemeComment_807 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_805,asemeComment_807 skipwhite skipempty
-syntax match asemeComment_807 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_805,asemeComment_807 skipwhite skipempty
-syntax match asemeBlock_805 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_804 skipwhite skipempty
-syntax cluster asemeTeamInFile contains=asemePunctuation_802,asemeBlock_803
-syntax match asemeBlock_803 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_804 skipwhite skipempty
-syntax region asemeComment_804 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_804 skipwhite skipempty
-syntax match asemeComment_804 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_804 skipwhite skipempty
-syntax region asemePunctuation_802 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
-syntax cluster asemeBodyOfTeam contains=asemeName_801,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemeName_801 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_786 skipwhite skipempty
-syntax cluster asemeAgentsInBodyOfTeam contains=asemePunctuation_793,asemePunctuation_796,asemePunctuation_799
-syntax match asemePunctuation_799 /\v\:/ contained nextgroup=asemeReference_798,asemeComment_800 skipwhite skipempty
-syntax region asemeComment_800 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_798,asemeComment_800 skipwhite skipempty
-syntax match asemeComment_800 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_798,asemeComment_800 skipwhite skipempty
-syntax match asemeReference_798 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_786 skipwhite skipempty
-syntax match asemePunctuation_796 /\v\,/ contained nextgroup=asemeName_795,asemeComment_797 skipwhite skipempty
-syntax region asemeComment_797 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_795,asemeComment_797 skipwhite skipempty
-syntax match asemeComment_797 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_795,asemeComment_797 skipwhite skipempty
-syntax match asemeName_795 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_786 skipwhite skipempty
-syntax match asemePunctuation_793 /\v\[/ contained nextgroup=asemeNumber_791,asemeComment_794 skipwhite skipempty
-syntax region asemeComment_794 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_791,asemeComment_794 skipwhite skipempty
-syntax match asemeComment_794 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_791,asemeComment_794 skipwhite skipempty
-syntax match asemeNumber_791 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_789,asemeComment_792 skipwhite skipempty
-syntax region asemeComment_792 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_789,asemeComment_792 skipwhite skipempty
-syntax match asemeComment_792 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_789,asemeComment_792 skipwhite skipempty
-syntax match asemePunctuation_789 /\v\.\./ contained nextgroup=asemeNumber_787,asemeComment_790 skipwhite skipempty
-syntax region asemeComment_790 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_787,asemeComment_790 skipwhite skipempty
-syntax match asemeComment_790 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_787,asemeComment_790 skipwhite skipempty
-syntax match asemeNumber_787 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_785,asemeComment_788 skipwhite skipempty
-syntax region asemeComment_788 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_785,asemeComment_788 skipwhite skipempty
-syntax match asemeComment_788 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_785,asemeComment_788 skipwhite skipempty
-syntax match asemePunctuation_785 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_786 skipwhite skipempty
-syntax region asemeComment_786 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_786 skipwhite skipempty
-syntax match asemeComment_786 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_786 skipwhite skipempty
+syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_8,asemeDeclaration_66,asemeDeclaration_78,asemeDeclaration_104,asemeDeclaration_131,asemeDeclaration_161,asemeDeclaration_184,asemeDeclaration_216,asemeDeclaration_469,asemeDeclaration_712,asemeDeclaration_715,asemeDeclaration_783,asemeDeclaration_843,asemeDeclaration_872,asemeDeclaration_883,asemeText_885,asemeText_886,asemeNumber_887,asemeReference_888,asemeReference_889,asemePunctuation_890,asemeComment
+syntax match asemeDeclaration_883 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_882,asemeComment_884 skipwhite skipempty
+syntax region asemeComment_884 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_882,asemeComment_884 skipwhite skipempty
+syntax match asemeComment_884 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_882,asemeComment_884 skipwhite skipempty
+syntax match asemeText_882 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_881 skipwhite skipempty
+syntax cluster asemePropertyInFile contains=asemePunctuation_879,asemeText_880
+syntax match asemeText_880 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_881 skipwhite skipempty
+syntax region asemeComment_881 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_881 skipwhite skipempty
+syntax match asemeComment_881 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_881 skipwhite skipempty
+syntax region asemePunctuation_879 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
+syntax cluster asemeBodyOfProperty contains=asemePunctuation_862,asemeText_874,asemeNumber_875,asemeReference_876,asemeOperator_877,asemePunctuation_878,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemePunctuation_878 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_877 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_876 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_875 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_874 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_872 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_871,asemeComment_873 skipwhite skipempty
+syntax region asemeComment_873 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_871,asemeComment_873 skipwhite skipempty
+syntax match asemeComment_873 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_871,asemeComment_873 skipwhite skipempty
+syntax match asemeText_871 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_870 skipwhite skipempty
+syntax cluster asemeScenarioInFile contains=asemePunctuation_868,asemeText_869
+syntax match asemeText_869 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_870 skipwhite skipempty
+syntax region asemeComment_870 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_870 skipwhite skipempty
+syntax match asemeComment_870 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_870 skipwhite skipempty
+syntax region asemePunctuation_868 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
+syntax cluster asemeBodyOfScenario contains=asemePunctuation_862,asemeText_863,asemeNumber_864,asemeReference_865,asemeOperator_866,asemePunctuation_867,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemePunctuation_867 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_866 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_865 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_864 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_863 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_862 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
+syntax cluster asemeBodyOfBraced contains=asemePunctuation_856,asemeText_857,asemeNumber_858,asemeReference_859,asemeOperator_860,asemePunctuation_861,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemePunctuation_861 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_860 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_859 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_858 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_857 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_856 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
+syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_850,asemeText_851,asemeNumber_852,asemeReference_853,asemeOperator_854,asemePunctuation_855,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemePunctuation_855 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_854 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_853 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_852 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_851 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_850 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
+syntax cluster asemeBodyOfBraced3 contains=asemeText_845,asemeNumber_846,asemeReference_847,asemeOperator_848,asemePunctuation_849,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemePunctuation_849 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_848 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_847 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_846 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_845 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_843 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_842,asemeComment_844 skipwhite skipempty
+syntax region asemeComment_844 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_842,asemeComment_844 skipwhite skipempty
+syntax match asemeComment_844 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_842,asemeComment_844 skipwhite skipempty
+syntax match asemeBlock_842 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_841 skipwhite skipempty
+syntax cluster asemeTeamInFile contains=asemePunctuation_839,asemeBlock_840
+syntax match asemeBlock_840 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_841 skipwhite skipempty
+syntax region asemeComment_841 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_841 skipwhite skipempty
+syntax match asemeComment_841 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_841 skipwhite skipempty
+syntax region asemePunctuation_839 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
+syntax cluster asemeBodyOfTeam contains=asemeName_838,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemeName_838 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_820 skipwhite skipempty
+syntax cluster asemeAgentsInBodyOfTeam contains=asemeClause_817,asemePunctuation_827,asemePunctuation_833,asemePunctuation_836
+syntax match asemePunctuation_836 /\v\:/ contained nextgroup=asemeReference_835,asemeComment_837 skipwhite skipempty
+syntax region asemeComment_837 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_835,asemeComment_837 skipwhite skipempty
+syntax match asemeComment_837 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_835,asemeComment_837 skipwhite skipempty
+syntax match asemeReference_835 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_820 skipwhite skipempty
+syntax match asemePunctuation_833 /\v\,/ contained nextgroup=asemeName_830,asemeName_832,asemeComment_834 skipwhite skipempty
+syntax region asemeComment_834 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_830,asemeName_832,asemeComment_834 skipwhite skipempty
+syntax match asemeComment_834 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_830,asemeName_832,asemeComment_834 skipwhite skipempty
+syntax match asemeName_832 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_820 skipwhite skipempty
+syntax match asemeName_830 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_829,asemeComment_831 skipwhite skipempty
+syntax region asemeComment_831 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_829,asemeComment_831 skipwhite skipempty
+syntax match asemeComment_831 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_829,asemeComment_831 skipwhite skipempty
+syntax match asemeOperator_829 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemePunctuation_827 /\v\[/ contained nextgroup=asemeNumber_825,asemeComment_828 skipwhite skipempty
+syntax region asemeComment_828 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_825,asemeComment_828 skipwhite skipempty
+syntax match asemeComment_828 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_825,asemeComment_828 skipwhite skipempty
+syntax match asemeNumber_825 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_823,asemeComment_826 skipwhite skipempty
+syntax region asemeComment_826 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_823,asemeComment_826 skipwhite skipempty
+syntax match asemeComment_826 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_823,asemeComment_826 skipwhite skipempty
+syntax match asemePunctuation_823 /\v\.\./ contained nextgroup=asemeNumber_821,asemeComment_824 skipwhite skipempty
+syntax region asemeComment_824 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_821,asemeComment_824 skipwhite skipempty
+syntax match asemeComment_824 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_821,asemeComment_824 skipwhite skipempty
+syntax match asemeNumber_821 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_819,asemeComment_822 skipwhite skipempty
+syntax region asemeComment_822 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_819,asemeComment_822 skipwhite skipempty
+syntax match asemeComment_822 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_819,asemeComment_822 skipwhite skipempty
+syntax match asemePunctuation_819 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_820 skipwhite skipempty
+syntax region asemeComment_820 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_820 skipwhite skipempty
+syntax match asemeComment_820 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_820 skipwhite skipempty
+syntax match asemeClause_817 /\vwith%(<|>)/ contained nextgroup=asemeName_815,asemeComment_818 skipwhite skipempty
+syntax region asemeComment_818 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_815,asemeComment_818 skipwhite skipempty
+syntax match asemeComment_818 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_815,asemeComment_818 skipwhite skipempty
+syntax match asemeName_815 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_814,asemeComment_816 skipwhite skipempty
+syntax region asemeComment_816 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_814,asemeComment_816 skipwhite skipempty
+syntax match asemeComment_816 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_814,asemeComment_816 skipwhite skipempty
+syntax match asemeOperator_814 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax cluster asemeSettingToken contains=asemeClause_791,asemeClause_794,asemeText_796,asemeNumber_797,asemeTruth_798,asemeLogic_799,asemeClause_800,asemeClause_801,asemeClause_802,asemeClause_803,asemeClause_804,asemeClause_805,asemeClause_806,asemeClause_807,asemeClause_808,asemeClause_809,asemeCall_810,asemeReference_811,asemeOperator_812,asemePunctuation_813
+syntax match asemePunctuation_813 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeOperator_812 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeReference_811 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeCall_810 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeClause_809 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeClause_808 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeClause_807 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeClause_806 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeClause_805 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeClause_804 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeClause_803 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeClause_802 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeClause_801 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=when%(<|>)/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeClause_800 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=else%(<|>)/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeLogic_799 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeTruth_798 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeNumber_797 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeText_796 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeClause_794 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_793,asemeComment_795 skipwhite skipempty
+syntax region asemeComment_795 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_793,asemeComment_795 skipwhite skipempty
+syntax match asemeComment_795 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_793,asemeComment_795 skipwhite skipempty
+syntax match asemeReference_793 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_786,asemeComment_788 skipwhite skipempty
+syntax match asemeClause_791 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_789,asemeComment_792 skipwhite skipempty
+syntax region asemeComment_792 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_789,asemeComment_792 skipwhite skipempty
+syntax match asemeComment_792 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_789,asemeComment_792 skipwhite skipempty
+syntax match asemeReference_789 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_787,asemeComment_790 skipwhite skipempty
+syntax region asemeComment_790 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_787,asemeComment_790 skipwhite skipempty
+syntax match asemeComment_790 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_787,asemeComment_790 skipwhite skipempty
+syntax match asemeReference_787 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_786,asemeComment_788 skipwhite skipempty
+syntax region asemeComment_788 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_786,asemeComment_788 skipwhite skipempty
+syntax match asemeComment_788 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_786,asemeComment_788 skipwhite skipempty
+syntax region asemePunctuation_786 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax region asemeComment_785 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
+syntax match asemeComment_785 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSettingToken,asemeComment_785 skipwhite skipempty
 syntax match asemeDeclaration_783 /\v%(statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=statechart%(<|>)/ nextgroup=asemeBlock_782,asemeComment_784 skipwhite skipempty
 syntax region asemeComment_784 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_782,asemeComment_784 skipwhite skipempty
 syntax match asemeComment_784 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_782,asemeComment_784 skipwhite skipempty
@@ -1212,8 +1258,8 @@ highlight default link asemeBlock_75 asemeBlock
 highlight default link asemeBlock_77 asemeBlock
 highlight default link asemeBlock_780 asemeBlock
 highlight default link asemeBlock_782 asemeBlock
-highlight default link asemeBlock_803 asemeBlock
-highlight default link asemeBlock_805 asemeBlock
+highlight default link asemeBlock_840 asemeBlock
+highlight default link asemeBlock_842 asemeBlock
 highlight default link asemeBuiltIn_137 asemeBuiltIn
 highlight default link asemeBuiltIn_145 asemeBuiltIn
 highlight default link asemeBuiltIn_152 asemeBuiltIn
@@ -1241,6 +1287,7 @@ highlight default link asemeCall_259 asemeCall
 highlight default link asemeCall_406 asemeCall
 highlight default link asemeCall_443 asemeCall
 highlight default link asemeCall_59 asemeCall
+highlight default link asemeCall_810 asemeCall
 highlight default link asemeChoice_120 asemeChoice
 highlight default link asemeChoice_190 asemeChoice
 highlight default link asemeChoice_342 asemeChoice
@@ -1352,6 +1399,19 @@ highlight default link asemeClause_669 asemeClause
 highlight default link asemeClause_672 asemeClause
 highlight default link asemeClause_710 asemeClause
 highlight default link asemeClause_719 asemeClause
+highlight default link asemeClause_791 asemeClause
+highlight default link asemeClause_794 asemeClause
+highlight default link asemeClause_800 asemeClause
+highlight default link asemeClause_801 asemeClause
+highlight default link asemeClause_802 asemeClause
+highlight default link asemeClause_803 asemeClause
+highlight default link asemeClause_804 asemeClause
+highlight default link asemeClause_805 asemeClause
+highlight default link asemeClause_806 asemeClause
+highlight default link asemeClause_807 asemeClause
+highlight default link asemeClause_808 asemeClause
+highlight default link asemeClause_809 asemeClause
+highlight default link asemeClause_817 asemeClause
 highlight default link asemeComment_102 asemeComment
 highlight default link asemeComment_105 asemeComment
 highlight default link asemeComment_107 asemeComment
@@ -1583,23 +1643,31 @@ highlight default link asemeComment_776 asemeComment
 highlight default link asemeComment_778 asemeComment
 highlight default link asemeComment_781 asemeComment
 highlight default link asemeComment_784 asemeComment
-highlight default link asemeComment_786 asemeComment
+highlight default link asemeComment_785 asemeComment
 highlight default link asemeComment_788 asemeComment
 highlight default link asemeComment_79 asemeComment
 highlight default link asemeComment_790 asemeComment
 highlight default link asemeComment_792 asemeComment
-highlight default link asemeComment_794 asemeComment
-highlight default link asemeComment_797 asemeComment
-highlight default link asemeComment_800 asemeComment
-highlight default link asemeComment_804 asemeComment
-highlight default link asemeComment_807 asemeComment
+highlight default link asemeComment_795 asemeComment
 highlight default link asemeComment_81 asemeComment
+highlight default link asemeComment_816 asemeComment
+highlight default link asemeComment_818 asemeComment
+highlight default link asemeComment_820 asemeComment
+highlight default link asemeComment_822 asemeComment
+highlight default link asemeComment_824 asemeComment
+highlight default link asemeComment_826 asemeComment
+highlight default link asemeComment_828 asemeComment
 highlight default link asemeComment_83 asemeComment
-highlight default link asemeComment_833 asemeComment
-highlight default link asemeComment_836 asemeComment
+highlight default link asemeComment_831 asemeComment
+highlight default link asemeComment_834 asemeComment
+highlight default link asemeComment_837 asemeComment
+highlight default link asemeComment_841 asemeComment
 highlight default link asemeComment_844 asemeComment
-highlight default link asemeComment_847 asemeComment
 highlight default link asemeComment_87 asemeComment
+highlight default link asemeComment_870 asemeComment
+highlight default link asemeComment_873 asemeComment
+highlight default link asemeComment_881 asemeComment
+highlight default link asemeComment_884 asemeComment
 highlight default link asemeComment_9 asemeComment
 highlight default link asemeComment_92 asemeComment
 highlight default link asemeComment_95 asemeComment
@@ -1650,15 +1718,16 @@ highlight default link asemeDeclaration_777 asemeDeclaration
 highlight default link asemeDeclaration_78 asemeDeclaration
 highlight default link asemeDeclaration_783 asemeDeclaration
 highlight default link asemeDeclaration_8 asemeDeclaration
-highlight default link asemeDeclaration_806 asemeDeclaration
-highlight default link asemeDeclaration_835 asemeDeclaration
-highlight default link asemeDeclaration_846 asemeDeclaration
+highlight default link asemeDeclaration_843 asemeDeclaration
+highlight default link asemeDeclaration_872 asemeDeclaration
+highlight default link asemeDeclaration_883 asemeDeclaration
 highlight default link asemeDeclaration_94 asemeDeclaration
 highlight default link asemeLogic_13 asemeLogic
 highlight default link asemeLogic_248 asemeLogic
 highlight default link asemeLogic_395 asemeLogic
 highlight default link asemeLogic_432 asemeLogic
 highlight default link asemeLogic_48 asemeLogic
+highlight default link asemeLogic_799 asemeLogic
 highlight default link asemeName_144 asemeName
 highlight default link asemeName_151 asemeName
 highlight default link asemeName_156 asemeName
@@ -1699,8 +1768,10 @@ highlight default link asemeName_733 asemeName
 highlight default link asemeName_758 asemeName
 highlight default link asemeName_766 asemeName
 highlight default link asemeName_771 asemeName
-highlight default link asemeName_795 asemeName
-highlight default link asemeName_801 asemeName
+highlight default link asemeName_815 asemeName
+highlight default link asemeName_830 asemeName
+highlight default link asemeName_832 asemeName
+highlight default link asemeName_838 asemeName
 highlight default link asemeName_85 asemeName
 highlight default link asemeName_89 asemeName
 highlight default link asemeName_90 asemeName
@@ -1741,15 +1812,16 @@ highlight default link asemeNumber_729 asemeNumber
 highlight default link asemeNumber_737 asemeNumber
 highlight default link asemeNumber_742 asemeNumber
 highlight default link asemeNumber_746 asemeNumber
-highlight default link asemeNumber_787 asemeNumber
-highlight default link asemeNumber_791 asemeNumber
+highlight default link asemeNumber_797 asemeNumber
 highlight default link asemeNumber_80 asemeNumber
-highlight default link asemeNumber_809 asemeNumber
-highlight default link asemeNumber_815 asemeNumber
 highlight default link asemeNumber_821 asemeNumber
-highlight default link asemeNumber_827 asemeNumber
-highlight default link asemeNumber_838 asemeNumber
-highlight default link asemeNumber_850 asemeNumber
+highlight default link asemeNumber_825 asemeNumber
+highlight default link asemeNumber_846 asemeNumber
+highlight default link asemeNumber_852 asemeNumber
+highlight default link asemeNumber_858 asemeNumber
+highlight default link asemeNumber_864 asemeNumber
+highlight default link asemeNumber_875 asemeNumber
+highlight default link asemeNumber_887 asemeNumber
 highlight default link asemeOperator_135 asemeOperator
 highlight default link asemeOperator_26 asemeOperator
 highlight default link asemeOperator_261 asemeOperator
@@ -1784,12 +1856,15 @@ highlight default link asemeOperator_702 asemeOperator
 highlight default link asemeOperator_744 asemeOperator
 highlight default link asemeOperator_753 asemeOperator
 highlight default link asemeOperator_770 asemeOperator
-highlight default link asemeOperator_811 asemeOperator
-highlight default link asemeOperator_817 asemeOperator
+highlight default link asemeOperator_812 asemeOperator
+highlight default link asemeOperator_814 asemeOperator
 highlight default link asemeOperator_82 asemeOperator
-highlight default link asemeOperator_823 asemeOperator
 highlight default link asemeOperator_829 asemeOperator
-highlight default link asemeOperator_840 asemeOperator
+highlight default link asemeOperator_848 asemeOperator
+highlight default link asemeOperator_854 asemeOperator
+highlight default link asemeOperator_860 asemeOperator
+highlight default link asemeOperator_866 asemeOperator
+highlight default link asemeOperator_877 asemeOperator
 highlight default link asemePunctuation_100 asemePunctuation
 highlight default link asemePunctuation_122 asemePunctuation
 highlight default link asemePunctuation_128 asemePunctuation
@@ -1870,24 +1945,26 @@ highlight default link asemePunctuation_751 asemePunctuation
 highlight default link asemePunctuation_756 asemePunctuation
 highlight default link asemePunctuation_764 asemePunctuation
 highlight default link asemePunctuation_779 asemePunctuation
-highlight default link asemePunctuation_785 asemePunctuation
-highlight default link asemePunctuation_789 asemePunctuation
-highlight default link asemePunctuation_793 asemePunctuation
-highlight default link asemePunctuation_796 asemePunctuation
-highlight default link asemePunctuation_799 asemePunctuation
-highlight default link asemePunctuation_802 asemePunctuation
-highlight default link asemePunctuation_812 asemePunctuation
+highlight default link asemePunctuation_786 asemePunctuation
 highlight default link asemePunctuation_813 asemePunctuation
-highlight default link asemePunctuation_818 asemePunctuation
 highlight default link asemePunctuation_819 asemePunctuation
-highlight default link asemePunctuation_824 asemePunctuation
-highlight default link asemePunctuation_825 asemePunctuation
-highlight default link asemePunctuation_830 asemePunctuation
-highlight default link asemePunctuation_831 asemePunctuation
+highlight default link asemePunctuation_823 asemePunctuation
+highlight default link asemePunctuation_827 asemePunctuation
+highlight default link asemePunctuation_833 asemePunctuation
+highlight default link asemePunctuation_836 asemePunctuation
+highlight default link asemePunctuation_839 asemePunctuation
 highlight default link asemePunctuation_84 asemePunctuation
-highlight default link asemePunctuation_841 asemePunctuation
-highlight default link asemePunctuation_842 asemePunctuation
-highlight default link asemePunctuation_853 asemePunctuation
+highlight default link asemePunctuation_849 asemePunctuation
+highlight default link asemePunctuation_850 asemePunctuation
+highlight default link asemePunctuation_855 asemePunctuation
+highlight default link asemePunctuation_856 asemePunctuation
+highlight default link asemePunctuation_861 asemePunctuation
+highlight default link asemePunctuation_862 asemePunctuation
+highlight default link asemePunctuation_867 asemePunctuation
+highlight default link asemePunctuation_868 asemePunctuation
+highlight default link asemePunctuation_878 asemePunctuation
+highlight default link asemePunctuation_879 asemePunctuation
+highlight default link asemePunctuation_890 asemePunctuation
 highlight default link asemeReference_106 asemeReference
 highlight default link asemeReference_113 asemeReference
 highlight default link asemeReference_121 asemeReference
@@ -1971,14 +2048,18 @@ highlight default link asemeReference_674 asemeReference
 highlight default link asemeReference_677 asemeReference
 highlight default link asemeReference_678 asemeReference
 highlight default link asemeReference_717 asemeReference
-highlight default link asemeReference_798 asemeReference
-highlight default link asemeReference_810 asemeReference
-highlight default link asemeReference_816 asemeReference
-highlight default link asemeReference_822 asemeReference
-highlight default link asemeReference_828 asemeReference
-highlight default link asemeReference_839 asemeReference
-highlight default link asemeReference_851 asemeReference
-highlight default link asemeReference_852 asemeReference
+highlight default link asemeReference_787 asemeReference
+highlight default link asemeReference_789 asemeReference
+highlight default link asemeReference_793 asemeReference
+highlight default link asemeReference_811 asemeReference
+highlight default link asemeReference_835 asemeReference
+highlight default link asemeReference_847 asemeReference
+highlight default link asemeReference_853 asemeReference
+highlight default link asemeReference_859 asemeReference
+highlight default link asemeReference_865 asemeReference
+highlight default link asemeReference_876 asemeReference
+highlight default link asemeReference_888 asemeReference
+highlight default link asemeReference_889 asemeReference
 highlight default link asemeText_10 asemeText
 highlight default link asemeText_133 asemeText
 highlight default link asemeText_172 asemeText
@@ -2004,22 +2085,24 @@ highlight default link asemeText_722 asemeText
 highlight default link asemeText_726 asemeText
 highlight default link asemeText_732 asemeText
 highlight default link asemeText_734 asemeText
-highlight default link asemeText_808 asemeText
-highlight default link asemeText_814 asemeText
-highlight default link asemeText_820 asemeText
-highlight default link asemeText_826 asemeText
-highlight default link asemeText_832 asemeText
-highlight default link asemeText_834 asemeText
-highlight default link asemeText_837 asemeText
-highlight default link asemeText_843 asemeText
+highlight default link asemeText_796 asemeText
 highlight default link asemeText_845 asemeText
-highlight default link asemeText_848 asemeText
-highlight default link asemeText_849 asemeText
+highlight default link asemeText_851 asemeText
+highlight default link asemeText_857 asemeText
+highlight default link asemeText_863 asemeText
+highlight default link asemeText_869 asemeText
+highlight default link asemeText_871 asemeText
+highlight default link asemeText_874 asemeText
+highlight default link asemeText_880 asemeText
+highlight default link asemeText_882 asemeText
+highlight default link asemeText_885 asemeText
+highlight default link asemeText_886 asemeText
 highlight default link asemeTruth_12 asemeTruth
 highlight default link asemeTruth_247 asemeTruth
 highlight default link asemeTruth_394 asemeTruth
 highlight default link asemeTruth_431 asemeTruth
 highlight default link asemeTruth_47 asemeTruth
+highlight default link asemeTruth_798 asemeTruth
 highlight default link asemeType_139 asemeType
 highlight default link asemeType_147 asemeType
 highlight default link asemeType_154 asemeType
