@@ -10,17 +10,20 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from aseme_dsl.amola.liveness import INFIX, Formula, canonical
+from aseme_dsl.compiler.aip_to_eac import PROCESS
+from aseme_dsl.compiler.builtins import STATE_QUESTIONS
 from aseme_dsl.compiler.scope import Party
 from aseme_dsl.compiler.terms import Terms, ways
 from aseme_dsl.editor.around import Around, around
 from aseme_dsl.editor.ask import Ask
 from aseme_dsl.editor.items import Item, ItemKind
-from aseme_dsl.editor.known import Known
+from aseme_dsl.editor.known import Known, used_names
 from aseme_dsl.editor.names import PLACES, formula_names, performatives
 from aseme_dsl.editor.place import Place, place_at
 from aseme_dsl.editor.slots import Slot, SlotKind, formula_is_open, transition_slot, value_slot
 from aseme_dsl.editor.snippets import WHOLE, skeleton
 from aseme_dsl.editor.values import actions, constants, members, outcomes, topics, values
+from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.expected import Expected
 from aseme_dsl.grammar.token import Token
 from aseme_dsl.source import Source
@@ -209,8 +212,23 @@ def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
                     for name in ask.around.timers:
                         yield Item(name, ItemKind.TIMER, "timer", rank=0)
                 return
+            if slot.calls and slot.calls[-1].function in STATE_QUESTIONS:
+                yield from _states(ask, party)
+                return
             named = tuple(outcomes(scope, slot))
             yield from named or values(scope, ask.known, slot, ask.place.text)
+
+
+def _states(ask: Ask, party: Party | None) -> Iterator[Item]:
+    """The formulas and activities of the role or participant, which name its states."""
+    declaration = ask.around.declaration
+    part = ask.around.participant(party.name) if party is not None else None
+    formulas = declaration.formulas if isinstance(declaration, tree.Srm) else part.formulas if part else ()
+    for formula in formulas:
+        if formula.name.text != PROCESS:
+            yield Item(formula.name.text, ItemKind.FORMULA, "formula", rank=0)
+    for name in used_names(formulas):
+        yield Item(name, ItemKind.ACTIVITY, "activity", rank=1)
 
 
 def _events(ask: Ask, party: Party | None, parties: Mapping[str, Party], first: bool) -> Iterator[Item]:
