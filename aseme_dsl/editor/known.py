@@ -117,8 +117,15 @@ class Known:
         return tuple(dict.fromkeys(found))
 
 
-def _events_in(declaration: tree.Declaration) -> frozenset[str]:
-    return frozenset(node.name.text for node in nodes(declaration) if isinstance(node, tree.Raised))
+def _events_in(item: tree.Declaration) -> frozenset[str]:
+    """The events that transitions of a declaration wait for."""
+    entries: list[tree.Way | tree.LabelledWay] = []
+    if isinstance(item, (tree.Srm, tree.Aip)):
+        entries += (entry for control in item.controls for entry in control.entries)
+    elif isinstance(item, tree.Statechart):
+        entries += item.transitions
+    events = (event for entry in entries for event in entry.expression.events)
+    return frozenset(event.name.text for event in events if isinstance(event, tree.Raised))
 
 
 def known_in(view: View) -> Known:
