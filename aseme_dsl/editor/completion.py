@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
+from itertools import pairwise
 
 from aseme_dsl.amola.liveness import INFIX, Formula, canonical
 from aseme_dsl.compiler.aip_to_eac import PROCESS
@@ -151,8 +152,46 @@ def spelled(terms: Terms, term: Formula) -> str:
 
 def _formula(ask: Ask) -> Iterator[Item]:
     tokens = _behind(ask.place, ask.expected, "=")
-    if tokens is not None and formula_is_open(tokens):
+    if tokens is None:
+        return
+    slot = slot_of(ask)
+    if slot is not None and slot.calls:
+        yield from _arguments(ask, slot)
+    elif formula_is_open(tokens):
         yield from formula_names(ask)
+
+
+def _arguments(ask: Ask, slot: Slot) -> Iterator[Item]:
+    """What an activity or a formula is given: parameters of the formula that uses it, or values."""
+    found = parameters_of(ask, slot.calls[-1].function)
+    index = slot.calls[-1].argument
+    wanted = ask.known.symbols.type_named(found[index][1]) if len(found) > index else None
+    if slot.kind is SlotKind.MEMBER:
+        yield from members(ask.scope, ask.known, slot.path)
+    elif slot.kind is SlotKind.VALUE:
+        for name in _own_parameters(ask):
+            yield Item(name, ItemKind.VARIABLE, "parameter of the formula", rank=0)
+        yield from values(ask.scope, ask.known, slot, ask.place.text, wanted)
+
+
+def parameters_of(ask: Ask, name: str) -> list[tuple[str, str]]:
+    """The parameters of an activity or a formula with their types, which formulas may leave out."""
+    activity = ask.known.symbols.activities.get(name)
+    if activity is not None:
+        return [(item.name, str(item.type)) for item in activity.parameters]
+    declaration = ask.around.declaration
+    part = ask.around.participant(ask.name("Participant") or "")
+    formulas = declaration.formulas if isinstance(declaration, tree.Srm) else part.formulas if part else ()
+    formula = next((item for item in formulas if item.name.text == name), None)
+    found = formula.parameters if formula is not None else ()
+    return [(item.name.text, item.type.text if item.type is not None else "") for item in found]
+
+
+def _own_parameters(ask: Ask) -> list[str]:
+    """The parameters in the head of the formula that is being typed."""
+    head = [str(item) for item in ask.said]
+    head = head[: head.index("=")] if "=" in head else []
+    return [name for before, name in pairwise(head) if before in ("(", ",")]
 
 
 # ---- expressions -----------------------------------------------------------------------------------
@@ -279,7 +318,7 @@ def _is_open(place: Place, expected: Expected) -> bool:
         return True
     if expected.terminal in ("FormulaToken", "ProcessToken"):
         tokens = _behind(place, expected, "=")
-        return tokens is not None and formula_is_open(tokens)
+        return tokens is not None and (formula_is_open(tokens) or bool(value_slot(tokens).calls))
     slot = _slot(place, expected)
     if slot is None or slot.kind is SlotKind.COMPLETE:
         return False
@@ -297,6 +336,9 @@ def slot_of(ask: Ask) -> Slot | None:
 
 
 def _slot(place: Place, expected: Expected) -> Slot | None:
+    if expected.terminal in ("FormulaToken", "ProcessToken"):
+        tokens = _behind(place, expected, "=")
+        return value_slot(tokens) if tokens is not None else None
     if expected.terminal not in ("ControlToken", "ExpressionToken"):
         return None
     is_transition = expected.terminal == "ControlToken"
@@ -322,4 +364,10 @@ _FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
 }
 """What is offered inside of what is a list of tokens for the grammar."""
 
-__all__ = ["Around", "complete", "slot_of", "spelled"]
+__all__ = [
+    "Around",
+    "complete",
+    "parameters_of",
+    "slot_of",
+    "spelled",
+]

@@ -34,6 +34,8 @@ def inline(view: View, offset: int) -> tuple[Edit, ...]:
     formula = owner.formulas.named[name]
     if name == owner.formulas.root:
         raise Refused(f"`{owner.titles[name]}` is what all other formulas refine")
+    if formula.parameters:
+        raise Refused(f"`{name}` has parameters: each use of it stands for something else")
     text = piece.text
     uses = {
         other: [node for node in names(item.formula) if node.name == name]

@@ -10,7 +10,7 @@ from aseme_dsl.compiler.builtins import FORMS
 from aseme_dsl.compiler.scope import Scope
 from aseme_dsl.editor.around import around
 from aseme_dsl.editor.ask import Ask
-from aseme_dsl.editor.completion import slot_of
+from aseme_dsl.editor.completion import parameters_of, slot_of
 from aseme_dsl.editor.known import Known
 from aseme_dsl.editor.place import place_at
 from aseme_dsl.editor.slots import Call
@@ -45,9 +45,22 @@ def signatures(source: Source, offset: int, known: Known) -> Signatures | None:
     for expected in place.expected:
         ask = Ask(place, expected, known, block, source.path)
         slot = slot_of(ask)
-        if slot is not None and slot.calls:
-            return _of_call(slot.calls[-1], ask.scope, known, source.text)
+        if slot is None or not slot.calls:
+            continue
+        call = slot.calls[-1]
+        if expected.terminal in ("FormulaToken", "ProcessToken"):
+            return _of_formula(call, parameters_of(ask, call.function))
+        return _of_call(call, ask.scope, known, source.text)
     return None
+
+
+def _of_formula(call: Call, parameters: list[tuple[str, str]]) -> Signatures | None:
+    """What an activity or a formula is given where a formula uses it."""
+    parts = [f"{name} : {kind}" if kind else name for name, kind in parameters]
+    if not parts:
+        return None
+    label = f"{call.function}({', '.join(parts)})"
+    return Signatures((_made(label, parts, ""),), 0, call.argument)
 
 
 def _of_call(call: Call, scope: Scope, known: Known, text: str) -> Signatures | None:

@@ -24,9 +24,9 @@ ACTION_FORMS = ("start_timer",)
 _ABOUT_MESSAGES = ("has", "age", "at", "mean")
 
 
-def values(scope: Scope, known: Known, slot: Slot, text: str) -> Iterator[Item]:
+def values(scope: Scope, known: Known, slot: Slot, text: str, wanted: Type | None = None) -> Iterator[Item]:
     """What may be a value in this slot; first what has the type that is wanted there."""
-    wanted = _wanted(scope, slot, text)
+    wanted = wanted or _wanted(scope, slot, text)
     call = slot.calls[-1] if slot.calls else None
     if call is not None and call.argument == 0 and call.function in _ABOUT_MESSAGES:
         only_data = call.function in ("at", "mean")

@@ -290,6 +290,23 @@ def test_states_that_can_be_asked_for() -> None:
     assert "ScanForBall" in labels(text)
 
 
+PARAMETERS = """system T
+enum Place { HOME FIELD }
+srm r {
+ var here : Place = Place.HOME
+ liveness { r = deliver(Place.HOME, here)  deliver(from, to) = MoveTo(‸from) . Grasp . MoveTo(to) }
+ activities { MoveTo(goal : Place)  Grasp takes 1s }
+}
+"""
+
+
+def test_what_activities_and_formulas_are_given() -> None:
+    assert labels(PARAMETERS)[:5] == ["from", "to", "here", "Place.HOME", "Place.FIELD"]
+    text = PARAMETERS.replace(CURSOR, "")
+    assert labels(text.replace("MoveTo(from)", "MoveTo(Place.‸)")) == ["HOME", "FIELD"]
+    assert labels(text.replace("goal : Place", "goal : ‸"))[:2] == ["bool", "int"]
+
+
 def test_outcomes_of_activities() -> None:
     text = (
         "system T\nsrm r {\n liveness { r = Grasp . (Lift | Cry) }\n"

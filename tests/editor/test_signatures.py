@@ -54,6 +54,22 @@ def test_forms_of_the_language() -> None:
     assert shown("/ start_timer(pace, ‸") == "start_timer(timer, «200ms»)"
 
 
+def test_what_activities_and_formulas_are_given() -> None:
+    def given(formula: str) -> str | None:
+        marked = (
+            "system T\nenum Place { HOME }\nsrm r {\n"
+            f" liveness {{ r = {formula} deliver(from, to : Place) = MoveTo(from) . MoveTo(to) }}\n"
+            " activities { MoveTo(goal : Place) }\n}\n"
+        )
+        text = marked.replace(CURSOR, "")
+        found = signatures(Source(PATH, text), marked.index(CURSOR), known_in(opened(text)))
+        return found.signatures[0].label + f" {found.parameter}" if found is not None else None
+
+    assert given("MoveTo(‸Place.HOME)") == "MoveTo(goal : Place) 0"
+    assert given("deliver(Place.HOME, ‸Place.HOME)") == "deliver(from, to : Place) 1"
+    assert given("Rest(‸)") is None
+
+
 def test_outside_of_calls_nothing_is_said() -> None:
     assert shown("[vision.state.Ball.visible‸]") is None
     assert shown("[no_such_function(‸") is None
