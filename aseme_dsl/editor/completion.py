@@ -339,7 +339,7 @@ def _slot(place: Place, expected: Expected) -> Slot | None:
     if expected.terminal in ("FormulaToken", "ProcessToken"):
         tokens = _behind(place, expected, "=")
         return value_slot(tokens) if tokens is not None else None
-    if expected.terminal not in ("ControlToken", "ExpressionToken"):
+    if expected.terminal not in ("ControlToken", "ExpressionToken", "SettingToken"):
         return None
     is_transition = expected.terminal == "ControlToken"
     tokens = _behind(place, expected, ":" if is_transition else "=")
@@ -361,6 +361,7 @@ _FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
     "ProcessToken": _formula,
     "ExpressionToken": _expression,
     "ControlToken": _expression,
+    "SettingToken": _expression,
 }
 """What is offered inside of what is a list of tokens for the grammar."""
 

@@ -442,6 +442,16 @@ def _roles(ask: Ask) -> Iterator[Item]:
         yield Item(item.name.text, ItemKind.ROLE, "role", said, rank=2)
 
 
+def _settings(ask: Ask) -> Iterator[Item]:
+    """The variables of the role that the agents have; those that are set already come last."""
+    said = [str(item) for item in ask.tokens("Agents")]
+    name = said[said.index(":") + 1] if ":" in said[:-1] else ""
+    role = next((item for item in ask.known.blocks.roles if item.name.text == name), None)
+    for item in role.variables if role is not None else ():
+        rank = 7 if item.name.text in said else 2
+        yield Item(item.name.text, ItemKind.VARIABLE, item.type.text, "", f"{item.name} = ", rank=rank)
+
+
 PLACES: Mapping[tuple[str, str], Provider] = {
     ("Import", "library"): _libraries,
     ("Import", "path"): _files,
@@ -486,6 +496,7 @@ PLACES: Mapping[tuple[str, str], Provider] = {
     ("ChartNode", "name"): _activities,
     ("ChartNode", "activity"): _activities,
     ("Agents", "role"): _roles,
+    ("Setting", "name"): _settings,
 }
 """What is offered, by the rule of the grammar and its attribute."""
 

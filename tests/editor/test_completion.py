@@ -340,6 +340,17 @@ def test_roles_of_a_team() -> None:
     assert labels(at(SOCCER, "keeper                 : ")) == ["player", "goalie"]
 
 
+def test_what_agents_are_set_to() -> None:
+    text = (
+        "system T\nenum Side { LEFT RIGHT }\n"
+        "srm r { var limit : int = 1 var side : Side  liveness { r = A } }\n"
+        "team T { one : r with ‸ }\n"
+    )
+    assert labels(text) == ["limit", "side"]
+    assert labels(text.replace("‸", "limit = 3, ‸")) == ["side", "limit"]
+    assert labels(text.replace("‸", "side = Side.‸")) == ["LEFT", "RIGHT"]
+
+
 def test_participants_come_from_the_use_case() -> None:
     text = (
         "system T\nsuc { usecase move by giver, taker includes hand, take }\n"
