@@ -336,6 +336,20 @@ def test_activities_that_are_not_described() -> None:
     assert labels(instead(WAREHOUSE, "every 1s", "as ‸")) == ["thread", "async", "process", "step"]
 
 
+def test_what_may_be_set_in_agents() -> None:
+    text = """system T
+srm goalie { var limit : int = 50  var slow : bool  liveness { goalie = A } }
+srm other { var far : int  liveness { other = A } }
+team T { keeper : goalie with ‸ }
+"""
+    assert labels(text) == ["limit", "slow"]
+
+
+def test_types_of_parameters() -> None:
+    text = "system T\nenum Place { A }\nsrm r { liveness { r = Go(Place.A) } activities { Go(to : ‸) } }\n"
+    assert {"int", "Place"} <= set(labels(text))
+
+
 def test_roles_of_a_team() -> None:
     assert labels(at(SOCCER, "keeper                 : ")) == ["player", "goalie"]
 
