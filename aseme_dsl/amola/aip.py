@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from aseme_dsl.amola.expression import Literal
+from aseme_dsl.amola.expression import Literal, value_text
 from aseme_dsl.amola.liveness import Formula
-from aseme_dsl.amola.messages import Parameter, Type
+from aseme_dsl.amola.messages import AGENT, Parameter, Type
 from aseme_dsl.source import Span
 
 
@@ -25,6 +25,12 @@ class DeclaredVariable:
     type: Type
     initial: Literal
     span: Span
+
+    @property
+    def text(self) -> str:
+        """`bids : int = 0`; of an agent, whom nobody knows at first, `best : agent`."""
+        said = "" if self.type == AGENT else f" = {value_text(self.initial)}"
+        return f"{self.name} : {self.type}{said}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from typing import Any
 from aseme_dsl.amola.aip import Aip, DeclaredVariable, NamedFormula, Participant
 from aseme_dsl.amola.expression import Literal, action_text, duration_text, events_text, value_text
 from aseme_dsl.amola.liveness import canonical
-from aseme_dsl.amola.messages import DURATION, Parameter
+from aseme_dsl.amola.messages import AGENT, DURATION, Parameter
 from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Module, Srm, Subscription
 from aseme_dsl.amola.statechart import Node, Statechart
@@ -306,8 +306,10 @@ def _subscription(item: Subscription) -> Json:
     }
 
 
-def _initial(literal: Literal) -> bool | int | float | str:
-    """A value as JSON has it; a duration as it is written."""
+def _initial(literal: Literal) -> bool | int | float | str | None:
+    """A value as JSON has it; a duration as it is written; null for an agent: nobody is known at first."""
+    if literal.type == AGENT:
+        return None
     if literal.type == DURATION:
         return duration_text(int(literal.value))
     return literal.value

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from aseme_dsl.amola.aip import AgentMessage, Aip, DeclaredVariable, Participant
-from aseme_dsl.amola.expression import value_text
+from aseme_dsl.amola.aip import AgentMessage, Aip, Participant
 from aseme_dsl.amola.liveness import canonical
 from aseme_dsl.diagrams import style
 from aseme_dsl.diagrams.dot import Sheet
@@ -43,7 +42,7 @@ def sheet(aip: Aip, name: str) -> Sheet:
     row("Engagement Rules", [person.engage for person in people])
     wide_row("Outcomes (one of)" if len(aip.outcomes) > 1 else "Outcome", aip.outcomes)
     row("Process", [_formulas(person) for person in people])
-    row("Variables", [map(_variable, person.variables) for person in people])
+    row("Variables", [(item.text for item in person.variables) for person in people])
     row("Sends", [map(_message, person.sends) for person in people])
     row("Receives", [map(_message, person.receives) for person in people])
     wide_row("Clauses", (clause.text for clause in aip.clauses))
@@ -69,10 +68,6 @@ def _formulas(person: Participant) -> Iterable[str]:
     for index, item in enumerate(person.formulas):
         text = canonical(item.formula)
         yield f"{item.name} = {text}" if index else text
-
-
-def _variable(variable: DeclaredVariable) -> str:
-    return f"{variable.name} : {variable.type} = {value_text(variable.initial)}"
 
 
 def _message(message: AgentMessage) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from aseme_dsl.amola.aip import NamedFormula
-from aseme_dsl.amola.expression import duration_text, value_text
+from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.liveness import called, canonical
 from aseme_dsl.amola.srm import Activity, Functionality, Plays, Srm, Subscription
 from aseme_dsl.amola.system import System
@@ -27,7 +27,7 @@ def sheet(system: System, srm: Srm, name: str) -> Sheet:
     _part(rows, "Includes", [", ".join(srm.includes)] if srm.includes else [])
     _part(rows, "Protocols", [", ".join(map(_plays, srm.plays))] if srm.plays else [])
     _part(rows, "Liveness", (f"{_formula(item)} = {canonical(item.formula)}" for item in srm.formulas))
-    _part(rows, "Variables", (f"{v.name} : {v.type} = {value_text(v.initial)}" for v in srm.variables))
+    _part(rows, "Variables", (item.text for item in srm.variables))
     _part(
         rows,
         "Capabilities",

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import jsonschema
 import pytest
 
+from aseme_dsl.amola.as_json import models_json, schema
 from tests.support.compiling import codes, printed, system
 
 PROTOCOL = """system S
@@ -119,3 +121,16 @@ def test_what_may_be_absent_can_be_asked_for(asked: str, said: str | None) -> No
     text = PROTOCOL.replace("LINE", f"enter B : propose Bid m from b [{asked} && m.cost > 0]")
     assert [code for code in codes(text) if code[0] == "E"] == ([] if said is None else ["E504"])
     assert said is None or said in printed(text)
+
+
+def test_nobody_is_known_at_first() -> None:
+    """A variable of type agent has no initial value in the models, nor in the table of the protocol."""
+    found = system(PROTOCOL.replace("LINE", "enter B : propose Bid m from b / best = sender(m)"))
+    model = models_json(found)["aip.p.json"]
+    best, x = model["participants"][0]["variables"]
+    assert (best["type"], best["initial"], x["initial"]) == ("agent", None, 0)
+    for kind in ("aip", "statechart"):
+        name = "aip.p.json" if kind == "aip" else "iac.r.json"
+        validator = jsonschema.Draft202012Validator(schema(kind))
+        assert list(validator.iter_errors(models_json(found)[name])) == []
+    assert found.aips[0].participants[0].variables[0].text == "best : agent"
