@@ -61,6 +61,7 @@ LONG = [
         ["-m", "pytest", "tests/editor/test_drift.py", "tests/editor/test_endurance.py"],
         {"EDITOR_EDITS": "10000"},
     ),
+    ("the extension in VS Code", ["benchmarks/vscode_host.py"], {}),
     ("random charts", ["-m", "pytest", "tests/oracle"], {"ORACLE_EXAMPLES": "5000"}),
     ("seeded faults", ["-m", "pytest", "-n", "auto", "tests/faults/test_seeded.py"], {"FAULT_RUNS": "1000"}),
     ("random swaps", ["-m", "pytest", "-n", "auto", "tests/faults/test_swap.py"], {"SWAP_EXAMPLES": "300"}),

@@ -110,7 +110,7 @@ async function main() {
     );
     await command(page, "Problems: Focus on Problems View");
     await page.waitForFunction(() => /there is no role/.test(document.querySelector(".markers-panel")?.textContent ?? ""));
-    seen.problems = await page.$eval(".markers-panel", (panel) => panel.textContent);
+    seen.problems = await page.$$eval(".markers-panel .monaco-list-row", (rows) => rows.map((row) => row.textContent));
     await page.screenshot({ path: join(order.pictures, "problems.png") });
   } catch (error) {
     seen.failed = String(error);

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 import aseme_dsl
+from aseme_dsl.editor.authoring import CARRY_OUT, EXPLAIN
 from aseme_dsl.editor.hints import DIAGRAM, RUN
 
 ROOT = Path(__file__).parents[2]
@@ -37,6 +38,7 @@ def test_every_file_that_it_names_is_there() -> None:
 def test_every_command_that_it_offers_is_there() -> None:
     registered = set(re.findall(r'registerCommand\("([\w.]+)"', SOURCES["extension.js"]))
     assert {each["command"] for each in CONTRIBUTES["commands"]} <= registered
+    assert not registered & {CARRY_OUT, EXPLAIN}, "the client registers what the server offers itself"
     assert {DIAGRAM, RUN} <= registered, "what the server shows above a model or a team"
 
 

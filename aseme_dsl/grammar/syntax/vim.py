@@ -73,7 +73,7 @@ def vim_files(contexts: tuple[Context, ...]) -> dict[str, str]:
     """The text of each file under the folder for Vim."""
     writer = _Writer({context.name: context for context in contexts})
     writer.body(FILE)
-    lines = [*reversed([*_COMMENTS, *writer.lines, *writer.later])]
+    lines = [*reversed([*_COMMENTS, *writer.first, *writer.lines, *writer.later])]
     links = [f"highlight default link {group} aseme{kind}" for group, kind in sorted(writer.links.items())]
     groups = [f"highlight default link aseme{camel(kind)} {LINKS[kind]}" for kind in Kind]
     tail = [*links, *groups, "highlight default link asemeComment Comment", 'let b:current_syntax = "aseme"']
@@ -90,8 +90,9 @@ class _Writer:
     contexts: dict[str, Context]
     lines: list[str] = field(default_factory=list)
     """The most important item first."""
+    first: list[str] = field(default_factory=list)
     later: list[str] = field(default_factory=list)
-    """The same, less important than all others."""
+    """The same, more and less important than all others."""
     links: dict[str, str] = field(default_factory=dict)
     heads: dict[str, tuple[str, ...]] = field(default_factory=dict)
     following: dict[tuple[str, ...], str] = field(default_factory=dict)
@@ -158,17 +159,26 @@ class _Writer:
             self.heads[key] = (*groups, braces)
         return [*self.heads[key]]
 
-    def entry(self, name: str) -> tuple[str, ...]:
-        """Define what may follow in an entry or a list; returns the groups."""
-        if name in self.heads:
-            return self.heads[name]
+    def entry(self, name: str, after: tuple[str, ...] = ()) -> tuple[str, ...]:
+        """Define what may follow in an entry or a list, and `after` it; returns the groups."""
         context = self.contexts[name]
-        cluster = _cluster(name)
-        self.heads[name] = (cluster,)  # known before its members are, for they refer to it
-        members = self.phrases(context, (cluster,), True)
-        tokens = self.tokens(context, (cluster,), True) if context.tokens is not None else []
+        if context.starts:
+            after = ()  # an entry ends where another begins
+        key = f"{name} {''.join(after)}".strip()
+        if key in self.heads:
+            return self.heads[key]
+        cluster = _cluster(key.replace("@", "before "))
+        self.heads[key] = (cluster, *after)  # known before its members are, for they refer to it
+        outer, self.lines = self.lines, []
+        members = self.phrases(context, self.heads[key], True)
+        tokens = self.tokens(context, self.heads[key], True) if context.tokens is not None else []
         self.lines.append(f"syntax cluster {cluster[1:]} contains={','.join([*members, *tokens])}")
-        return (cluster,)
+        if context.tokens is not None and not context.starts:
+            self.first += self.lines  # what can be in a list is not what comes after it
+            self.lines = outer
+        else:
+            self.lines = [*outer, *self.lines]
+        return self.heads[key]
 
     def tokens(self, context: Context, following: tuple[str, ...], contained: bool) -> list[str]:
         """The tokens of a list, each where the grammar has a token of the list."""
@@ -185,28 +195,36 @@ class _Writer:
         for phrase in context.phrases:
             _enter(top, phrase.pieces, phrase)
         found: list[str] = []
+        # A list of tokens goes on with what its entry has, unless that is a list itself.
+        after_it = following if context.tokens is None else ()
         for piece, node in top.children.items():
             if context.is_body:
                 starts = [phrase.start for phrase in context.phrases if phrase.pieces[0] == piece]
                 guard = f"(?={either(starts)})"
             else:
                 guard = _not_another(context, piece)
-            found += self.chain(piece, node, following, guard, contained)
+            found += self.chain(piece, node, following, after_it, guard, contained)
         return found
 
     def chain(
-        self, piece: Piece, node: _Node, following: tuple[str, ...], guard: str = "", contained: bool = True
+        self,
+        piece: Piece,
+        node: _Node,
+        following: tuple[str, ...],
+        after_it: tuple[str, ...],
+        guard: str = "",
+        contained: bool = True,
     ) -> list[str]:
         """The items of a token and of all that may follow it."""
         if piece.pattern.startswith(r"\{") and node.enters:
             return [self.braces(piece, node.enters[0], following)]
         then: list[str] = []
         for child, below in node.children.items():
-            then += self.chain(child, below, following)
+            then += self.chain(child, below, following, after_it)
         if node.goes_on:
             then += following
         for name in node.enters:
-            then += self.entry(name)
+            then += self.entry(name, after_it)
         after = ""
         if _is_name(piece) and node.children and not node.goes_on and not node.enters:
             # Not the beginning of something else that begins with a name, too.

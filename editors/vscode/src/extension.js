@@ -21,10 +21,10 @@ export async function activate(context) {
     output,
     diagrams,
     vscode.workspace.registerTextDocumentContentProvider(SCHEME, new Explanations()),
-    vscode.commands.registerCommand("aseme.diagram", (uri, position) => diagrams.show(uri, position)),
-    vscode.commands.registerCommand("aseme.restart", () => restart(context, output)),
-    vscode.commands.registerCommand("aseme.explain", (code) => explain(code)),
-    vscode.commands.registerCommand("aseme.run", () => run(vscode.window.activeTextEditor?.document.uri)),
+    vscode.commands.registerCommand("aseme.showDiagram", (uri, position) => diagrams.show(uri, position)),
+    vscode.commands.registerCommand("aseme.restartServer", () => restart(context, output)),
+    vscode.commands.registerCommand("aseme.explainDiagnostic", () => explain()),
+    vscode.commands.registerCommand("aseme.runTeam", () => run(vscode.window.activeTextEditor?.document.uri)),
     // The lenses that the server shows above models and teams.
     vscode.commands.registerCommand("asemec.diagram", (uri, position) => diagrams.show(uri, position)),
     vscode.commands.registerCommand("asemec.run", ({ file }) => run(vscode.Uri.file(file))),
@@ -59,7 +59,7 @@ async function start(output) {
     outputChannel: output,
     synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher("**/*.{aseme,proto,py,toml}") },
     markdown: { isTrusted: false, supportHtml: false },
-    middleware: { provideCodeLenses },
+    middleware: { provideCodeLenses, executeCommand },
   });
   try {
     await client.start();
@@ -73,6 +73,11 @@ async function start(output) {
     );
     if (chosen === settings) vscode.commands.executeCommand("workbench.action.openSettings", "aseme.command");
   }
+}
+
+/** The server's commands. The page of a diagnostic is shown beside the text, not in a window of its own. */
+async function executeCommand(command, given, next) {
+  return command === "aseme.explain" ? explain(given[0]) : next(command, given);
 }
 
 /** The server's lenses whose command there is; a diagram is asked for at the place of its lens. */
