@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from aseme_dsl.runtime.inputs import Sending
 from tests.behaviour.conftest import Play
 
 
@@ -263,3 +264,45 @@ def test_what_goes_on_is_given_its_arguments_anew(play: Play) -> None:
     run.step(run.event("stop"))
     assert run.did == ["cancel Work", "start Stop"]
     assert run.step(run.done("Stop")).did == ["start Work(on=2)"]
+
+
+def test_a_reactive_choice_with_parameters(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = guard(3)~  guard(limit : int) = Walk(limit) | Rest }
+          activities { Walk(to : int) }
+          control guard reactive { enter Walk : [t.state.M.x > limit]  enter Rest : else }
+        }
+    """).step()
+    assert run.active == ["Rest"]
+    assert run.step(run.heard("t.state.M", x=4)).did == ["cancel Rest", "start Walk(to=3)"]
+    assert run.step(run.heard("t.state.M", x=3)).did == ["cancel Walk", "start Rest"]
+
+
+def test_a_message_filled_with_a_parameter(play: Play) -> None:
+    run = play("""
+        aip deal {
+          participant a { sends inform Note  process = say("x") . Wait  say(what) = Think(what) . Done }
+          participant b { receives inform Note  process = Hear }
+          control say { enter Done : / send inform Note { text = what } to b }
+          outcome "x"
+        }
+        srm R { plays deal.a  liveness { R = a } activities { Think(of : string) } }
+        srm other { plays deal.b  liveness { other = b } }
+    """).step()
+    run.step(run.done("Think"))
+    (sent,) = run.last.of(Sending)
+    assert sent.content.text == "x"
+
+
+def test_states_with_arguments_are_asked_for_by_their_name(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = ((go(1) . go(2)) || Watch) . Done  go(n) = Walk(n) . Turn }
+          activities { Walk(to : int) }
+          control R { enter Done : when [in(Turn) && !in(Walk) && in(go)] }
+        }
+    """).step()
+    assert run.active == ["Walk", "Watch"]
+    (walk, _) = run.chart.configuration()[-2:]
+    assert run.step(run.done(walk)).active == ["Done"]

@@ -399,7 +399,8 @@ class Reference:
         return [
             state.label
             for state in self.plan.states
-            if name in (state.name, state.activity) and holder in (state.label, *self.around(state.label))
+            if name in (state.name, state.activity, without_arguments(state.name))
+            and holder in (state.label, *self.around(state.label))
         ]
 
     @cached_property
@@ -1173,6 +1174,13 @@ BUILT_IN: dict[str, Callable[..., Any]] = {"abs": abs, "min": min, "max": max}
 def is_same(one: Any, other: Any) -> bool:
     """Whether a message is the same one, or a value (in a tuple of one) has stayed."""
     return one == other if isinstance(one, tuple) and isinstance(other, tuple) else one is other
+
+
+def without_arguments(name: str) -> str:
+    """ "A state goes by its formula or activity, whatever that is given": `deliver` of `deliver(a, f(b))`."""
+    before, _, inside = name.partition("(")
+    depth = [inside[: n + 1].count(")") - inside[: n + 1].count("(") for n in range(len(inside))]
+    return before if 1 in depth and depth.index(1) == len(inside) - 1 else name
 
 
 def is_constant(term: Term) -> bool:
