@@ -22,8 +22,18 @@ from tests.docs.pages import ROOT, completed, examples
 
 LANGUAGE = ROOT / "docs" / "language"
 TABLE = "constructs.md"
-OVERVIEWS = {"index.md", "formulas.md", "messages.md", "conditions.md", "layout.md"}
+OVERVIEWS = {"index.md", "formulas.md", "messages.md", "agent-messages.md", "conditions.md", "layout.md"}
 """Pages that are about several constructs, or about how a file looks: the table need not name them."""
+OF_SEVERAL = {
+    "control.md",
+    "expressions.md",
+    "lexical.md",
+    "protocols.md",
+    "requirements.md",
+    "roles.md",
+    "scenarios.md",
+}
+"""Pages that the table names and that are overviews, or about what does not run."""
 NOT_IN_A_PROGRAM = {"Comment"}
 """What no program of a page must have: the examples explain themselves."""
 
@@ -35,12 +45,6 @@ def _linked() -> list[str]:
 
 def _rows(text: str) -> Iterator[str]:
     yield from (line for line in text.split("\n") if line.startswith("| `"))
-
-
-def _one_construct() -> list[str]:
-    """The pages that are listed below the table: each is about one construct."""
-    toctree = (LANGUAGE / TABLE).read_text("utf-8").partition("```{toctree}")[2]
-    return re.findall(r"^([\w-]+)$", toctree, re.MULTILINE)
 
 
 def _words_of_the_grammar() -> set[str]:
@@ -105,11 +109,11 @@ def test_the_table_names_every_page() -> None:
 
 def test_each_page_of_a_construct_has_all_its_parts() -> None:
     missing = []
-    for name in _one_construct():
-        text = (LANGUAGE / f"{name}.md").read_text("utf-8")
-        parts = ("```aseme", "<!-- drawn: ", "$ asemec run ", "## What it means")
-        missing += [f"{name}: {part}" for part in parts if part not in text]
-    assert missing == [] and len(_one_construct()) > 40
+    for name in sorted({*_linked()} - OF_SEVERAL):
+        text = (LANGUAGE / name).read_text("utf-8")
+        parts = ("```aseme", "<!-- drawn: ", "$ asemec run ", "\n## What it means\n")
+        missing += [f"{name}: {part.strip()}" for part in parts if part not in text]
+    assert missing == []
 
 
 def test_what_a_page_quotes_is_what_the_semantics_says() -> None:
