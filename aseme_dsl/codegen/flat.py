@@ -283,10 +283,15 @@ class FlatChart:
         )
 
     def asked_of(self, source: str, activity: str) -> tuple[str, ...]:
-        """The states of which `outcome(activity)` is the last outcome, in a transition out of `source`."""
+        """The states of which `outcome(activity)` is the last outcome, in a transition out of `source`.
+
+        They are looked for from its region, or its participant's branch, outwards: there one thing is done
+        after the other, so that "the last" is clear.
+        """
+        region, branch = self.chart.region_of(source), self.branch_of(source) or ""
         found = states_meant(
             self.chart,
-            source,
+            branch if branch.startswith(f"{region}.") else region,
             activity,
             lambda node: node.type is NodeType.BASIC and node.activity == activity,
         )

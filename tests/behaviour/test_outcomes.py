@@ -75,9 +75,8 @@ def test_an_outcome_stays_when_the_state_is_left(play: Play) -> None:
     assert run.step(run.done("Move")).active == ["Place"]
 
 
-def test_of_several_states_the_innermost_that_holds_one_is_meant(play: Play) -> None:
-    """ "the innermost state around the transition's source (the source included) that holds a state of that
-    name" """
+def test_each_decides_by_what_was_done_before_it(play: Play) -> None:
+    """ "of several states there, the one that ended or was entered last" """
     run = play("""
         srm R {
           liveness { R = first . second  first = Grasp . [A]  second = Grasp . [B] }
@@ -95,8 +94,44 @@ def test_of_several_states_the_innermost_that_holds_one_is_meant(play: Play) -> 
     assert run.last.finished
 
 
-def test_of_several_inside_it_the_one_that_ended_or_was_entered_last(play: Play) -> None:
-    """ "of several inside it the one that ended or was entered last" """
+def test_what_is_done_before_a_loop_decides_whether_it_is_entered(play: Play) -> None:
+    """ "of several states there, the one that ended or was entered last": not the one inside the loop"""
+    run = play("""
+        srm R {
+          liveness { R = Grasp . (Rest . Grasp)* }
+          activities { Grasp ends held, slipped }
+          control R {
+            enter (Rest . Grasp) : [outcome(Grasp) == held]
+            skip (Rest . Grasp) : else
+            repeat (Rest . Grasp) : [outcome(Grasp) == held]
+            leave (Rest . Grasp) : else
+          }
+        }
+    """).step()
+    end(run, "held")
+    assert run.active == ["Rest"]
+    run.step(run.done("Rest"))
+    run.step(run.done(run.chart.configuration()[0], outcome="slipped"))
+    assert run.last.finished
+
+
+def test_two_regions_do_not_disturb_each_other(play: Play) -> None:
+    """ "the innermost region around the transition in which something performs it" """
+    run = play("""
+        srm R {
+          liveness { R = arm[2]  arm = Grasp . (Place | Open) }
+          activities { Grasp ends held, slipped }
+          control arm { enter Place : [outcome(Grasp) == held]  enter Open : else }
+        }
+    """).step()
+    first, second = (run.plan.by_label[label].label for label in run.chart.configuration()[1:])
+    run.step(run.done(first, outcome="held"))
+    run.step(run.done(second, outcome="slipped"))
+    assert run.active == ["Place", "Open"]
+
+
+def test_of_several_states_the_one_that_ended_or_was_entered_last(play: Play) -> None:
+    """ "of several states there, the one that ended or was entered last" """
     run = play("""
         srm R {
           liveness { R = Grasp . Grasp . Rest . Rest }
@@ -108,7 +143,7 @@ def test_of_several_inside_it_the_one_that_ended_or_was_entered_last(play: Play)
         }
     """).step()
     run.step(run.done("0.2", outcome="held"))
-    assert run.active == ["Grasp"]  # the second one: it is itself the innermost that holds one
+    assert run.active == ["Grasp"]  # the second one, which was entered last
     run.step(run.done("0.3", outcome="held"))
     assert run.active == ["Rest"]
     run.step(run.done("0.4"))

@@ -368,9 +368,10 @@ class Reference:
                 self.outcome.effects.append(cancel)
 
     def outcome_of(self, activity: str) -> str | Absent:
-        """ "The innermost state around the transition's source (the source included) that holds a state of
-        that name; of several inside it the one that ended or was entered last." """
-        for holder in [self.asking, *self.around(self.asking)]:
+        """ "The innermost region or participant's branch around the transition that performs it counts; of
+        several states there, the one that ended or was entered last." """
+        around = [self.asking, *self.around(self.asking)]
+        for holder in [label for label in around if self.is_region(label) or label in self.mailbox]:
             inside = [
                 state.label
                 for state in self.plan.states

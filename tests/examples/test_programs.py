@@ -1,0 +1,142 @@
+"""The five programs: each compiles without a word, runs, and tells of the mistakes that one would make."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from aseme_dsl.backends.backend import BackendOptions
+from aseme_dsl.backends.monas import BACKEND
+from aseme_dsl.compiler import analyse
+from aseme_dsl.grammar.layout import format_source
+from aseme_dsl.source import Source
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@dataclass(frozen=True)
+class Program:
+    """An example, with what its run ends with and how many lines its text may have."""
+
+    name: str
+    ends: str
+    lines: int = 1000
+
+    @property
+    def path(self) -> Path:
+        return EXAMPLES / self.name / f"{self.name}.aseme"
+
+    def __str__(self) -> str:
+        return self.name
+
+
+PROGRAMS = (
+    Program("goalie", "saved 3, kicked away 7, goal 3, beside 1, left 1"),
+    Program("auction", "sold to client4 for 130"),
+    Program("home", "hall 12.9 °C, kitchen 21.2 °C, bath 21.4 °C, bedroom 17.7 °C"),
+    Program("cell", "parts in the tray: left 7, right 12", lines=45),
+    Program("patrol", "reports: 6; batteries: guard1 77 %, guard2 74 %, guard3 46 %, guard4 26 %", lines=45),
+)
+
+
+@pytest.fixture(params=PROGRAMS, ids=str)
+def program(request: pytest.FixtureRequest) -> Iterator[Program]:
+    yield request.param
+
+
+def test_it_compiles_without_a_word(program: Program) -> None:
+    analysis = analyse(program.path)
+    assert analysis.diagnostics == ()
+    assert analysis.system is not None
+
+
+def test_it_is_laid_out_and_short_enough(program: Program) -> None:
+    text = program.path.read_text("utf-8")
+    assert format_source(Source(str(program.path), text)).text == text
+    assert len(text.splitlines()) <= program.lines
+
+
+def test_every_activity_is_written(program: Program) -> None:
+    system = analyse(program.path).system
+    assert system is not None
+    used = {item.path.partition("/")[2] for item in BACKEND.generate(system, BackendOptions()) if item.kept}
+    written = {path.name for path in (program.path.parent / "activities").glob("*.py")}
+    assert used <= written
+
+
+def played(program: Program, tmp_path: Path) -> dict[str, Any]:
+    project = tmp_path / program.name
+    shutil.copytree(program.path.parent, project, ignore=shutil.ignore_patterns("build", "__pycache__"))
+    command = [sys.executable, "-m", "aseme_dsl", "run", str(project), "--json"]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8")
+    assert done.returncode == 0, done.stdout + done.stderr
+    result: dict[str, Any] = json.loads(done.stdout)["result"]
+    return result | {"told": done.stderr}
+
+
+def test_it_runs(program: Program, tmp_path: Path) -> None:
+    """One seed is one run, to the bit: so its end is known."""
+    result = played(program, tmp_path)
+    assert program.ends in result["told"] or program.ends in str(result["summary"])
+    assert result["faults"] == 0
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """What somebody writes in place of what is right, and what the compiler says of it."""
+
+    program: str
+    right: str
+    wrong: str
+    says: str
+
+    def __str__(self) -> str:
+        return f"{self.program}: {self.wrong.strip() or 'nothing'}"
+
+
+MISTAKES = (
+    # the branch that nobody would miss: what is done when nothing else holds
+    Mistake("goalie", "    enter Scan     : else\n", "", "E404"),
+    # a dive that lasts too long would stop the goalie for good
+    Mistake("goalie", "    leave Dive     : error  // it lasted too long\n", "", "W604"),
+    Mistake("goalie", "|| in(Dive)]", "|| in(Div)]", "E430"),
+    # at half-time, in a hurry
+    Mistake("goalie", "with limit = 90", "with limits = 90", "E611"),
+    # whom, what, and how it ended
+    Mistake("auction", "} to best;", "} to bets;", "E205"),
+    Mistake("auction", "best = sender(c)", "best = c", "E500"),
+    Mistake("auction", "asked = o.price", "asked = o.prize", "E501"),
+    Mistake("auction", "outcome(Consider) == yes", "outcome(Consider) == maybe", "E520"),
+    Mistake("auction", "lost bidder gone [", "lost bider gone [", "E205"),
+    # the first lesson
+    Mistake("home", "Lamp { on = false }", "Lamp { off = true }", "E501"),
+    Mistake("home", "exit  On : /", "exit  On : [true] /", "E424"),
+    Mistake("home", "includes lit\n  var", "includes lid\n  var", "E207"),
+    # a part is held: the name of an outcome, misspelt
+    Mistake("cell", "outcome(Grasp) == held", "outcome(Grasp) == hold", "E520"),
+    # the stop waits for production to be done, which it never is
+    Mistake("cell", "enter  halt    : when [", "enter  halt    : [", "E420"),
+    # nobody mends a jam while the arm is on its way home
+    Mistake("cell", "    enter  halt    : error  // what nothing inside knows how to mend\n", "", "W604"),
+    # where the arm is to go, forgotten
+    Mistake("cell", "pick    = MoveTo(bin) .", "pick    = MoveTo .", "E523"),
+    Mistake("patrol", "!in(chase)", "!in(chasing)", "E430"),
+    Mistake("patrol", "zone = index }", "zone = Index }", "E200"),
+)
+
+
+@pytest.mark.parametrize("mistake", MISTAKES, ids=str)
+def test_a_mistake_is_told_where_it_is(mistake: Mistake) -> None:
+    path = EXAMPLES / mistake.program / f"{mistake.program}.aseme"
+    text = path.read_text("utf-8")
+    assert text.count(mistake.right) == 1
+    found = analyse(Source(str(path), text.replace(mistake.right, mistake.wrong))).diagnostics
+    assert [item.code for item in found] == [mistake.says]
