@@ -50,7 +50,8 @@ if exists("b:current_syntax")
   finish
 endif
 scriptencoding utf-8
-syntax sync fromstart
+" A declaration that begins a line stands in nothing else: what is before it need not be read.
+syntax sync match asemeDeclarationHere grouphere NONE /\\v^%({declarations})>/
 """
 
 _COMMENTS = (
@@ -77,7 +78,9 @@ def vim_files(contexts: tuple[Context, ...]) -> dict[str, str]:
     links = [f"highlight default link {group} aseme{kind}" for group, kind in sorted(writer.links.items())]
     groups = [f"highlight default link aseme{camel(kind)} {LINKS[kind]}" for kind in Kind]
     tail = [*links, *groups, "highlight default link asemeComment Comment", 'let b:current_syntax = "aseme"']
-    return {"syntax/aseme.vim": _HEAD + "\n".join([*lines, *tail]) + "\n"}
+    words = [word for phrase in contexts[0].phrases for _, word in phrase.pieces[0].words]
+    head = _HEAD.replace("{declarations}", "|".join(dict.fromkeys(words)))
+    return {"syntax/aseme.vim": head + "\n".join([*lines, *tail]) + "\n"}
 
 
 def camel(kind: Kind) -> str:

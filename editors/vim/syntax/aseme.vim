@@ -4,7 +4,8 @@ if exists("b:current_syntax")
   finish
 endif
 scriptencoding utf-8
-syntax sync fromstart
+" A declaration that begins a line stands in nothing else: what is before it need not be read.
+syntax sync match asemeDeclarationHere grouphere NONE /\v^%(language|system|import|let|enum|message|topic|function|sag|suc|aip|abstract|srm|statechart|team|scenario|property)>/
 syntax match asemeReference_947 /\v[^ \t0-9A-Za-z_{}]/
 syntax match asemeReference_946 /\v\w+/
 syntax match asemeNumber_945 /\v[0-9]+%(\.[0-9]+)*\w*/

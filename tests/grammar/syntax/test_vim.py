@@ -43,6 +43,16 @@ call writefile([json_encode(s:files)], $VIM_RESULT)
 qall!
 """
 
+END = """
+normal! G
+redraw
+call search('^scenario', 'bW')
+let s:line = line('.') + 1
+let s:found = synIDattr(synID(s:line, match(getline(s:line), '\\S') + 1, 1), 'name')
+call writefile([synIDattr(synID(line('.'), 1, 1), 'name'), s:found], $VIM_RESULT)
+qall!
+"""
+
 INDENT = """
 setlocal shiftwidth=2
 normal! gg=G
@@ -108,3 +118,12 @@ def test_the_indentation_is_that_of_fmt(editor: str, tmp_path: Path) -> None:
     flat = tmp_path / "flat.aseme"
     flat.write_text("".join(line.lstrip(" ") for line in text.splitlines(keepends=True)), "utf-8")
     assert run(editor, tmp_path, INDENT, [flat]) == text
+
+
+def test_the_end_of_a_long_file_is_shown_without_reading_all_of_it(editor: str, tmp_path: Path) -> None:
+    """Vim gives up on colours that take longer than two seconds ('redrawtime')."""
+    text = (ROOT / "tests/acceptance/kouretes.aseme").read_text("utf-8")
+    long = tmp_path / "long.aseme"
+    long.write_text((text + "\n") * 30, "utf-8")
+    found = run(editor, tmp_path, END, [long]).split()
+    assert [group.partition("_")[0] for group in found] == ["asemeDeclaration", "asemeReference"]
