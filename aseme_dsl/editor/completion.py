@@ -233,6 +233,11 @@ def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
             yield Item(slot.kind.value, ItemKind.WORD, "", "", f"{slot.kind.value} ", rank=2, goes_on=True)
         case SlotKind.SENDER | SlotKind.RECEIVER:
             yield from _parties(scope.parties, slot)
+        case SlotKind.FILL:
+            filled = ask.known.symbols.message(slot.said[0])
+            for field in filled.fields if filled is not None else ():
+                said = ask.known.documentation(field.span)
+                yield Item(field.name, ItemKind.MEMBER, str(field.type), said, f"{field.name} = ", rank=0)
         case SlotKind.ACTION:
             yield from actions(scope, ask.known)
             if party is not None:
@@ -280,6 +285,8 @@ def _events(ask: Ask, party: Party | None, parties: Mapping[str, Party], first: 
     if first:
         yield Item("else", ItemKind.WORD, "no other branch is open", rank=3)
         yield Item("[…]", ItemKind.WORD, "a condition", "", "[${1:condition}]", is_snippet=True, rank=1)
+    if party is not None:
+        yield Item("lost", ItemKind.WORD, "an agent is gone", "", "lost ", rank=4, goes_on=True)
     for name in ask.known.events:
         if name != "error":
             yield Item(name, ItemKind.EVENT, "event", rank=2)
@@ -305,7 +312,9 @@ def _sends(party: Party, parties: Mapping[str, Party]) -> Iterator[Item]:
 
 def _parties(parties: Mapping[str, Party], slot: Slot) -> Iterator[Item]:
     """Participants; first those that send, or receive, the message."""
-    performative, message = slot.said[-3:-1] if slot.kind is SlotKind.SENDER else slot.said[1:3]
+    performative, message = ("", "")
+    if slot.said[:1] != ("lost",):
+        performative, message = slot.said[0:2] if slot.kind is SlotKind.SENDER else slot.said[1:3]
     for party in parties.values():
         exchanged = party.sends if slot.kind is SlotKind.SENDER else party.receives
         fits = any((item.performative, item.message) == (performative, message) for item in exchanged)

@@ -19,6 +19,8 @@ from aseme_dsl.grammar.token import Token, token
 _PIECE = re.compile(r'//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|"(?:[^"\\\n]|\\.)*"?|[{}]')
 _NAME_BEFORE = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z|[0-9]+(?:\.[0-9]*)*\Z")
 _DOTTED = re.compile(r"(?<![\w.])(?:[A-Za-z_][A-Za-z0-9_]*\s*\.\s*)+\Z")
+_FILLED = re.compile(r"\bsend\s+\w+\s+\w+\s*\Z")
+"""A message that is sent, before the braces that fill it."""
 _NAME_AFTER = re.compile(r"[A-Za-z0-9_]*")
 _LONG = 12_000
 """How many characters of one open block are read at most."""
@@ -98,6 +100,10 @@ def place_at(text: str, offset: int) -> Place:
             start = offset  # it was closed on its line
     expected = _expected(read)
     path: tuple[str, ...] = ()
+    if block >= 0 and _FILLED.search(read, max(0, block - 200), block):
+        # The grammar reads a message with its braces in one piece: what was expected before them still is.
+        expected = tuple(item for item in _expected(read[:block]) if item.terminal == "ControlToken")
+        block = _open_brace(read[:block])
     if not expected:
         read, expected, path = _in_dotted_name(read)
     if not expected and block >= 0:
@@ -109,6 +115,16 @@ def place_at(text: str, offset: int) -> Place:
             if not expected:
                 read, expected, path = _in_dotted_name(read)
     return Place(text, offset, start, end, inside, first, read, block, expected, path)
+
+
+def _open_brace(read: str) -> int:
+    """Where the innermost block begins that is open at the end; -1 if none is."""
+    depth = 0
+    for index in range(len(read) - 1, -1, -1):
+        depth += (read[index] == "}") - (read[index] == "{")
+        if depth < 0:
+            return index
+    return -1
 
 
 def _in_dotted_name(read: str) -> tuple[str, tuple[Expected, ...], tuple[str, ...]]:

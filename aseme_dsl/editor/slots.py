@@ -31,6 +31,7 @@ class SlotKind(StrEnum):
     SENT_MESSAGE = "sent message"
     TO = "to"
     RECEIVER = "receiver"
+    FILL = "fill"  # a member of the message that is sent
     COMPLETE = "complete"  # an operator, or the end
 
 
@@ -100,16 +101,23 @@ def _event_slot(tokens: Sequence[Token]) -> Slot:
             return Slot(SlotKind.COMPLETE)
         case (word,) if word in PERFORMATIVES:
             return Slot(SlotKind.RECEIVED_MESSAGE, said=said)
-        case (word, _) if word in PERFORMATIVES:
-            return Slot(SlotKind.FROM, said=said)
-        case (_, _, "from"):
+        case ("lost",):
             return Slot(SlotKind.SENDER, said=said)
+        case (_, _, *_, "from"):
+            return Slot(SlotKind.SENDER, said=(*said[:2], "from"))
+        case (word, _) | (word, _, _) if word in PERFORMATIVES:
+            return Slot(SlotKind.FROM, said=said)
     return Slot(SlotKind.COMPLETE)
 
 
 def _action_slot(tokens: Sequence[Token]) -> Slot:
     action = tokens[_behind_last(tokens, (";",)) :]
     said = tuple(map(str, action))
+    if said[:1] == ("send",) and "{" in said:
+        opened = said.index("{")
+        if "}" not in said:
+            return _fill_slot(said[opened - 1], action[opened + 1 :])
+        said = said[:opened] + said[said.index("}") + 1 :]
     match said:
         case ():
             return Slot(SlotKind.ACTION)
@@ -119,7 +127,7 @@ def _action_slot(tokens: Sequence[Token]) -> Slot:
             return Slot(SlotKind.SENT_MESSAGE, said=said)
         case ("send", _, _):
             return Slot(SlotKind.TO, said=said)
-        case ("send", _, _, "to"):
+        case ("send", _, _, "to") | ("send", _, _, "to", _, "except"):
             return Slot(SlotKind.RECEIVER, said=said)
         case ("send", *_):
             return Slot(SlotKind.COMPLETE)
@@ -132,6 +140,15 @@ def _action_slot(tokens: Sequence[Token]) -> Slot:
     slot = value_slot(action)
     if slot.kind is SlotKind.MEMBER and not slot.calls:
         return Slot(SlotKind.ACTION_MEMBER, slot.path)
+    return slot
+
+
+def _fill_slot(message: str, tokens: Sequence[Token]) -> Slot:
+    """Inside the braces behind a message that is sent: a member, or the value that it gets."""
+    equals = max((index for index, item in enumerate(tokens) if item == "="), default=-1)
+    slot = value_slot(tokens[equals + 1 :])
+    if equals < 0 or slot.kind is SlotKind.COMPLETE:
+        return Slot(SlotKind.FILL, said=(message,))
     return slot
 
 

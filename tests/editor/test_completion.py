@@ -257,6 +257,25 @@ def test_word_by_word_through_a_sent_message() -> None:
     assert then("send propose Bid to ‸") == ["manager", "contractor"]
 
 
+def test_messages_with_names_and_members() -> None:
+    def when(typed: str) -> list[str]:
+        return labels(instead(WAREHOUSE, "cfp Task from manager", typed))
+
+    assert when("accept_proposal Award a ‸") == ["from"]
+    assert when("accept_proposal Award a from ‸") == ["manager", "contractor"]
+    assert when("lost ‸") == ["manager", "contractor"]
+
+    def then(typed: str) -> list[str]:
+        return labels(instead(WAREHOUSE, "send propose Bid to manager", typed))
+
+    assert then("send propose Bid { ‸") == ["task", "cost"]
+    assert then('send propose Bid { task = "a"  ‸') == ["task", "cost"]
+    assert "reachable" in then("send propose Bid { cost = ‸")
+    assert then('send propose Bid { task = "a" } ‸') == ["to"]
+    assert then('send propose Bid { task = "a" } to ‸') == ["manager", "contractor"]
+    assert then("send propose Bid to manager except ‸") == ["manager", "contractor"]
+
+
 def test_the_constants_of_the_enum_that_is_compared() -> None:
     text = instead(SOCCER, "player_state == PlayerState.PLAYING", "player_state == ‸")
     assert labels(text)[:3] == ["PlayerState.INITIAL", "PlayerState.READY", "PlayerState.SET"]

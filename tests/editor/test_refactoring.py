@@ -111,6 +111,43 @@ def test_a_formula_that_is_used_twice_is_written_twice() -> None:
     assert charts(changed) == charts(text.replace("‸", ""))
 
 
+STAYING = """system T
+srm r {
+  var seen : int = 0
+  liveness { r = (A . [B | C])~ }
+  activities { A takes 1s  B takes 1s  C takes 1s }
+  control r {
+    enter (B | C) : [seen < 3]
+    skip (B | C) : else
+    enter B : [seen < 2]
+    enter C : else
+    on (B | C) : when [seen > 5] / seen = 0
+    exit B : / seen = seen + 1
+  }
+}
+"""
+
+
+def test_what_is_done_in_a_state_goes_with_it() -> None:
+    changed = done(STAYING.replace("[B | C]", "[«B | C»]"), EXTRACT)
+    assert "    on b_or_c  : when [seen > 5] / seen = 0\n" in changed
+    block = changed[changed.index("control b_or_c {") :]
+    assert "exit B : / seen = seen + 1" in block and "enter B : [seen < 2]" in block
+    assert charts(changed) == charts(STAYING)
+    back = done(changed.replace("b_or_c = ", "‸b_or_c = "), INLINE)
+    assert charts(back) == charts(STAYING)
+    assert codes(back) == codes(STAYING)
+
+
+def test_a_formula_with_parameters_is_not_written_out() -> None:
+    text = (
+        "system T\nenum Place { HOME FIELD }\nsrm r {\n"
+        "  liveness {\n    r = go(Place.HOME) . go(Place.FIELD)\n    go‸(to) = MoveTo(to) . Rest\n  }\n"
+        "  activities { MoveTo(goal : Place) takes 1s  Rest takes 1s }\n}\n"
+    )
+    assert refused(text, INLINE) == "`go` has parameters: each use of it stands for something else"
+
+
 def test_the_formula_of_the_role_stays() -> None:
     marked = SOCCER.replace("    goalie   =", "    goa‸lie   =")
     with pytest.raises(StopIteration):
