@@ -13,9 +13,11 @@ from dataclasses import fields, is_dataclass
 from typing import Any
 
 from aseme_dsl.amola.liveness import Operator
+from aseme_dsl.amola.messages import BUILT_IN
 from aseme_dsl.compiler.builtins import ACTIONS, FORMS, FUNCTIONS
 from aseme_dsl.grammar import parse, tree
 from aseme_dsl.grammar.expected import words_of
+from aseme_dsl.grammar.syntax.contexts import EXPRESSION_WORDS
 from aseme_dsl.grammar.terminals import all_rules, metamodel
 from aseme_dsl.source import Source
 from tests.docs.pages import ROOT, completed, examples
@@ -70,7 +72,7 @@ def test_the_table_has_every_word_of_the_grammar() -> None:
     words = _words_of_the_grammar()
     assert {"system", "enter", "queued", "async", "signal"} <= words, "the grammar is not read as it was"
     written = set(re.findall(r"[A-Za-z]\w*", " ".join(_written())))
-    words |= {*ACTIONS, *FORMS, *(function.name for function in FUNCTIONS)}
+    words |= {*EXPRESSION_WORDS, *ACTIONS, *FORMS, *(function.name for function in FUNCTIONS), *BUILT_IN}
     assert sorted(words - written) == [], f"docs/language/{TABLE}: a line with a page for each of these"
 
 
