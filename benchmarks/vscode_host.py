@@ -12,6 +12,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import signal
 import socket
 import subprocess
 import sys
@@ -144,7 +145,15 @@ def see(program: Path, path: str, folder: Path) -> dict[str, Any]:
     command += ["--auth", "none", "--bind-addr", f"127.0.0.1:{port}", "--disable-telemetry"]
     command += ["--disable-update-check", "--disable-workspace-trust"]
     with (folder / "log").open("w") as log:
-        host = subprocess.Popen(command, cwd=folder, env={**os.environ, **variables}, stdout=log, stderr=log)
+        # A group of its own: what is called node may be a program that starts Node.js.
+        host = subprocess.Popen(
+            command,
+            cwd=folder,
+            env={**os.environ, **variables},
+            stdout=log,
+            stderr=log,
+            start_new_session=True,
+        )
         try:
             wait_for(f"http://127.0.0.1:{port}/healthz")
             order = {
@@ -167,7 +176,7 @@ def see(program: Path, path: str, folder: Path) -> dict[str, Any]:
                 timeout=600,
             )
         finally:
-            host.terminate()
+            os.killpg(host.pid, signal.SIGTERM)
             host.wait(timeout=30)
     if not done.stdout:
         sys.exit(f"The driver failed:\n{done.stderr}\n{(folder / 'log').read_text()[-2000:]}")
