@@ -723,7 +723,6 @@ class Index:
         self._parts = parts
         self._of = of
         self._found: dict[Source, tuple[Occurrence, ...]] = {}
-        self._by_symbol: dict[Symbol, list[Occurrence]] | None = None
 
     def part(self, part: Source) -> tuple[Occurrence, ...]:
         """All of one part of a file, in the order of the text."""
@@ -751,16 +750,27 @@ class Index:
             yield from self.part(part)
 
     def of(self, *symbols: Symbol) -> tuple[Occurrence, ...]:
-        """Everywhere the symbols stand."""
-        if self._by_symbol is None:
-            self._by_symbol = {}
-            for item in self.all():
-                self._by_symbol.setdefault(item.symbol, []).append(item)
-        return tuple(item for symbol in symbols for item in self._by_symbol.get(symbol, ()))
+        """Everywhere the symbols stand, in the order of the files and of their texts."""
+        wanted = set(symbols)
+        names = {item.name for item in wanted}
+        return tuple(
+            item
+            for part, declarations in self._parts.items()
+            if _may_name(part, declarations, names)
+            for item in self.part(part)
+            if item.symbol in wanted
+        )
 
     def declarations(self, symbol: Symbol) -> tuple[Occurrence, ...]:
         """Where the symbol is declared; where nothing declares it, nothing."""
         return tuple(item for item in self.of(symbol) if item.use is Use.DECLARATION)
+
+
+def _may_name(part: Source, declarations: Sequence[tree.Declaration], names: Iterable[str]) -> bool:
+    """Whether one of the names may stand there; `realises` may spell one differently."""
+    return any(name in part.text for name in names) or any(
+        isinstance(item, tree.Suc) for item in declarations
+    )
 
 
 _Indexer = Callable[[tree.Declaration, World], tuple[Occurrence, ...]]

@@ -89,21 +89,17 @@ class View:
         return self.program.index.at(part, inside) or self._meant_before(offset)
 
     def _meant_before(self, offset: int) -> Occurrence | None:
-        """What the word at an offset meant when the file had no mistake of syntax, best in the same block."""
-        if self.earlier is None:
+        """What the word at an offset meant in its block when the file had no mistake of syntax."""
+        start, end = _word_at(self.source.text, offset)
+        name = _name_of(self.declaration_at(offset))
+        if start == end or self.earlier is None or self.earlier.file is None:
             return None
-        text = self.source.text
-        start, end = _word_at(text, offset)
-        around = _name_of(self.declaration_at(offset))
-        found: Occurrence | None = None
-        for item in self.earlier.occurrences if end > start else ():
-            if item.span.text == text[start:end]:
-                same = _name_of(self.earlier.program.block_at(item.span)) == around
-                if found is None or same:
-                    found = item
-                if same:
-                    break
-        return None if found is None else replace(found, span=Span(self.source, start, end))
+        for block in self.earlier.file.declarations:
+            if _name_of(block) == name:
+                for item in self.earlier.program.index.part(block.span.source):
+                    if item.span.text == self.source.text[start:end]:
+                        return replace(item, span=Span(self.source, start, end))
+        return None
 
     @cached_property
     def occurrences(self) -> tuple[Occurrence, ...]:
