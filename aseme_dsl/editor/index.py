@@ -529,6 +529,8 @@ def _path(node: Any, name: str, path: tree.Path, around: Around) -> Iterator[Occ
             return _filled(node, path, around)
         case tree.Assign() if name == "target":
             return _value(around, path, Use.WRITE)
+        case tree.Activity() if path.text in around.values:
+            return _value(around, path, Use.WRITE)
         case tree.Publish() | tree.Activity():
             return _channel(around, path, Use.WRITE)
         case tree.ActivityRead():
