@@ -98,15 +98,7 @@ def include(
     included: dict[str, tuple[tree.Srm, ...]] = {}
     complete: dict[str, tree.Srm] = {}
     for name, item in srms.items():
-        parts = dict[str, tuple[tree.Name, tree.Srm]]()
-        waiting = list(reversed(direct[name]))
-        first_names = {id(part): other for other, part in direct[name]}
-        while waiting:
-            other, part = waiting.pop()
-            if part.name.text in parts or part is item:
-                continue
-            parts[part.name.text] = (first_names.get(id(part), other), part)
-            waiting += [(other, inner) for _, inner in reversed(direct[part.name.text])]
+        parts = _parts(item, direct)
         if not incomplete.isdisjoint(parts):
             incomplete.add(name)
         included[name] = tuple(part for _, part in parts.values())
@@ -131,6 +123,18 @@ def include(
     return made, _once_by_pair(found)
 
 
+def complete(role: tree.Srm, roles: Iterable[tree.Srm]) -> tree.Srm:
+    """A role with all that it includes of these; a role that is not among them is left out."""
+    if not role.includes:
+        return role
+    known = {item.name.text: item for item in roles} | {role.name.text: role}
+    direct = {
+        name: [(other, known[other.text]) for other in item.includes if other.text in known]
+        for name, item in known.items()
+    }
+    return _taken_over(role, tuple(_parts(role, direct).values()))[0]
+
+
 def includers(roles: Iterable[tree.Srm]) -> dict[str, tuple[str, ...]]:
     """Of each role that others include those others, directly or not, in document order."""
     direct = {item.name.text: [name.text for name in item.includes] for item in roles}
@@ -148,6 +152,22 @@ def includers(roles: Iterable[tree.Srm]) -> dict[str, tuple[str, ...]]:
 
 
 # ---- taking over ---------------------------------------------------------------------------------
+
+
+def _parts(
+    item: tree.Srm, direct: Mapping[str, Sequence[tuple[tree.Name, tree.Srm]]]
+) -> dict[str, tuple[tree.Name, tree.Srm]]:
+    """What a role takes over, directly or not, each with the name in its head through which it does."""
+    parts: dict[str, tuple[tree.Name, tree.Srm]] = {}
+    waiting = list(reversed(direct[item.name.text]))
+    first_names = {id(part): other for other, part in waiting}
+    while waiting:
+        other, part = waiting.pop()
+        if part.name.text in parts or part is item:
+            continue
+        parts[part.name.text] = (first_names.get(id(part), other), part)
+        waiting += [(other, inner) for _, inner in reversed(direct[part.name.text])]
+    return parts
 
 
 def _taken_over(
@@ -339,4 +359,4 @@ _INCOMPLETE = frozenset(("E302", "E305"))
 """What may be left to the role that includes it: to use a formula, and to have one at all."""
 
 
-__all__ = ["Inclusion", "errors_alone", "include", "includers"]
+__all__ = ["Inclusion", "complete", "errors_alone", "include", "includers"]

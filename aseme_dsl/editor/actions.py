@@ -44,6 +44,7 @@ class Action:
     """Something to do. Without `edits`, `carry_out` makes them: `name` says what, from `start` to `end`.
 
     `mends` are the problems that are gone then. `explains` is a code whose page is shown instead.
+    `cursor` is where the author has to go on writing, in the text that the edits make.
     """
 
     title: str
@@ -55,6 +56,7 @@ class Action:
     end: int = 0
     explains: str = ""
     preferred: bool = False
+    cursor: int | None = None
 
 
 def actions(view: View, start: int, end: int, folders: PythonFolders | None = None) -> tuple[Action, ...]:
@@ -92,8 +94,15 @@ def _mending(view: View, here: list[Diagnostic]) -> Iterator[Action]:
     for item in here:
         for fix in fixes(view, item):
             mends = (item,) if fix.mends else ()
-            kind = ActionKind.QUICK_FIX
-            yield Action(fix.title, kind, fix.edits, mends, explains=fix.explains, preferred=fix.is_the_one)
+            yield Action(
+                fix.title,
+                ActionKind.QUICK_FIX,
+                fix.edits,
+                mends,
+                explains=fix.explains,
+                preferred=fix.is_the_one,
+                cursor=fix.cursor,
+            )
 
 
 def _all(view: View, here: list[Diagnostic]) -> Iterator[Action]:

@@ -11,6 +11,7 @@ from aseme_dsl.compiler import formulas as formula_tables
 from aseme_dsl.compiler.aip_to_eac import PROCESS
 from aseme_dsl.compiler.formula_to_statechart import Way
 from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.inclusion import complete
 from aseme_dsl.compiler.scope import Scope
 from aseme_dsl.compiler.scopes import protocol_scopes, role_scope
 from aseme_dsl.compiler.terms import Terms, terms_of, way
@@ -23,10 +24,20 @@ from aseme_dsl.source import Source
 
 @dataclass(frozen=True, eq=False)
 class Around:
-    """`declaration` is None outside of every role, statechart and protocol, or where it cannot be read."""
+    """`written` is None outside of every role, statechart and protocol, or where it cannot be read.
+
+    `declaration` is the same with what a role includes, which counts as if it stood in it.
+    """
 
     known: Known
-    declaration: tree.Srm | tree.Statechart | tree.Aip | None
+    written: tree.Srm | tree.Statechart | tree.Aip | None
+
+    @cached_property
+    def declaration(self) -> tree.Srm | tree.Statechart | tree.Aip | None:
+        if not isinstance(self.written, tree.Srm):
+            return self.written
+        declared = (item for file in self.known.files for item in file.declarations)
+        return complete(self.written, (item for item in declared if isinstance(item, tree.Srm)))
 
     def participant(self, name: str) -> tree.Participant | None:
         """The participant of this name, if the declaration is a protocol that has it."""

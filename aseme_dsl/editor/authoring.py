@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING, Any
 from lsprotocol import types as lsp
 
 from aseme_dsl.diagnostics import Edit
+from aseme_dsl.diagnostics.changes import apply
 from aseme_dsl.diagnostics.pages import file_of
 from aseme_dsl.editor.actions import CLASS, Action, ActionKind, actions, carry_out
 from aseme_dsl.editor.activities import activity_class
 from aseme_dsl.editor.completion import MOST, complete
 from aseme_dsl.editor.items import Item, ItemKind
 from aseme_dsl.editor.known import Known, known_in
+from aseme_dsl.editor.positions import Lines
 from aseme_dsl.editor.rewriting import Refused
 from aseme_dsl.editor.signatures import Signature, signatures
 from aseme_dsl.source import Source, Span
@@ -119,6 +121,8 @@ CARRY_OUT = "aseme.carryOut"
 """The command that carries out a refactoring, for editors that do not ask for an action's edits."""
 EXPLAIN = "aseme.explain"
 """The command that shows the page of a code, and answers with its text."""
+GO_ON = "aseme.goOn"
+"""The command that puts the cursor where the author has to go on writing after an action."""
 
 _ACTION_KINDS = {
     ActionKind.QUICK_FIX: lsp.CodeActionKind.QuickFix,
@@ -164,10 +168,16 @@ def _act(server: Server) -> None:
     @server.command(EXPLAIN)
     def explain(code: str) -> str | None:
         file = file_of(code)
-        window = server.client_capabilities.window
-        if file is not None and window is not None and window.show_document is not None:
+        if file is not None and _shows_documents(server):
             server.window_show_document(lsp.ShowDocumentParams(file.as_uri(), take_focus=True))
         return file.read_text("utf-8") if file is not None else None
+
+    @server.command(GO_ON)
+    def go_on(uri: str, line: int, character: int) -> None:
+        place = lsp.Position(line, character)
+        server.window_show_document(
+            lsp.ShowDocumentParams(uri, take_focus=True, selection=lsp.Range(place, place))
+        )
 
 
 def _is_of_kind(item: Action, kind: lsp.CodeActionKind | str) -> bool:
@@ -184,6 +194,11 @@ def _code_action(server: Server, view: View, item: Action, shown: Sequence[lsp.D
         made.command = lsp.Command(item.title, EXPLAIN, arguments=[item.explains])
     elif item.edits:
         made.edit = _workspace_edit(server, view, item.edits)
+        if item.cursor is not None and _shows_documents(server):
+            text = apply(view.source.text, item.edits)
+            place = Lines(text, server.encoding).position(item.cursor)
+            arguments = [server.uri(view.path), place.line, place.character]
+            made.command = lsp.Command(item.title, GO_ON, arguments=arguments)
     else:
         data = {"path": view.path, "name": item.name, "start": item.start, "end": item.end}
         data["text"] = _checksum(view.source.text)
@@ -227,6 +242,12 @@ def _new_file(path: Path, text: str) -> lsp.WorkspaceEdit:
     return lsp.WorkspaceEdit(
         document_changes=[created, lsp.TextDocumentEdit(document, [lsp.TextEdit(nowhere, text)])]
     )
+
+
+def _shows_documents(server: Server) -> bool:
+    """Whether the editor can be told to show a place."""
+    window = server.client_capabilities.window
+    return window is not None and window.show_document is not None and window.show_document.support
 
 
 def _asks_for_edits(server: Server) -> bool:
@@ -307,4 +328,4 @@ def _signature(item: Signature) -> lsp.SignatureInformation:
     )
 
 
-__all__ = ["CARRY_OUT", "EXPLAIN", "answer_authors"]
+__all__ = ["CARRY_OUT", "EXPLAIN", "GO_ON", "answer_authors"]

@@ -326,7 +326,7 @@ def formula_names(ask: Ask) -> Iterator[Item]:
         engage = " ".join(text.text for text in played.engage) if played is not None else ""
         yield Item(name, ItemKind.PARTICIPANT, engage, rank=3 if name in used else 1)
     written = {item.name.text for item in formulas}
-    root = _root(ask, formulas)
+    root = _root(ask)
     for formula in formulas:
         if formula is not root and formula.name.text not in (own, PROCESS):
             name = formula.name.text
@@ -337,13 +337,14 @@ def formula_names(ask: Ask) -> Iterator[Item]:
             yield replace(item, rank=2) if item.label in used else item
 
 
-def _root(ask: Ask, formulas: tuple[tree.NamedFormula, ...]) -> tree.NamedFormula | None:
+def _root(ask: Ask) -> tree.NamedFormula | None:
     """The formula that the others refine: the first of a role, unless it is the one that is being typed."""
-    if not formulas or not isinstance(ask.around.declaration, tree.Srm):
+    role = ask.around.written
+    if not isinstance(role, tree.Srm) or not role.formulas:
         return None
     typed = ask.place.entry
-    before = typed is not None and typed < ask.place.first + formulas[0].span.start
-    return None if before else formulas[0]
+    before = typed is not None and typed < ask.place.first + role.formulas[0].span.start
+    return None if before else role.formulas[0]
 
 
 def _formulas_to_write(ask: Ask, formulas: tuple[tree.NamedFormula, ...]) -> Iterator[Item]:
@@ -359,7 +360,8 @@ def _formulas_to_write(ask: Ask, formulas: tuple[tree.NamedFormula, ...]) -> Ite
 def _formula_names(ask: Ask) -> Iterator[Item]:
     declaration = ask.around.declaration
     if isinstance(declaration, tree.Srm):
-        if not declaration.formulas and ask.place.entry is None:
+        written = ask.around.written
+        if isinstance(written, tree.Srm) and not written.formulas and ask.place.entry is None:
             name = declaration.name.text
             yield Item(name, ItemKind.FORMULA, "the role's own", "", f"{name} = ", rank=2)
         described = {item.name.text for item in declaration.activities}

@@ -72,7 +72,11 @@ class Program:
 
     def controlled(self, block: tree.Aip | tree.Srm, control: tree.Control) -> tree.NamedFormula | None:
         """The formula that a control block is about; of a participant, its process."""
-        owners = block.participants if isinstance(block, tree.Aip) else (block,)
+        owners: tuple[tree.Participant | tree.Srm, ...]
+        if isinstance(block, tree.Aip):
+            owners = block.participants
+        else:
+            owners = (block, *self.index.world.included.get(block.name.text, ()))
         for owner in owners:
             about_owner = isinstance(owner, tree.Participant) and owner.name.text == control.name.text
             name = "process" if about_owner else control.name.text

@@ -15,13 +15,17 @@ from aseme_dsl.source import Span
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """`is_the_one`: nothing else can have been meant. `mends`: the problem is gone then."""
+    """`is_the_one`: nothing else can have been meant. `mends`: the problem is gone then.
+
+    `cursor` is where the author has to go on writing: an offset in the text that the edits make.
+    """
 
     title: str
     edits: tuple[Edit, ...] = ()
     is_the_one: bool = False
     mends: bool = True
     explains: str = ""
+    cursor: int | None = None
 
 
 def fixes(view: View, item: Diagnostic) -> Iterator[Fix]:
@@ -33,7 +37,9 @@ def fixes(view: View, item: Diagnostic) -> Iterator[Fix]:
     if skeleton is not None:
         yield Fix("Write what is missing, to be filled in", (skeleton,))
     if item.severity is not Severity.ERROR and item.code not in OWN and item.span is not None:
-        yield Fix(f"Allow {item.code} here, and say why", (_allow(view, item.span, item.code),), mends=False)
+        allowed = _allow(view, item.span, item.code)
+        cursor = allowed.span.start + len(allowed.text) - 1
+        yield Fix(f"Allow {item.code} here, and say why", (allowed,), mends=False, cursor=cursor)
     yield Fix(f"Explain {item.code}: {CODES[item.code].title}", mends=False, explains=item.code)
 
 

@@ -7,7 +7,7 @@ so it is here, from the tokens before the cursor, which need not make sense yet.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import pairwise
 
@@ -51,7 +51,8 @@ class Call:
 class Slot:
     """`path` are the segments before a dot, `left` the other side of a comparison, `said` the words so far.
 
-    `calls` are the open calls, the outermost first; `target` is what an assignment fills.
+    `calls` are the open calls, the outermost first; `target` is what an assignment fills. `decides` says that
+    the expression is a condition, which is looked at many times.
     """
 
     kind: SlotKind
@@ -61,6 +62,7 @@ class Slot:
     calls: tuple[Call, ...] = ()
     target: tuple[Token, ...] = ()
     first: bool = False
+    decides: bool = False
 
 
 OPERATORS = frozenset("&& || and or ! not == != < <= > >= + - * / % ( [ , = when else & |".split())
@@ -83,7 +85,8 @@ def transition_slot(tokens: Sequence[Token]) -> Slot:
         return _action_slot(tokens[slash + 1 :])
     if condition < 0:
         return _event_slot(tokens)
-    return value_slot(tokens[condition + 1 :]) if depth > 0 else Slot(SlotKind.COMPLETE)
+    inside = value_slot(tokens[condition + 1 :])
+    return replace(inside, decides=True) if depth > 0 else Slot(SlotKind.COMPLETE)
 
 
 def _event_slot(tokens: Sequence[Token]) -> Slot:

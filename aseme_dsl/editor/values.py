@@ -50,7 +50,7 @@ def values(scope: Scope, known: Known, slot: Slot, text: str, wanted: Type | Non
     yield from functions(scope, known, wanted)
     if slot.kind is SlotKind.VALUE:
         for name in FORMS:
-            if name not in ACTION_FORMS:
+            if name not in ACTION_FORMS and not (slot.decides and name == "random"):
                 yield form(name, 4)
         if wanted in (None, BOOL):
             rank = 1 if wanted == BOOL else 5

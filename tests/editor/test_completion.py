@@ -221,6 +221,35 @@ def test_control_is_offered_for_formulas_that_have_none() -> None:
 # ---- transition expressions ----------------------------------------------------------------------
 
 
+INCLUDED = """\
+system Twins
+message Count { int number }
+topic board { state Count }
+abstract srm walker {
+  var steps : int = 0
+  liveness { walk = Step . Rest  back = Rest }
+  activities { Step takes 1s  Rest takes 1s }
+}
+srm robot {
+  includes walker
+  liveness { robot = (walk | Wait)~ }
+  activities { Wait takes 1s }
+  control robot { enter walk : [board.state.Count.number > 0]  enter Wait : else }
+  control walk {
+    enter Step : [true]
+  }
+}
+"""
+
+
+def test_what_a_role_includes_counts_as_its_own() -> None:
+    assert labels(at(INCLUDED, "[true]\n", "    enter ")) == ["Rest", "Step"]
+    assert labels(instead(INCLUDED, "control walk", f"control {CURSOR}")) == ["walk", "back", "robot"]
+    assert labels(instead(INCLUDED, "(walk", f"({CURSOR}"))[:2] == ["walk", "back"]
+    assert "steps" in labels(instead(INCLUDED, "[true]", f"[{CURSOR}]"))
+    assert "Step" not in labels(instead(INCLUDED, "{ Wait takes", f"{{ {CURSOR} Wait takes"))
+
+
 def test_an_event_that_the_participant_receives() -> None:
     found = labels(instead(WAREHOUSE, "cfp Task from manager", "‸"))
     assert found[:4] == [
@@ -294,6 +323,12 @@ def test_variables_and_lets_of_this_participant_only() -> None:
     assert labels(text)[0] == "bids"
     assert "reachable" not in labels(text)
     assert "can_pass" in labels(instead(SOCCER, "[can_pass]", "[‸]"))
+
+
+def test_chance_is_offered_in_actions_but_not_in_conditions() -> None:
+    assert "random" in labels(instead(INCLUDED, "[true]", f"/ steps = {CURSOR}"))
+    assert "random" not in labels(instead(INCLUDED, "[true]", f"[{CURSOR}]"))
+    assert "random" not in labels(instead(INCLUDED, "[true]", f"[steps > abs({CURSOR})]"))
 
 
 def test_timers_and_events_that_are_known() -> None:

@@ -9,7 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from aseme_dsl.editor.hover import hover
 from aseme_dsl.editor.index import NAMES, UNNAMED, Kind, Symbol, Use
+from aseme_dsl.editor.navigation import PythonFolders, definition, references
 from aseme_dsl.editor.view import View
 from aseme_dsl.editor.workspace import Workspace
 from aseme_dsl.grammar import tree
@@ -222,3 +224,23 @@ def test_a_name_of_the_standard_library_is_declared_there() -> None:
     view = opened(TEAM)
     declared = view.program.index.declarations(Symbol(Kind.FIELD, "distance", "Ball"))
     assert [Path(view.program.path_of(item.span.source)).name for item in declared] == ["soccer.aseme"]
+
+
+def test_control_of_an_included_formula_is_about_that_formula() -> None:
+    view = opened(
+        "system T\n"
+        "abstract srm walker { liveness { walk = Step . Rest } activities { Step takes 1s Rest takes 1s } }\n"
+        "srm robot {\n"
+        "  includes walker\n"
+        "  liveness { robot = (walk | Wait)~ }\n"
+        "  control robot { enter walk : [true] enter Wait : else }\n"
+        "  control walk { enter Rest : [true] }\n"
+        "}\n"
+    )
+    text = view.source.text
+    place = text.index("control walk") + len("control ")
+    assert [item.span.start for item in definition(view, place)] == [text.index("walk = Step")]
+    used = {item.span.start for item in references(view, text.index("walk = Step"), PythonFolders())}
+    assert used == {text.index(one) for one in ("walk = ", "walk | Wait", "walk : [true]")} | {place}
+    about = hover(view, text.index("Rest : [true]"))
+    assert about is not None and "State `0.2.3.3` of robot" in about.text

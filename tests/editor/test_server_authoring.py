@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+from ast import literal_eval
 from collections.abc import Sequence
 
 import pytest
 from lsprotocol import types as lsp
 
-from aseme_dsl.editor.authoring import EXPLAIN
+from aseme_dsl.editor.authoring import EXPLAIN, GO_ON
 from aseme_dsl.editor.positions import Lines, Position
 from tests.editor.test_server import TEAM, Project, at, client, folder, project
 
@@ -121,6 +122,31 @@ async def test_a_code_is_explained(project: Project) -> None:
         lsp.ExecuteCommandParams(EXPLAIN, arguments=["E200"])
     )
     assert isinstance(said, str) and "```aseme wrong" in said
+
+
+async def test_a_problem_is_allowed_and_the_cursor_stands_where_the_reason_is_missing(
+    project: Project,
+) -> None:
+    text = TEAM + "srm extra {\n  liveness { extra = A . B | C }\n}\n"
+    project.change("team.aseme", text)
+    place = at("extra = A . B ^| C", text)
+    (action,) = [
+        item
+        for item in await actions(project, lsp.Range(place, place), "quickfix")
+        if item.title.startswith("Allow W300")
+    ]
+    # lsprotocol reads an action that has a command as one, whose name is then the text of the real one.
+    command = literal_eval(str(action.command))
+    assert command["command"] == GO_ON
+    line = "  liveness { extra"
+    allowed = text.replace(line, f"  // asemec: allow(W300) \n{line}")
+    project.change("team.aseme", allowed)
+    await project.client.workspace_execute_command_async(
+        lsp.ExecuteCommandParams(GO_ON, arguments=command["arguments"])
+    )
+    document = project.client.shown_documents[-1]
+    place = at("// asemec: allow(W300) ^\n", allowed)
+    assert (document.uri, document.selection) == (project.uri(), lsp.Range(place, place))
 
 
 async def test_a_part_of_a_formula_gets_a_name(project: Project) -> None:
