@@ -6,8 +6,9 @@ formula says around them (`(A | B)` that has become `(A | B | C)`), nor do their
 there several times, the first is the first, if both versions have it as often.
 
 All states that are active must be in the new version, and be active together there. Blackboards, histories,
-timers, variables and waiting mail follow by name and type; activities go on if the new version says the same
-of them, else they are cancelled and started anew. A concurrent part that is new begins at its start.
+timers, variables and waiting mail follow by name and type; a variable in which the team sets something else in
+the agent than before has that. Activities go on if the new version says the same of them, else they are
+cancelled and started anew. A concurrent part that is new begins at its start.
 """
 
 from __future__ import annotations
@@ -370,10 +371,14 @@ class _Carrying:
             (variable.name.partition("@")[0], variable.type, self._scope(variable.scope)): variable.name
             for variable in self.old.PLAN.variables
         }
+        newly_set = _newly_set(self.old, new)
         kept: set[str] = set()
         for variable in new.PLAN.variables:
             name = known.get((variable.name.partition("@")[0], variable.type, variable.scope))
             if name is None:
+                continue
+            if variable.name in newly_set:  # it has the value already
+                kept.add(name)
                 continue
             try:
                 value = like(self.old.variable(name), new.variable(variable.name), self.messages)
@@ -523,6 +528,13 @@ def _where(plan: Plan, state: State) -> str:
         around = plan.by_label[around.parent]
     what = {"START": "at the beginning of", "END": "at the end of"}.get(state.type, "in")
     return f"{what} `{around.name}`{place}"
+
+
+def _newly_set(old: Chart, new: Chart) -> set[str]:
+    """The variables in which the new version sets something in the agent that the old one does not."""
+    before = {name: value for agent, name, value in old.PLAN.settings if agent == old.agent}
+    after = {name: value for agent, name, value in new.PLAN.settings if agent == new.agent}
+    return {name for name, value in after.items() if name not in before or before[name] != value}
 
 
 def variables_of(old: Chart, new: Chart, messages: Messages) -> None:

@@ -69,3 +69,30 @@ def test_another_version_goes_on_with_the_generator() -> None:
     ]
     chance = Random("1/one")
     assert drawn == [chance.random() for _ in drawn] and len(drawn) > 10
+
+
+def limits(changed: str, before: str = TEAM) -> dict[str, list[object]]:
+    """What each agent is given from the swap on."""
+    team, records = make(before, until=1 * SECOND)
+    team.swap(version(changed), at=250 * MS)
+    team.run()
+    found: dict[str, list[object]] = {}
+    for record in records:
+        if record["kind"] == "activity" and record["what"] == "start" and record["time"] > 250 * MS:
+            found.setdefault(record["agent"], []).extend(record["arguments"].values())
+    return found
+
+
+def test_what_another_version_sets_in_an_agent_holds_from_the_swap_on() -> None:
+    assert limits(TEAM.replace("limit = 80", "limit = 90"))["keeper"][-1] == 91
+
+
+def test_what_it_sets_for_the_first_time_holds_too() -> None:
+    assert limits(TEAM, TEAM.replace(" with limit = 80", ""))["keeper"][-1] == 81
+
+
+def test_a_variable_keeps_what_it_holds_where_the_same_is_set_or_nothing() -> None:
+    counting = TEAM.replace("activities", "control R { repeat Count : / limit = limit + 1 }  activities", 1)
+    expected = [82, 83]
+    assert limits(counting.replace("limit = index * 100", "limit = 7"), counting)["keeper"] == expected
+    assert limits(counting.replace(" with limit = 80", ""), counting)["keeper"] == expected
