@@ -118,7 +118,8 @@ def read_lines(
                 found += check_staying(entry)
             elif entry.verb.text == RESUME:
                 line = replace(line, resume=True)
-                found += check_resuming(entry, formulas, frozenset(played_names))
+                if problem is None:
+                    found += check_resuming(entry, formulas, frozenset(played_names))
             if problem is not None:
                 found.append(problem)
                 unsure.add(name)

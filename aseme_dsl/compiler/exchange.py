@@ -11,7 +11,7 @@ from aseme_dsl.amola.messages import AGENT, Kind, Type
 from aseme_dsl.compiler.builtins import PERFORMATIVES, reserved
 from aseme_dsl.compiler.calls import assignable
 from aseme_dsl.compiler.checker import Checker, a
-from aseme_dsl.compiler.names import unknown, unknown_performative
+from aseme_dsl.compiler.names import listed, unknown, unknown_performative
 from aseme_dsl.compiler.paths import member_path, through_optional
 from aseme_dsl.compiler.scope import Party, Taken
 from aseme_dsl.diagnostics import Related, closest
@@ -237,8 +237,11 @@ def _is_exchanged(
         return False
     if other is not None and other.text not in scope.parties:
         if not scope.symbols.is_excused(other.text):
-            pool = set(scope.parties)
-            checker.diagnostics.append(unknown("E205", "the protocol has no participant", other, pool))
+            pool, hint = set(scope.parties), f"there are {listed(sorted(scope.parties))}"
+            if sending:
+                pool |= {name for name, (_, kind) in scope.variables.items() if kind == AGENT}
+                pool |= {name for name, let in scope.lets.items() if let.value and let.value.type == AGENT}
+            checker.diagnostics.append(unknown("E205", "the protocol has no participant", other, pool, hint))
         return False
     if scope.symbols.is_excused(message.text) and scope.symbols.message(message.text) is None:
         return False

@@ -248,9 +248,9 @@ def _completions(
                 for edge in following.get(waiting.pop(), ()):
                     target = chart.by_label[edge.target]
                     transition = edge.transition
-                    if _needs_completion(transition.expression) and not completes[transition.source]:
-                        if transition.first:
-                            continue  # E420
+                    cuts_short = transition.first  # E420 says what is wrong with it
+                    waits = _needs_completion(transition.expression) and not cuts_short
+                    if waits and not completes[transition.source]:
                         if target.type is NodeType.END and transition.expression.span is None:
                             continue
                         in_vain.append((transition, target))

@@ -21,6 +21,9 @@ from aseme_dsl.source import Span
 NOTHING = ("NULL", "null", "None", "nil", "undefined")
 """How other languages write that something is not there."""
 
+INDEX = "index"
+"""The word for the number of the instance or agent, where nothing else is called so."""
+
 
 def value_of_path(checker: Checker, path: tree.Path) -> Value | None:
     """What a dotted name stands for; None, reported, when it is nothing."""
@@ -38,7 +41,7 @@ def value_of_path(checker: Checker, path: tree.Path) -> Value | None:
     if enum is not None:
         return _constant(checker, path, enum)
     if len(path.segments) == 1:
-        if first.text == "index":
+        if first.text == INDEX:
             return Index(path.span)
         _unknown_word(checker, first)
         return None
@@ -205,7 +208,7 @@ def _unknown_word(checker: Checker, name: tree.Name) -> None:
     if hint is not None:
         checker.report("E200", f"there is no variable or let `{name}`", name.span, hint, fix=fix)
         return
-    pool = (*scope.parameters, *scope.variables, *scope.lets, *(enum.name for enum in symbols.enums))
+    pool = (*scope.parameters, *scope.variables, *scope.lets, *(enum.name for enum in symbols.enums), INDEX)
     checker.diagnostics.append(
         unknown(
             "E200",

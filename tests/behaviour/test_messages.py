@@ -239,3 +239,9 @@ def test_a_member_of_an_optional_member_is_there_with_it(play: Play) -> None:
     run = play(text).step(run.heard("map.state.Place", note=run.generated.message("Note")))
     run.step(run.done("A"))
     assert run.active == ["B"]
+
+
+def test_what_a_message_reads_is_looked_up_before_anything_is_computed(play: Play) -> None:
+    """ "An action … that is not done because something is absent draws nothing." """
+    run = run_of(play, "enter A : / send cfp M { d = random(), on = even(low) } to best").step()
+    assert [line.split()[0] for line in run.did] == ["join", "fault", "start"]

@@ -283,3 +283,48 @@ def test_words_of_other_languages() -> None:
     assert (item.code, item.fix) == ("E100", "1..3")
     [item] = [item for item in found(TIDY.replace("[low]", "[low && !low]")) if item.code == "W412"]
     assert item.hint is not None
+
+
+def test_a_term_misspelt_in_resume() -> None:
+    [item] = found(
+        "system S srm r { liveness { r = idle . patrols  idle = Rest  patrols = Walk . Look }"
+        "  control r { resume patrol : } }"
+    )
+    assert (item.code, item.hint) == ("E400", "did you mean `patrols`?")
+
+
+def test_what_waits_to_cut_short_what_never_ends() -> None:
+    [item] = found(
+        "system S srm r { var b : bool = false  liveness { r = (work [> Recharge)~  work = A~ }"
+        "  activities { A takes 1s writes b  Recharge takes 1s }  control r { enter Recharge : [b] } }"
+    )
+    assert item.code == "E420"
+
+
+AUCTION = """system S
+message M { int x }
+aip p {
+  participant a {
+    engage "Always."
+    var best : agent
+    var zone : int = 0
+    sends cfp M  receives propose M  process = X . Y
+  }
+  participant o { engage "Always."  sends propose M  receives cfp M  process = Z }
+  control a { enter Y : propose M m from o / best = sender(m); LINE }
+}
+srm R { plays p.a  liveness { R = a } }
+srm Q { plays p.o  liveness { Q = o } }
+"""
+
+
+def test_an_agent_misspelt_behind_to() -> None:
+    (item, *_) = found(AUCTION.replace("LINE", "send cfp M { x = zone } to bets"))
+    assert (item.code, item.hint, item.fix) == ("E205", "did you mean `best`?", "best")
+    (item, *_) = found(AUCTION.replace("LINE", "send cfp M { x = zone } to nobody"))
+    assert (item.code, item.hint) == ("E205", "there are `a` and `o`")
+
+
+def test_index_misspelt() -> None:
+    (item, *_) = found(AUCTION.replace("LINE", "zone = Index"))
+    assert (item.code, item.hint) == ("E200", "did you mean `index`?")

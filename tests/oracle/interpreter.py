@@ -858,13 +858,18 @@ class Reference:
         for channel, host in signals_of(action):
             region.look_at(channel, host)
         # "In an action, an absent or raising value means that this one action is not done, with a fault."
+        # "An action … that is not done because something is absent draws nothing": what it reads is looked up
+        # first, as written, and only if all of it is there anything is computed.
         try:
-            values = [self.value(term, region) for term in values_of(action)]
+            reads = []
+            for term in values_of(action):
+                reads.append(self.look_up(term, region))
+                if reads[-1] is ABSENT:
+                    self.fault(number, "a value is absent")
+                    return
+            values = [self.compute(read) for read in reads]
         except Exception as error:
             self.fault(number, str(error))
-            return
-        if any(value is ABSENT for value in values):
-            self.fault(number, "a value is absent")
             return
         match action:
             case ("assign", name, _):
