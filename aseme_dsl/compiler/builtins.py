@@ -39,7 +39,7 @@ FORMS: dict[str, str] = {
 """What looks like a function and is part of the language, with an example of its use."""
 
 STATE_QUESTIONS = ("in", "done", "count")
-YIELDING = frozenset(("outcome", *STATE_QUESTIONS))
+YIELDING = frozenset(("outcome", "random", "sender", *STATE_QUESTIONS))
 """The forms that came later: a function that a document declares under such a name goes before."""
 
 PERFORMATIVES = tuple(

@@ -8,7 +8,7 @@ from dataclasses import replace
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Member, Value
 from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, STRING, Comm, Function, Kind, Type
-from aseme_dsl.compiler.builtins import FORMS
+from aseme_dsl.compiler.builtins import FORMS, YIELDING
 from aseme_dsl.compiler.checker import Checker, a, is_number
 from aseme_dsl.compiler.constants import NotConstant, fold
 from aseme_dsl.compiler.library import providers
@@ -40,6 +40,8 @@ def function_name(checker: Checker, written: tree.Call) -> str | None:
 
 def call(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
     """A function or form with typed arguments."""
+    if name in YIELDING and checker.scope.symbols.overloads(name):
+        return _function(checker, name, written, arguments)
     match name:
         case "has":
             return _has(checker, written, arguments)

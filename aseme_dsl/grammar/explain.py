@@ -43,6 +43,7 @@ _PHRASES = {
     "EntryName": "a name",
     "SystemName": "a name",
     "RoleName": "a role",
+    "OutcomeName": "a name",
     "IncludedName": "a role",
     "ActName": "a name",
     "ActivityName": "an activity",

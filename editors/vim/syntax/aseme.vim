@@ -6,13 +6,13 @@ endif
 scriptencoding utf-8
 " A declaration that begins a line stands in nothing else: what is before it need not be read.
 syntax sync match asemeDeclarationHere grouphere NONE /\v^%(language|system|import|let|enum|message|topic|function|sag|suc|aip|abstract|srm|statechart|team|scenario|property)>/
-syntax match asemeReference_947 /\v[^ \t0-9A-Za-z_{}]/
-syntax match asemeReference_946 /\v\w+/
-syntax match asemeNumber_945 /\v[0-9]+%(\.[0-9]+)*\w*/
-syntax match asemeText_944 /\v\"[^"\n]*/ contains=@Spell
-syntax match asemeText_943 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
-syntax region asemePunctuation_948 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
-syntax cluster asemeStrayTrue contains=asemeText_943,asemeText_944,asemeNumber_945,asemeReference_946,asemeReference_947,asemePunctuation_948,asemeComment
+syntax match asemeReference_949 /\v[^ \t0-9A-Za-z_{}]/
+syntax match asemeReference_948 /\v\w+/
+syntax match asemeNumber_947 /\v[0-9]+%(\.[0-9]+)*\w*/
+syntax match asemeText_946 /\v\"[^"\n]*/ contains=@Spell
+syntax match asemeText_945 /\v\"%([^"\\\n]|\\.)*\"/ contains=@Spell
+syntax region asemePunctuation_950 matchgroup=asemePunctuation start=/{/ end=/}/ contains=@asemeStrayTrue transparent
+syntax cluster asemeStrayTrue contains=asemeText_945,asemeText_946,asemeNumber_947,asemeReference_948,asemeReference_949,asemePunctuation_950,asemeComment
 syntax match asemeReference_32 /\v[^ \t0-9A-Za-z_{}]/ contained
 syntax match asemeReference_31 /\v\w+/ contained
 syntax match asemeNumber_30 /\v[0-9]+%(\.[0-9]+)*\w*/ contained
@@ -20,321 +20,323 @@ syntax match asemeText_29 /\v\"[^"\n]*/ contained contains=@Spell
 syntax match asemeText_28 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
 syntax region asemePunctuation_33 matchgroup=asemePunctuation start=/{/ end=/}/ contained contains=@asemeStrayFalse transparent
 syntax cluster asemeStrayFalse contains=asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_8,asemeDeclaration_66,asemeDeclaration_78,asemeDeclaration_104,asemeDeclaration_131,asemeDeclaration_161,asemeDeclaration_184,asemeDeclaration_216,asemeDeclaration_469,asemeDeclaration_741,asemeDeclaration_744,asemeDeclaration_841,asemeDeclaration_901,asemeDeclaration_930,asemeDeclaration_941,asemeText_943,asemeText_944,asemeNumber_945,asemeReference_946,asemeReference_947,asemePunctuation_948,asemeComment
-syntax match asemeDeclaration_941 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_940,asemeComment_942 skipwhite skipempty
-syntax region asemeComment_942 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_940,asemeComment_942 skipwhite skipempty
-syntax match asemeComment_942 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_940,asemeComment_942 skipwhite skipempty
-syntax match asemeText_940 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_939 skipwhite skipempty
-syntax cluster asemePropertyInFile contains=asemePunctuation_937,asemeText_938
-syntax match asemeText_938 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_939 skipwhite skipempty
-syntax region asemeComment_939 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_939 skipwhite skipempty
-syntax match asemeComment_939 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_939 skipwhite skipempty
-syntax region asemePunctuation_937 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
-syntax cluster asemeBodyOfProperty contains=asemePunctuation_920,asemeText_932,asemeNumber_933,asemeReference_934,asemeOperator_935,asemePunctuation_936,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemePunctuation_936 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_935 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_934 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_933 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_932 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_930 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_929,asemeComment_931 skipwhite skipempty
-syntax region asemeComment_931 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_929,asemeComment_931 skipwhite skipempty
-syntax match asemeComment_931 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_929,asemeComment_931 skipwhite skipempty
-syntax match asemeText_929 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_928 skipwhite skipempty
-syntax cluster asemeScenarioInFile contains=asemePunctuation_926,asemeText_927
-syntax match asemeText_927 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_928 skipwhite skipempty
-syntax region asemeComment_928 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_928 skipwhite skipempty
-syntax match asemeComment_928 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_928 skipwhite skipempty
-syntax region asemePunctuation_926 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
-syntax cluster asemeBodyOfScenario contains=asemePunctuation_920,asemeText_921,asemeNumber_922,asemeReference_923,asemeOperator_924,asemePunctuation_925,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemePunctuation_925 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_924 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_923 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_922 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_921 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_920 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
-syntax cluster asemeBodyOfBraced contains=asemePunctuation_914,asemeText_915,asemeNumber_916,asemeReference_917,asemeOperator_918,asemePunctuation_919,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemePunctuation_919 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_918 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_917 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_916 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_915 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_914 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
-syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_908,asemeText_909,asemeNumber_910,asemeReference_911,asemeOperator_912,asemePunctuation_913,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemePunctuation_913 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_912 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_911 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_910 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_909 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax region asemePunctuation_908 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
-syntax cluster asemeBodyOfBraced3 contains=asemeText_903,asemeNumber_904,asemeReference_905,asemeOperator_906,asemePunctuation_907,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemePunctuation_907 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
-syntax match asemeOperator_906 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
-syntax match asemeReference_905 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
-syntax match asemeNumber_904 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
-syntax match asemeText_903 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_901 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_900,asemeComment_902 skipwhite skipempty
-syntax region asemeComment_902 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_900,asemeComment_902 skipwhite skipempty
-syntax match asemeComment_902 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_900,asemeComment_902 skipwhite skipempty
-syntax match asemeBlock_900 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_899 skipwhite skipempty
-syntax cluster asemeTeamInFile contains=asemePunctuation_897,asemeBlock_898
-syntax match asemeBlock_898 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_899 skipwhite skipempty
-syntax region asemeComment_899 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_899 skipwhite skipempty
-syntax match asemeComment_899 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_899 skipwhite skipempty
-syntax region asemePunctuation_897 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
-syntax cluster asemeBodyOfTeam contains=asemeName_896,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemeName_896 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_878 skipwhite skipempty
-syntax cluster asemeAgentsInBodyOfTeam contains=asemeClause_875,asemePunctuation_885,asemePunctuation_891,asemePunctuation_894
-syntax match asemePunctuation_894 /\v\:/ contained nextgroup=asemeReference_893,asemeComment_895 skipwhite skipempty
-syntax region asemeComment_895 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_893,asemeComment_895 skipwhite skipempty
-syntax match asemeComment_895 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_893,asemeComment_895 skipwhite skipempty
-syntax match asemeReference_893 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_878 skipwhite skipempty
-syntax match asemePunctuation_891 /\v\,/ contained nextgroup=asemeName_888,asemeName_890,asemeComment_892 skipwhite skipempty
-syntax region asemeComment_892 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_888,asemeName_890,asemeComment_892 skipwhite skipempty
-syntax match asemeComment_892 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_888,asemeName_890,asemeComment_892 skipwhite skipempty
-syntax match asemeName_890 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_878 skipwhite skipempty
-syntax match asemeName_888 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_887,asemeComment_889 skipwhite skipempty
-syntax region asemeComment_889 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_887,asemeComment_889 skipwhite skipempty
-syntax match asemeComment_889 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_887,asemeComment_889 skipwhite skipempty
-syntax match asemeOperator_887 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemePunctuation_885 /\v\[/ contained nextgroup=asemeNumber_883,asemeComment_886 skipwhite skipempty
-syntax region asemeComment_886 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_883,asemeComment_886 skipwhite skipempty
-syntax match asemeComment_886 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_883,asemeComment_886 skipwhite skipempty
-syntax match asemeNumber_883 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_881,asemeComment_884 skipwhite skipempty
-syntax region asemeComment_884 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_881,asemeComment_884 skipwhite skipempty
-syntax match asemeComment_884 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_881,asemeComment_884 skipwhite skipempty
-syntax match asemePunctuation_881 /\v\.\./ contained nextgroup=asemeNumber_879,asemeComment_882 skipwhite skipempty
-syntax region asemeComment_882 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_879,asemeComment_882 skipwhite skipempty
-syntax match asemeComment_882 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_879,asemeComment_882 skipwhite skipempty
-syntax match asemeNumber_879 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_877,asemeComment_880 skipwhite skipempty
-syntax region asemeComment_880 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_877,asemeComment_880 skipwhite skipempty
-syntax match asemeComment_880 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_877,asemeComment_880 skipwhite skipempty
-syntax match asemePunctuation_877 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_878 skipwhite skipempty
-syntax region asemeComment_878 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_878 skipwhite skipempty
-syntax match asemeComment_878 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_878 skipwhite skipempty
-syntax match asemeClause_875 /\vwith%(<|>)/ contained nextgroup=asemeName_873,asemeComment_876 skipwhite skipempty
-syntax region asemeComment_876 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_873,asemeComment_876 skipwhite skipempty
-syntax match asemeComment_876 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_873,asemeComment_876 skipwhite skipempty
-syntax match asemeName_873 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_872,asemeComment_874 skipwhite skipempty
-syntax region asemeComment_874 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_872,asemeComment_874 skipwhite skipempty
-syntax match asemeComment_874 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_872,asemeComment_874 skipwhite skipempty
-syntax match asemeOperator_872 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeDeclaration_841 /\v%(statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=statechart%(<|>)/ nextgroup=asemeBlock_840,asemeComment_842 skipwhite skipempty
-syntax region asemeComment_842 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_840,asemeComment_842 skipwhite skipempty
-syntax match asemeComment_842 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_840,asemeComment_842 skipwhite skipempty
-syntax match asemeBlock_840 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_839 skipwhite skipempty
-syntax cluster asemeStatechartInFile contains=asemePunctuation_837,asemeBlock_838
-syntax match asemeBlock_838 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_839 skipwhite skipempty
-syntax region asemeComment_839 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_839 skipwhite skipempty
-syntax match asemeComment_839 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_839 skipwhite skipempty
-syntax region asemePunctuation_837 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfStatechart
-syntax cluster asemeBodyOfStatechart contains=asemeDeclaration_768,asemeNumber_775,asemeDeclaration_826,asemeDeclaration_831,asemeDeclaration_833,asemeDeclaration_835,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemeDeclaration_835 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_836 skipwhite skipempty
-syntax region asemeComment_836 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_836 skipwhite skipempty
-syntax match asemeComment_836 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_836 skipwhite skipempty
-syntax cluster asemeModulesInBodyOfStatechart contains=asemePunctuation_714
-syntax match asemeDeclaration_833 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_834 skipwhite skipempty
-syntax region asemeComment_834 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_834 skipwhite skipempty
-syntax match asemeComment_834 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_834 skipwhite skipempty
-syntax cluster asemeActivitiesInBodyOfStatechart contains=asemePunctuation_669
-syntax match asemeDeclaration_831 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_829,asemeComment_832 skipwhite skipempty
-syntax region asemeComment_832 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_829,asemeComment_832 skipwhite skipempty
-syntax match asemeComment_832 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_829,asemeComment_832 skipwhite skipempty
-syntax match asemeName_829 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_828,asemeComment_830 skipwhite skipempty
-syntax region asemeComment_830 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_828,asemeComment_830 skipwhite skipempty
-syntax match asemeComment_830 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_828,asemeComment_830 skipwhite skipempty
-syntax match asemeOperator_828 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_34 skipwhite skipempty
-syntax match asemeDeclaration_826 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_824,asemeComment_827 skipwhite skipempty
-syntax region asemeComment_827 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_824,asemeComment_827 skipwhite skipempty
-syntax match asemeComment_827 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_824,asemeComment_827 skipwhite skipempty
-syntax match asemeName_824 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_822,asemeComment_825 skipwhite skipempty
-syntax region asemeComment_825 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_822,asemeComment_825 skipwhite skipempty
-syntax match asemeComment_825 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_822,asemeComment_825 skipwhite skipempty
-syntax match asemePunctuation_822 /\v\:/ contained nextgroup=asemeBuiltIn_820,asemeType_821,asemeComment_823 skipwhite skipempty
-syntax region asemeComment_823 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_820,asemeType_821,asemeComment_823 skipwhite skipempty
-syntax match asemeComment_823 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_820,asemeType_821,asemeComment_823 skipwhite skipempty
-syntax match asemeType_821 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_778 skipwhite skipempty
-syntax match asemeBuiltIn_820 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_778 skipwhite skipempty
-syntax cluster asemeVarInBodyOfStatechart contains=asemePunctuation_780,asemeOperator_811,asemeName_816,asemeBuiltIn_818,asemeType_819
-syntax match asemeType_819 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_778 skipwhite skipempty
-syntax match asemeBuiltIn_818 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_778 skipwhite skipempty
-syntax match asemeName_816 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_814,asemeComment_817 skipwhite skipempty
-syntax region asemeComment_817 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_814,asemeComment_817 skipwhite skipempty
-syntax match asemeComment_817 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_814,asemeComment_817 skipwhite skipempty
-syntax match asemePunctuation_814 /\v\:/ contained nextgroup=asemeBuiltIn_812,asemeType_813,asemeComment_815 skipwhite skipempty
-syntax region asemeComment_815 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_812,asemeType_813,asemeComment_815 skipwhite skipempty
-syntax match asemeComment_815 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_812,asemeType_813,asemeComment_815 skipwhite skipempty
-syntax match asemeType_813 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_778 skipwhite skipempty
-syntax match asemeBuiltIn_812 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_778 skipwhite skipempty
-syntax match asemeOperator_811 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemePunctuation_780 /\v\:/ contained nextgroup=asemeBuiltIn_777,asemeType_779,asemeComment_781 skipwhite skipempty
-syntax region asemeComment_781 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_777,asemeType_779,asemeComment_781 skipwhite skipempty
-syntax match asemeComment_781 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_777,asemeType_779,asemeComment_781 skipwhite skipempty
-syntax match asemeType_779 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_778 skipwhite skipempty
-syntax match asemeBuiltIn_777 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_778 skipwhite skipempty
-syntax region asemeComment_778 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_778 skipwhite skipempty
-syntax match asemeComment_778 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_778 skipwhite skipempty
-syntax match asemeNumber_775 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_773,asemeComment_776 skipwhite skipempty
-syntax region asemeComment_776 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_773,asemeComment_776 skipwhite skipempty
-syntax match asemeComment_776 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_773,asemeComment_776 skipwhite skipempty
-syntax match asemeOperator_773 /\v\-\>/ contained nextgroup=asemeNumber_771,asemeComment_774 skipwhite skipempty
-syntax region asemeComment_774 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_771,asemeComment_774 skipwhite skipempty
-syntax match asemeComment_774 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_771,asemeComment_774 skipwhite skipempty
-syntax match asemeNumber_771 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_770,asemeComment_772 skipwhite skipempty
-syntax region asemeComment_772 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_770,asemeComment_772 skipwhite skipempty
-syntax match asemeComment_772 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_770,asemeComment_772 skipwhite skipempty
-syntax match asemePunctuation_770 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_418 skipwhite skipempty
-syntax match asemeDeclaration_768 /\v%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=state%(<|>)/ contained nextgroup=asemeNumber_766,asemeComment_769 skipwhite skipempty
-syntax region asemeComment_769 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_766,asemeComment_769 skipwhite skipempty
-syntax match asemeComment_769 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_766,asemeComment_769 skipwhite skipempty
-syntax match asemeNumber_766 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_764,asemeComment_767 skipwhite skipempty
-syntax region asemeComment_767 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_764,asemeComment_767 skipwhite skipempty
-syntax match asemeComment_767 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_764,asemeComment_767 skipwhite skipempty
-syntax match asemeChoice_764 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_762,asemeText_763,@asemeChartNodeInBodyOfStatechart,asemeComment_765 skipwhite skipempty
-syntax region asemeComment_765 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_762,asemeText_763,@asemeChartNodeInBodyOfStatechart,asemeComment_765 skipwhite skipempty
-syntax match asemeComment_765 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_762,asemeText_763,@asemeChartNodeInBodyOfStatechart,asemeComment_765 skipwhite skipempty
-syntax match asemeText_763 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_747 skipwhite skipempty
-syntax match asemeName_762 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_747 skipwhite skipempty
-syntax cluster asemeChartNodeInBodyOfStatechart contains=asemeClause_748,asemeChoice_752,asemeNumber_758,asemeName_760,asemeText_761
-syntax match asemeText_761 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_747 skipwhite skipempty
-syntax match asemeName_760 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_747 skipwhite skipempty
-syntax match asemeNumber_758 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_756,asemeComment_759 skipwhite skipempty
-syntax region asemeComment_759 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_756,asemeComment_759 skipwhite skipempty
-syntax match asemeComment_759 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_756,asemeComment_759 skipwhite skipempty
-syntax match asemeChoice_756 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_754,asemeText_755,@asemeChartNodeInBodyOfStatechart,asemeComment_757 skipwhite skipempty
-syntax region asemeComment_757 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_754,asemeText_755,@asemeChartNodeInBodyOfStatechart,asemeComment_757 skipwhite skipempty
-syntax match asemeComment_757 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_754,asemeText_755,@asemeChartNodeInBodyOfStatechart,asemeComment_757 skipwhite skipempty
-syntax match asemeText_755 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_747 skipwhite skipempty
-syntax match asemeName_754 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_747 skipwhite skipempty
-syntax match asemeChoice_752 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_750,asemeText_751,@asemeChartNodeInBodyOfStatechart,asemeComment_753 skipwhite skipempty
-syntax region asemeComment_753 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_750,asemeText_751,@asemeChartNodeInBodyOfStatechart,asemeComment_753 skipwhite skipempty
-syntax match asemeComment_753 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_750,asemeText_751,@asemeChartNodeInBodyOfStatechart,asemeComment_753 skipwhite skipempty
-syntax match asemeText_751 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_747 skipwhite skipempty
-syntax match asemeName_750 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_747 skipwhite skipempty
-syntax match asemeClause_748 /\vactivity%(<|>)/ contained nextgroup=asemeReference_746,asemeComment_749 skipwhite skipempty
-syntax region asemeComment_749 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_746,asemeComment_749 skipwhite skipempty
-syntax match asemeComment_749 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_746,asemeComment_749 skipwhite skipempty
-syntax match asemeReference_746 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_747 skipwhite skipempty
-syntax region asemeComment_747 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_747 skipwhite skipempty
-syntax match asemeComment_747 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_747 skipwhite skipempty
-syntax match asemeDeclaration_744 /\v%(srm%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=srm%(<|>)/ nextgroup=asemeBlock_743,asemeComment_745 skipwhite skipempty
-syntax region asemeComment_745 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_743,asemeComment_745 skipwhite skipempty
-syntax match asemeComment_745 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_743,asemeComment_745 skipwhite skipempty
-syntax match asemeBlock_743 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_472 skipwhite skipempty
-syntax match asemeDeclaration_741 /\v%(abstract%(<|>)%(\_s*%(srm%(<|>)|%($|\/\/|\/\*)))@=)@=abstract%(<|>)/ nextgroup=asemeClause_739,asemeComment_742 skipwhite skipempty
-syntax region asemeComment_742 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_739,asemeComment_742 skipwhite skipempty
-syntax match asemeComment_742 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_739,asemeComment_742 skipwhite skipempty
-syntax match asemeClause_739 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_738,asemeComment_740 skipwhite skipempty
-syntax region asemeComment_740 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_738,asemeComment_740 skipwhite skipempty
-syntax match asemeComment_740 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_738,asemeComment_740 skipwhite skipempty
-syntax match asemeBlock_738 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_472 skipwhite skipempty
-syntax cluster asemeSrmInFile contains=asemeClause_473,asemePunctuation_736,asemeBlock_737
-syntax match asemeBlock_737 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_472 skipwhite skipempty
-syntax region asemePunctuation_736 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfSrm
-syntax cluster asemeBodyOfSrm contains=asemeDeclaration_481,asemeDeclaration_517,asemeDeclaration_533,asemeDeclaration_584,asemeDeclaration_589,asemeDeclaration_613,asemeDeclaration_670,asemeDeclaration_715,asemeDeclaration_724,asemeDeclaration_734,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemeDeclaration_734 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_732,asemeComment_735 skipwhite skipempty
-syntax region asemeComment_735 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_732,asemeComment_735 skipwhite skipempty
-syntax match asemeComment_735 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_732,asemeComment_735 skipwhite skipempty
-syntax match asemeBlock_732 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_731,@asemeControlInBodyOfSrm,asemeComment_733 skipwhite skipempty
-syntax region asemeComment_733 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_731,@asemeControlInBodyOfSrm,asemeComment_733 skipwhite skipempty
-syntax match asemeComment_733 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_731,@asemeControlInBodyOfSrm,asemeComment_733 skipwhite skipempty
-syntax match asemeOperator_731 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_727 skipwhite skipempty
-syntax cluster asemeControlInBodyOfSrm contains=asemePunctuation_454,asemeOperator_726,asemeBlock_729
-syntax match asemeBlock_729 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_728,@asemeControlInBodyOfSrm,asemeComment_730 skipwhite skipempty
-syntax region asemeComment_730 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_728,@asemeControlInBodyOfSrm,asemeComment_730 skipwhite skipempty
-syntax match asemeComment_730 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_728,@asemeControlInBodyOfSrm,asemeComment_730 skipwhite skipempty
-syntax match asemeOperator_728 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_727 skipwhite skipempty
-syntax match asemeOperator_726 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_727 skipwhite skipempty
-syntax region asemeComment_727 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_727 skipwhite skipempty
-syntax match asemeComment_727 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_727 skipwhite skipempty
-syntax match asemeDeclaration_724 /\v%(functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=functionality%(<|>)/ contained nextgroup=asemeBlock_723,asemeComment_725 skipwhite skipempty
-syntax region asemeComment_725 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_723,asemeComment_725 skipwhite skipempty
-syntax match asemeComment_725 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_723,asemeComment_725 skipwhite skipempty
-syntax match asemeBlock_723 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_722 skipwhite skipempty
-syntax cluster asemeFunctionalityInBodyOfSrm contains=asemePunctuation_720,asemeBlock_721
-syntax match asemeBlock_721 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_722 skipwhite skipempty
-syntax region asemeComment_722 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_722 skipwhite skipempty
-syntax match asemeComment_722 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_722 skipwhite skipempty
-syntax region asemePunctuation_720 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfFunctionality
-syntax cluster asemeBodyOfFunctionality contains=asemeDeclaration_718,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemeDeclaration_718 /\v%(%(technology|permissions|environment|algorithm)%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=%(technology|permissions|environment|algorithm)%(<|>)/ contained nextgroup=asemeText_717,asemeComment_719 skipwhite skipempty
-syntax region asemeComment_719 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_717,asemeComment_719 skipwhite skipempty
-syntax match asemeComment_719 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_717,asemeComment_719 skipwhite skipempty
-syntax match asemeText_717 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
-syntax match asemeDeclaration_715 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfSrm,asemeComment_716 skipwhite skipempty
-syntax region asemeComment_716 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_716 skipwhite skipempty
-syntax match asemeComment_716 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_716 skipwhite skipempty
-syntax cluster asemeModulesInBodyOfSrm contains=asemePunctuation_714
-syntax region asemePunctuation_714 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfModules
-syntax cluster asemeBodyOfModules contains=asemeName_713,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemeName_713 /\v%(%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax cluster asemeModuleInBodyOfModules contains=asemeClause_677,asemeClause_680,asemeClause_683,asemeClause_686,asemeClause_689,asemeClause_692,asemeClause_695,asemeClause_698,asemeClause_701,asemePunctuation_708,asemeOperator_711
-syntax match asemeOperator_711 /\v\=%(\=)@!/ contained nextgroup=asemeText_710,asemeComment_712 skipwhite skipempty
-syntax region asemeComment_712 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_710,asemeComment_712 skipwhite skipempty
-syntax match asemeComment_712 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_710,asemeComment_712 skipwhite skipempty
-syntax match asemeText_710 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemePunctuation_708 /\v\,/ contained nextgroup=asemeChoice_704,asemeReference_706,asemeReference_707,asemeComment_709 skipwhite skipempty
-syntax region asemeComment_709 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_704,asemeReference_706,asemeReference_707,asemeComment_709 skipwhite skipempty
-syntax match asemeComment_709 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_704,asemeReference_706,asemeReference_707,asemeComment_709 skipwhite skipempty
-syntax match asemeReference_707 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeReference_706 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeChoice_704 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_703,asemeComment_705 skipwhite skipempty
-syntax region asemeComment_705 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_703,asemeComment_705 skipwhite skipempty
-syntax match asemeComment_705 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_703,asemeComment_705 skipwhite skipempty
-syntax match asemeReference_703 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeClause_701 /\vends%(<|>)/ contained nextgroup=asemeReference_700,asemeComment_702 skipwhite skipempty
-syntax region asemeComment_702 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_700,asemeComment_702 skipwhite skipempty
-syntax match asemeComment_702 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_700,asemeComment_702 skipwhite skipempty
-syntax match asemeReference_700 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeClause_698 /\vwrites%(<|>)/ contained nextgroup=asemeReference_697,asemeComment_699 skipwhite skipempty
-syntax region asemeComment_699 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_697,asemeComment_699 skipwhite skipempty
-syntax match asemeComment_699 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_697,asemeComment_699 skipwhite skipempty
-syntax match asemeReference_697 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeClause_695 /\vfor%(<|>)/ contained nextgroup=asemeNumber_694,asemeComment_696 skipwhite skipempty
-syntax region asemeComment_696 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_694,asemeComment_696 skipwhite skipempty
-syntax match asemeComment_696 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_694,asemeComment_696 skipwhite skipempty
-syntax match asemeNumber_694 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeClause_692 /\vuses%(<|>)/ contained nextgroup=asemeReference_691,asemeComment_693 skipwhite skipempty
-syntax region asemeComment_693 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_691,asemeComment_693 skipwhite skipempty
-syntax match asemeComment_693 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_691,asemeComment_693 skipwhite skipempty
-syntax match asemeReference_691 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeClause_689 /\vas%(<|>)/ contained nextgroup=asemeChoice_688,asemeComment_690 skipwhite skipempty
-syntax region asemeComment_690 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_688,asemeComment_690 skipwhite skipempty
-syntax match asemeComment_690 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_688,asemeComment_690 skipwhite skipempty
-syntax match asemeChoice_688 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeClause_686 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_685,asemeComment_687 skipwhite skipempty
-syntax region asemeComment_687 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_685,asemeComment_687 skipwhite skipempty
-syntax match asemeComment_687 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_685,asemeComment_687 skipwhite skipempty
-syntax match asemeNumber_685 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeClause_683 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_682,asemeComment_684 skipwhite skipempty
-syntax region asemeComment_684 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_682,asemeComment_684 skipwhite skipempty
-syntax match asemeComment_684 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_682,asemeComment_684 skipwhite skipempty
-syntax match asemeNumber_682 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeClause_680 /\vevery%(<|>)/ contained nextgroup=asemeNumber_679,asemeComment_681 skipwhite skipempty
-syntax region asemeComment_681 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_679,asemeComment_681 skipwhite skipempty
-syntax match asemeComment_681 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_679,asemeComment_681 skipwhite skipempty
-syntax match asemeNumber_679 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeClause_677 /\vreads%(<|>)/ contained nextgroup=asemeChoice_674,asemeReference_676,asemeComment_678 skipwhite skipempty
-syntax region asemeComment_678 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_674,asemeReference_676,asemeComment_678 skipwhite skipempty
-syntax match asemeComment_678 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_674,asemeReference_676,asemeComment_678 skipwhite skipempty
-syntax match asemeReference_676 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeChoice_674 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_672,asemeComment_675 skipwhite skipempty
-syntax region asemeComment_675 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_672,asemeComment_675 skipwhite skipempty
-syntax match asemeComment_675 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_672,asemeComment_675 skipwhite skipempty
-syntax match asemeReference_672 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax region asemeComment_673 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeComment_673 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_673 skipwhite skipempty
-syntax match asemeDeclaration_670 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_671 skipwhite skipempty
-syntax region asemeComment_671 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_671 skipwhite skipempty
-syntax match asemeComment_671 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_671 skipwhite skipempty
-syntax cluster asemeActivitiesInBodyOfSrm contains=asemePunctuation_669
-syntax region asemePunctuation_669 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfActivities
-syntax cluster asemeBodyOfActivities contains=asemeName_668,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
-syntax match asemeName_668 /\v%(%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_616 skipwhite skipempty
-syntax cluster asemeActivityInBodyOfActivities contains=asemeClause_620,asemeClause_623,asemeClause_626,asemeClause_629,asemeClause_632,asemeClause_635,asemeClause_638,asemeClause_641,asemeClause_644,asemePunctuation_652,asemePunctuation_665,asemePunctuation_667
-syntax match asemePunctuation_667 /\v\)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_616 skipwhite skipempty
-syntax match asemePunctuation_665 /\v\,/ contained nextgroup=asemeName_658,asemeChoice_661,asemeReference_663,asemeReference_664,asemeComment_666 skipwhite skipempty
-syntax region asemeComment_666 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_658,asemeChoice_661,asemeReference_663,asemeReference_664,asemeComment_666 skipwhite skipempty
-syntax match asemeComment_666 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_658,asemeChoice_661,asemeReference_663,asemeReference_664,asemeComment_666 skipwhite skipempty
+syntax cluster asemeFile contains=asemeDeclaration_1,asemeDeclaration_4,asemeDeclaration_8,asemeDeclaration_66,asemeDeclaration_78,asemeDeclaration_104,asemeDeclaration_131,asemeDeclaration_161,asemeDeclaration_184,asemeDeclaration_216,asemeDeclaration_469,asemeDeclaration_743,asemeDeclaration_746,asemeDeclaration_843,asemeDeclaration_903,asemeDeclaration_932,asemeDeclaration_943,asemeText_945,asemeText_946,asemeNumber_947,asemeReference_948,asemeReference_949,asemePunctuation_950,asemeComment
+syntax match asemeDeclaration_943 /\v%(property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=property%(<|>)/ nextgroup=asemeText_942,asemeComment_944 skipwhite skipempty
+syntax region asemeComment_944 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_942,asemeComment_944 skipwhite skipempty
+syntax match asemeComment_944 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_942,asemeComment_944 skipwhite skipempty
+syntax match asemeText_942 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_941 skipwhite skipempty
+syntax cluster asemePropertyInFile contains=asemePunctuation_939,asemeText_940
+syntax match asemeText_940 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_941 skipwhite skipempty
+syntax region asemeComment_941 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_941 skipwhite skipempty
+syntax match asemeComment_941 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemePropertyInFile,asemeComment_941 skipwhite skipempty
+syntax region asemePunctuation_939 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfProperty
+syntax cluster asemeBodyOfProperty contains=asemePunctuation_922,asemeText_934,asemeNumber_935,asemeReference_936,asemeOperator_937,asemePunctuation_938,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemePunctuation_938 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_937 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_936 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_935 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_934 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_932 /\v%(scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=scenario%(<|>)/ nextgroup=asemeText_931,asemeComment_933 skipwhite skipempty
+syntax region asemeComment_933 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_931,asemeComment_933 skipwhite skipempty
+syntax match asemeComment_933 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_931,asemeComment_933 skipwhite skipempty
+syntax match asemeText_931 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_930 skipwhite skipempty
+syntax cluster asemeScenarioInFile contains=asemePunctuation_928,asemeText_929
+syntax match asemeText_929 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_930 skipwhite skipempty
+syntax region asemeComment_930 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_930 skipwhite skipempty
+syntax match asemeComment_930 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeScenarioInFile,asemeComment_930 skipwhite skipempty
+syntax region asemePunctuation_928 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfScenario
+syntax cluster asemeBodyOfScenario contains=asemePunctuation_922,asemeText_923,asemeNumber_924,asemeReference_925,asemeOperator_926,asemePunctuation_927,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemePunctuation_927 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_926 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_925 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_924 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_923 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_922 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced
+syntax cluster asemeBodyOfBraced contains=asemePunctuation_916,asemeText_917,asemeNumber_918,asemeReference_919,asemeOperator_920,asemePunctuation_921,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemePunctuation_921 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_920 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_919 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_918 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_917 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_916 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced2
+syntax cluster asemeBodyOfBraced2 contains=asemePunctuation_910,asemeText_911,asemeNumber_912,asemeReference_913,asemeOperator_914,asemePunctuation_915,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemePunctuation_915 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_914 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_913 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_912 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_911 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax region asemePunctuation_910 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfBraced3
+syntax cluster asemeBodyOfBraced3 contains=asemeText_905,asemeNumber_906,asemeReference_907,asemeOperator_908,asemePunctuation_909,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemePunctuation_909 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained
+syntax match asemeOperator_908 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained
+syntax match asemeReference_907 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained
+syntax match asemeNumber_906 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained
+syntax match asemeText_905 /\v%(%(%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\.[A-Za-z_][A-Za-z0-9_]*)*|\&\&|\|\||[<>=!]\=|\-\>|\.\.|[^ \t{}"0-9A-Za-z_])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_903 /\v%(team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=team%(<|>)/ nextgroup=asemeBlock_902,asemeComment_904 skipwhite skipempty
+syntax region asemeComment_904 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_902,asemeComment_904 skipwhite skipempty
+syntax match asemeComment_904 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_902,asemeComment_904 skipwhite skipempty
+syntax match asemeBlock_902 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_901 skipwhite skipempty
+syntax cluster asemeTeamInFile contains=asemePunctuation_899,asemeBlock_900
+syntax match asemeBlock_900 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeTeamInFile,asemeComment_901 skipwhite skipempty
+syntax region asemeComment_901 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_901 skipwhite skipempty
+syntax match asemeComment_901 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeTeamInFile,asemeComment_901 skipwhite skipempty
+syntax region asemePunctuation_899 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfTeam
+syntax cluster asemeBodyOfTeam contains=asemeName_898,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemeName_898 /\v%([A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!%(\_s*[\[,:])@=)@=[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_880 skipwhite skipempty
+syntax cluster asemeAgentsInBodyOfTeam contains=asemeClause_877,asemePunctuation_887,asemePunctuation_893,asemePunctuation_896
+syntax match asemePunctuation_896 /\v\:/ contained nextgroup=asemeReference_895,asemeComment_897 skipwhite skipempty
+syntax region asemeComment_897 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_895,asemeComment_897 skipwhite skipempty
+syntax match asemeComment_897 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_895,asemeComment_897 skipwhite skipempty
+syntax match asemeReference_895 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*[\[:,])@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_880 skipwhite skipempty
+syntax match asemePunctuation_893 /\v\,/ contained nextgroup=asemeName_890,asemeName_892,asemeComment_894 skipwhite skipempty
+syntax region asemeComment_894 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_890,asemeName_892,asemeComment_894 skipwhite skipempty
+syntax match asemeComment_894 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_890,asemeName_892,asemeComment_894 skipwhite skipempty
+syntax match asemeName_892 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_880 skipwhite skipempty
+syntax match asemeName_890 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_889,asemeComment_891 skipwhite skipempty
+syntax region asemeComment_891 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_889,asemeComment_891 skipwhite skipempty
+syntax match asemeComment_891 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_889,asemeComment_891 skipwhite skipempty
+syntax match asemeOperator_889 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemePunctuation_887 /\v\[/ contained nextgroup=asemeNumber_885,asemeComment_888 skipwhite skipempty
+syntax region asemeComment_888 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_885,asemeComment_888 skipwhite skipempty
+syntax match asemeComment_888 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_885,asemeComment_888 skipwhite skipempty
+syntax match asemeNumber_885 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_883,asemeComment_886 skipwhite skipempty
+syntax region asemeComment_886 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_883,asemeComment_886 skipwhite skipempty
+syntax match asemeComment_886 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_883,asemeComment_886 skipwhite skipempty
+syntax match asemePunctuation_883 /\v\.\./ contained nextgroup=asemeNumber_881,asemeComment_884 skipwhite skipempty
+syntax region asemeComment_884 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_881,asemeComment_884 skipwhite skipempty
+syntax match asemeComment_884 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_881,asemeComment_884 skipwhite skipempty
+syntax match asemeNumber_881 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained nextgroup=asemePunctuation_879,asemeComment_882 skipwhite skipempty
+syntax region asemeComment_882 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_879,asemeComment_882 skipwhite skipempty
+syntax match asemeComment_882 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_879,asemeComment_882 skipwhite skipempty
+syntax match asemePunctuation_879 /\v\]/ contained nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_880 skipwhite skipempty
+syntax region asemeComment_880 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_880 skipwhite skipempty
+syntax match asemeComment_880 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeAgentsInBodyOfTeam,asemeComment_880 skipwhite skipempty
+syntax match asemeClause_877 /\vwith%(<|>)/ contained nextgroup=asemeName_875,asemeComment_878 skipwhite skipempty
+syntax region asemeComment_878 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_875,asemeComment_878 skipwhite skipempty
+syntax match asemeComment_878 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_875,asemeComment_878 skipwhite skipempty
+syntax match asemeName_875 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_874,asemeComment_876 skipwhite skipempty
+syntax region asemeComment_876 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_874,asemeComment_876 skipwhite skipempty
+syntax match asemeComment_876 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_874,asemeComment_876 skipwhite skipempty
+syntax match asemeOperator_874 /\v\=%(\=)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeDeclaration_843 /\v%(statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=statechart%(<|>)/ nextgroup=asemeBlock_842,asemeComment_844 skipwhite skipempty
+syntax region asemeComment_844 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_842,asemeComment_844 skipwhite skipempty
+syntax match asemeComment_844 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_842,asemeComment_844 skipwhite skipempty
+syntax match asemeBlock_842 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_841 skipwhite skipempty
+syntax cluster asemeStatechartInFile contains=asemePunctuation_839,asemeBlock_840
+syntax match asemeBlock_840 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeStatechartInFile,asemeComment_841 skipwhite skipempty
+syntax region asemeComment_841 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_841 skipwhite skipempty
+syntax match asemeComment_841 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeStatechartInFile,asemeComment_841 skipwhite skipempty
+syntax region asemePunctuation_839 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfStatechart
+syntax cluster asemeBodyOfStatechart contains=asemeDeclaration_770,asemeNumber_777,asemeDeclaration_828,asemeDeclaration_833,asemeDeclaration_835,asemeDeclaration_837,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemeDeclaration_837 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_838 skipwhite skipempty
+syntax region asemeComment_838 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_838 skipwhite skipempty
+syntax match asemeComment_838 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfStatechart,asemeComment_838 skipwhite skipempty
+syntax cluster asemeModulesInBodyOfStatechart contains=asemePunctuation_716
+syntax match asemeDeclaration_835 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_836 skipwhite skipempty
+syntax region asemeComment_836 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_836 skipwhite skipempty
+syntax match asemeComment_836 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfStatechart,asemeComment_836 skipwhite skipempty
+syntax cluster asemeActivitiesInBodyOfStatechart contains=asemePunctuation_670
+syntax match asemeDeclaration_833 /\v%(let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=let%(<|>)/ contained nextgroup=asemeName_831,asemeComment_834 skipwhite skipempty
+syntax region asemeComment_834 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_831,asemeComment_834 skipwhite skipempty
+syntax match asemeComment_834 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_831,asemeComment_834 skipwhite skipempty
+syntax match asemeName_831 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\=%(\=)@!)@=/ contained nextgroup=asemeOperator_830,asemeComment_832 skipwhite skipempty
+syntax region asemeComment_832 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_830,asemeComment_832 skipwhite skipempty
+syntax match asemeComment_832 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_830,asemeComment_832 skipwhite skipempty
+syntax match asemeOperator_830 /\v\=%(\=)@!/ contained nextgroup=@asemeLet,asemeComment_34 skipwhite skipempty
+syntax match asemeDeclaration_828 /\v%(var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=var%(<|>)/ contained nextgroup=asemeName_826,asemeComment_829 skipwhite skipempty
+syntax region asemeComment_829 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_826,asemeComment_829 skipwhite skipempty
+syntax match asemeComment_829 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_826,asemeComment_829 skipwhite skipempty
+syntax match asemeName_826 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_824,asemeComment_827 skipwhite skipempty
+syntax region asemeComment_827 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_824,asemeComment_827 skipwhite skipempty
+syntax match asemeComment_827 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_824,asemeComment_827 skipwhite skipempty
+syntax match asemePunctuation_824 /\v\:/ contained nextgroup=asemeBuiltIn_822,asemeType_823,asemeComment_825 skipwhite skipempty
+syntax region asemeComment_825 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_822,asemeType_823,asemeComment_825 skipwhite skipempty
+syntax match asemeComment_825 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_822,asemeType_823,asemeComment_825 skipwhite skipempty
+syntax match asemeType_823 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_780 skipwhite skipempty
+syntax match asemeBuiltIn_822 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_780 skipwhite skipempty
+syntax cluster asemeVarInBodyOfStatechart contains=asemePunctuation_782,asemeOperator_813,asemeName_818,asemeBuiltIn_820,asemeType_821
+syntax match asemeType_821 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_780 skipwhite skipempty
+syntax match asemeBuiltIn_820 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_780 skipwhite skipempty
+syntax match asemeName_818 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s*\:)@=/ contained nextgroup=asemePunctuation_816,asemeComment_819 skipwhite skipempty
+syntax region asemeComment_819 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_816,asemeComment_819 skipwhite skipempty
+syntax match asemeComment_819 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_816,asemeComment_819 skipwhite skipempty
+syntax match asemePunctuation_816 /\v\:/ contained nextgroup=asemeBuiltIn_814,asemeType_815,asemeComment_817 skipwhite skipempty
+syntax region asemeComment_817 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_814,asemeType_815,asemeComment_817 skipwhite skipempty
+syntax match asemeComment_817 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_814,asemeType_815,asemeComment_817 skipwhite skipempty
+syntax match asemeType_815 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_780 skipwhite skipempty
+syntax match asemeBuiltIn_814 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_780 skipwhite skipempty
+syntax match asemeOperator_813 /\v\=%(\=)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemePunctuation_782 /\v\:/ contained nextgroup=asemeBuiltIn_779,asemeType_781,asemeComment_783 skipwhite skipempty
+syntax region asemeComment_783 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBuiltIn_779,asemeType_781,asemeComment_783 skipwhite skipempty
+syntax match asemeComment_783 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBuiltIn_779,asemeType_781,asemeComment_783 skipwhite skipempty
+syntax match asemeType_781 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_780 skipwhite skipempty
+syntax match asemeBuiltIn_779 /\v%(bool|int|double|string|bytes|duration)%(<|>)/ contained nextgroup=@asemeVarInBodyOfStatechart,asemeComment_780 skipwhite skipempty
+syntax region asemeComment_780 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_780 skipwhite skipempty
+syntax match asemeComment_780 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeVarInBodyOfStatechart,asemeComment_780 skipwhite skipempty
+syntax match asemeNumber_777 /\v%([0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=)@=[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeOperator_775,asemeComment_778 skipwhite skipempty
+syntax region asemeComment_778 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_775,asemeComment_778 skipwhite skipempty
+syntax match asemeComment_778 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_775,asemeComment_778 skipwhite skipempty
+syntax match asemeOperator_775 /\v\-\>/ contained nextgroup=asemeNumber_773,asemeComment_776 skipwhite skipempty
+syntax region asemeComment_776 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_773,asemeComment_776 skipwhite skipempty
+syntax match asemeComment_776 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_773,asemeComment_776 skipwhite skipempty
+syntax match asemeNumber_773 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemePunctuation_772,asemeComment_774 skipwhite skipempty
+syntax region asemeComment_774 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_772,asemeComment_774 skipwhite skipempty
+syntax match asemeComment_774 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_772,asemeComment_774 skipwhite skipempty
+syntax match asemePunctuation_772 /\v\:/ contained nextgroup=@asemeLabelledWay,asemeComment_418 skipwhite skipempty
+syntax match asemeDeclaration_770 /\v%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=)@=state%(<|>)/ contained nextgroup=asemeNumber_768,asemeComment_771 skipwhite skipempty
+syntax region asemeComment_771 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_768,asemeComment_771 skipwhite skipempty
+syntax match asemeComment_771 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_768,asemeComment_771 skipwhite skipempty
+syntax match asemeNumber_768 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_766,asemeComment_769 skipwhite skipempty
+syntax region asemeComment_769 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_766,asemeComment_769 skipwhite skipempty
+syntax match asemeComment_769 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_766,asemeComment_769 skipwhite skipempty
+syntax match asemeChoice_766 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_764,asemeText_765,@asemeChartNodeInBodyOfStatechart,asemeComment_767 skipwhite skipempty
+syntax region asemeComment_767 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_764,asemeText_765,@asemeChartNodeInBodyOfStatechart,asemeComment_767 skipwhite skipempty
+syntax match asemeComment_767 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_764,asemeText_765,@asemeChartNodeInBodyOfStatechart,asemeComment_767 skipwhite skipempty
+syntax match asemeText_765 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_749 skipwhite skipempty
+syntax match asemeName_764 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_749 skipwhite skipempty
+syntax cluster asemeChartNodeInBodyOfStatechart contains=asemeClause_750,asemeChoice_754,asemeNumber_760,asemeName_762,asemeText_763
+syntax match asemeText_763 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_749 skipwhite skipempty
+syntax match asemeName_762 /\v%(%(state%(<|>)%(\_s*%([0-9]+%(\.[0-9]+)*%(\w)@!|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|[0-9]+%(\.[0-9]+)*%(\w)@!%(\_s*\-\>)@=))@!%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_749 skipwhite skipempty
+syntax match asemeNumber_760 /\v[0-9]+%(\.[0-9]+)*%(\w)@!/ contained nextgroup=asemeChoice_758,asemeComment_761 skipwhite skipempty
+syntax region asemeComment_761 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_758,asemeComment_761 skipwhite skipempty
+syntax match asemeComment_761 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_758,asemeComment_761 skipwhite skipempty
+syntax match asemeChoice_758 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_756,asemeText_757,@asemeChartNodeInBodyOfStatechart,asemeComment_759 skipwhite skipempty
+syntax region asemeComment_759 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_756,asemeText_757,@asemeChartNodeInBodyOfStatechart,asemeComment_759 skipwhite skipempty
+syntax match asemeComment_759 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_756,asemeText_757,@asemeChartNodeInBodyOfStatechart,asemeComment_759 skipwhite skipempty
+syntax match asemeText_757 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_749 skipwhite skipempty
+syntax match asemeName_756 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_749 skipwhite skipempty
+syntax match asemeChoice_754 /\v%(START|END|OR|AND|BASIC|CONDITION)%(<|>)/ contained nextgroup=asemeName_752,asemeText_753,@asemeChartNodeInBodyOfStatechart,asemeComment_755 skipwhite skipempty
+syntax region asemeComment_755 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_752,asemeText_753,@asemeChartNodeInBodyOfStatechart,asemeComment_755 skipwhite skipempty
+syntax match asemeComment_755 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_752,asemeText_753,@asemeChartNodeInBodyOfStatechart,asemeComment_755 skipwhite skipempty
+syntax match asemeText_753 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_749 skipwhite skipempty
+syntax match asemeName_752 /\v%(%(state|activity|activities|modules|var|let)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_749 skipwhite skipempty
+syntax match asemeClause_750 /\vactivity%(<|>)/ contained nextgroup=asemeReference_748,asemeComment_751 skipwhite skipempty
+syntax region asemeComment_751 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_748,asemeComment_751 skipwhite skipempty
+syntax match asemeComment_751 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_748,asemeComment_751 skipwhite skipempty
+syntax match asemeReference_748 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_749 skipwhite skipempty
+syntax region asemeComment_749 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_749 skipwhite skipempty
+syntax match asemeComment_749 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeChartNodeInBodyOfStatechart,asemeComment_749 skipwhite skipempty
+syntax match asemeDeclaration_746 /\v%(srm%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=srm%(<|>)/ nextgroup=asemeBlock_745,asemeComment_747 skipwhite skipempty
+syntax region asemeComment_747 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_745,asemeComment_747 skipwhite skipempty
+syntax match asemeComment_747 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_745,asemeComment_747 skipwhite skipempty
+syntax match asemeBlock_745 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_472 skipwhite skipempty
+syntax match asemeDeclaration_743 /\v%(abstract%(<|>)%(\_s*%(srm%(<|>)|%($|\/\/|\/\*)))@=)@=abstract%(<|>)/ nextgroup=asemeClause_741,asemeComment_744 skipwhite skipempty
+syntax region asemeComment_744 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeClause_741,asemeComment_744 skipwhite skipempty
+syntax match asemeComment_744 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeClause_741,asemeComment_744 skipwhite skipempty
+syntax match asemeClause_741 /\vsrm%(<|>)/ contained nextgroup=asemeBlock_740,asemeComment_742 skipwhite skipempty
+syntax region asemeComment_742 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_740,asemeComment_742 skipwhite skipempty
+syntax match asemeComment_742 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_740,asemeComment_742 skipwhite skipempty
+syntax match asemeBlock_740 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_472 skipwhite skipempty
+syntax cluster asemeSrmInFile contains=asemeClause_473,asemePunctuation_738,asemeBlock_739
+syntax match asemeBlock_739 /\v%(%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9]))@!|%($|\/\/|\/\*)))@=|system%(<|>)%(\_s*%(%(%(%(%(import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team)\_s*[0-9A-Za-z_{"]|abstract\_s+srm%(<|>)))@![A-Za-z_][A-Za-z0-9_]*%(<|>))|%($|\/\/|\/\*)))@=|import%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|enum%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|message%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|topic%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|function%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|sag%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|suc%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|aip%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|%(abstract%(<|>)|srm%(<|>))%(\_s*%(srm%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|statechart%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|team%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|scenario%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=|property%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeSrmInFile,asemeComment_472 skipwhite skipempty
+syntax region asemePunctuation_738 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfSrm
+syntax cluster asemeBodyOfSrm contains=asemeDeclaration_481,asemeDeclaration_517,asemeDeclaration_533,asemeDeclaration_584,asemeDeclaration_589,asemeDeclaration_613,asemeDeclaration_671,asemeDeclaration_717,asemeDeclaration_726,asemeDeclaration_736,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemeDeclaration_736 /\v%(control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=control%(<|>)/ contained nextgroup=asemeBlock_734,asemeComment_737 skipwhite skipempty
+syntax region asemeComment_737 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_734,asemeComment_737 skipwhite skipempty
+syntax match asemeComment_737 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_734,asemeComment_737 skipwhite skipempty
+syntax match asemeBlock_734 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_733,@asemeControlInBodyOfSrm,asemeComment_735 skipwhite skipempty
+syntax region asemeComment_735 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_733,@asemeControlInBodyOfSrm,asemeComment_735 skipwhite skipempty
+syntax match asemeComment_735 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_733,@asemeControlInBodyOfSrm,asemeComment_735 skipwhite skipempty
+syntax match asemeOperator_733 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_729 skipwhite skipempty
+syntax cluster asemeControlInBodyOfSrm contains=asemePunctuation_454,asemeOperator_728,asemeBlock_731
+syntax match asemeBlock_731 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=asemeOperator_730,@asemeControlInBodyOfSrm,asemeComment_732 skipwhite skipempty
+syntax region asemeComment_732 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeOperator_730,@asemeControlInBodyOfSrm,asemeComment_732 skipwhite skipempty
+syntax match asemeComment_732 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeOperator_730,@asemeControlInBodyOfSrm,asemeComment_732 skipwhite skipempty
+syntax match asemeOperator_730 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_729 skipwhite skipempty
+syntax match asemeOperator_728 /\vreactive%(<|>)/ contained nextgroup=@asemeControlInBodyOfSrm,asemeComment_729 skipwhite skipempty
+syntax region asemeComment_729 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_729 skipwhite skipempty
+syntax match asemeComment_729 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeControlInBodyOfSrm,asemeComment_729 skipwhite skipempty
+syntax match asemeDeclaration_726 /\v%(functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=)@=functionality%(<|>)/ contained nextgroup=asemeBlock_725,asemeComment_727 skipwhite skipempty
+syntax region asemeComment_727 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeBlock_725,asemeComment_727 skipwhite skipempty
+syntax match asemeComment_727 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeBlock_725,asemeComment_727 skipwhite skipempty
+syntax match asemeBlock_725 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_724 skipwhite skipempty
+syntax cluster asemeFunctionalityInBodyOfSrm contains=asemePunctuation_722,asemeBlock_723
+syntax match asemeBlock_723 /\v%(%(includes%(<|>)%(\_s*%(%(%(%(liveness|activities|modules)\_s*\{|%(includes|plays|capability|var|let|functionality|control)\_s+\w))@![A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|plays%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|capability%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|var%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|let%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|liveness%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=|functionality%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=|control%(<|>)%(\_s*%([A-Za-z_][A-Za-z0-9_]*%(<|>)|%($|\/\/|\/\*)))@=))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_724 skipwhite skipempty
+syntax region asemeComment_724 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_724 skipwhite skipempty
+syntax match asemeComment_724 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeFunctionalityInBodyOfSrm,asemeComment_724 skipwhite skipempty
+syntax region asemePunctuation_722 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfFunctionality
+syntax cluster asemeBodyOfFunctionality contains=asemeDeclaration_720,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemeDeclaration_720 /\v%(%(technology|permissions|environment|algorithm)%(<|>)%(\_s*%(\"%([^"\\\n]|\\.)*\"|%($|\/\/|\/\*)))@=)@=%(technology|permissions|environment|algorithm)%(<|>)/ contained nextgroup=asemeText_719,asemeComment_721 skipwhite skipempty
+syntax region asemeComment_721 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_719,asemeComment_721 skipwhite skipempty
+syntax match asemeComment_721 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_719,asemeComment_721 skipwhite skipempty
+syntax match asemeText_719 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell
+syntax match asemeDeclaration_717 /\v%(modules%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=modules%(<|>)/ contained nextgroup=@asemeModulesInBodyOfSrm,asemeComment_718 skipwhite skipempty
+syntax region asemeComment_718 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_718 skipwhite skipempty
+syntax match asemeComment_718 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModulesInBodyOfSrm,asemeComment_718 skipwhite skipempty
+syntax cluster asemeModulesInBodyOfSrm contains=asemePunctuation_716
+syntax region asemePunctuation_716 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfModules
+syntax cluster asemeBodyOfModules contains=asemeName_715,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemeName_715 /\v%(%(%(%(every|takes|as|uses|reads|writes)%(<|>)|%(within|ends)%(<|>)%(\_s+%(every|takes|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(%(every|takes|as|uses|reads|writes)%(<|>)|%(within|ends)%(<|>)%(\_s+%(every|takes|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax cluster asemeModuleInBodyOfModules contains=asemeClause_678,asemeClause_681,asemeClause_684,asemeClause_687,asemeClause_690,asemeClause_693,asemeClause_696,asemeClause_699,asemeClause_702,asemePunctuation_710,asemeOperator_713
+syntax match asemeOperator_713 /\v\=%(\=)@!/ contained nextgroup=asemeText_712,asemeComment_714 skipwhite skipempty
+syntax region asemeComment_714 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeText_712,asemeComment_714 skipwhite skipempty
+syntax match asemeComment_714 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeText_712,asemeComment_714 skipwhite skipempty
+syntax match asemeText_712 /\v\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemePunctuation_710 /\v\,/ contained nextgroup=asemeChoice_705,asemeReference_707,asemeReference_708,asemeReference_709,asemeComment_711 skipwhite skipempty
+syntax region asemeComment_711 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_705,asemeReference_707,asemeReference_708,asemeReference_709,asemeComment_711 skipwhite skipempty
+syntax match asemeComment_711 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_705,asemeReference_707,asemeReference_708,asemeReference_709,asemeComment_711 skipwhite skipempty
+syntax match asemeReference_709 /\v%(%(every|takes|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeReference_708 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeReference_707 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeChoice_705 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_704,asemeComment_706 skipwhite skipempty
+syntax region asemeComment_706 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_704,asemeComment_706 skipwhite skipempty
+syntax match asemeComment_706 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_704,asemeComment_706 skipwhite skipempty
+syntax match asemeReference_704 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeClause_702 /\vends%(<|>)/ contained nextgroup=asemeReference_701,asemeComment_703 skipwhite skipempty
+syntax region asemeComment_703 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_701,asemeComment_703 skipwhite skipempty
+syntax match asemeComment_703 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_701,asemeComment_703 skipwhite skipempty
+syntax match asemeReference_701 /\v%(%(every|takes|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeClause_699 /\vwrites%(<|>)/ contained nextgroup=asemeReference_698,asemeComment_700 skipwhite skipempty
+syntax region asemeComment_700 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_698,asemeComment_700 skipwhite skipempty
+syntax match asemeComment_700 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_698,asemeComment_700 skipwhite skipempty
+syntax match asemeReference_698 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeClause_696 /\vfor%(<|>)/ contained nextgroup=asemeNumber_695,asemeComment_697 skipwhite skipempty
+syntax region asemeComment_697 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_695,asemeComment_697 skipwhite skipempty
+syntax match asemeComment_697 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_695,asemeComment_697 skipwhite skipempty
+syntax match asemeNumber_695 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeClause_693 /\vuses%(<|>)/ contained nextgroup=asemeReference_692,asemeComment_694 skipwhite skipempty
+syntax region asemeComment_694 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_692,asemeComment_694 skipwhite skipempty
+syntax match asemeComment_694 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_692,asemeComment_694 skipwhite skipempty
+syntax match asemeReference_692 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeClause_690 /\vas%(<|>)/ contained nextgroup=asemeChoice_689,asemeComment_691 skipwhite skipempty
+syntax region asemeComment_691 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_689,asemeComment_691 skipwhite skipempty
+syntax match asemeComment_691 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_689,asemeComment_691 skipwhite skipempty
+syntax match asemeChoice_689 /\v%(thread|async|process|step)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeClause_687 /\vwithin%(<|>)/ contained nextgroup=asemeNumber_686,asemeComment_688 skipwhite skipempty
+syntax region asemeComment_688 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_686,asemeComment_688 skipwhite skipempty
+syntax match asemeComment_688 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_686,asemeComment_688 skipwhite skipempty
+syntax match asemeNumber_686 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeClause_684 /\vtakes%(<|>)/ contained nextgroup=asemeNumber_683,asemeComment_685 skipwhite skipempty
+syntax region asemeComment_685 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_683,asemeComment_685 skipwhite skipempty
+syntax match asemeComment_685 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_683,asemeComment_685 skipwhite skipempty
+syntax match asemeNumber_683 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeClause_681 /\vevery%(<|>)/ contained nextgroup=asemeNumber_680,asemeComment_682 skipwhite skipempty
+syntax region asemeComment_682 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_680,asemeComment_682 skipwhite skipempty
+syntax match asemeComment_682 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_680,asemeComment_682 skipwhite skipempty
+syntax match asemeNumber_680 /\v[0-9]+%(\.[0-9]+)?%(ms|s|min)%(<|>)/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeClause_678 /\vreads%(<|>)/ contained nextgroup=asemeChoice_675,asemeReference_677,asemeComment_679 skipwhite skipempty
+syntax region asemeComment_679 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeChoice_675,asemeReference_677,asemeComment_679 skipwhite skipempty
+syntax match asemeComment_679 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeChoice_675,asemeReference_677,asemeComment_679 skipwhite skipempty
+syntax match asemeReference_677 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeChoice_675 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_673,asemeComment_676 skipwhite skipempty
+syntax region asemeComment_676 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_673,asemeComment_676 skipwhite skipempty
+syntax match asemeComment_676 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_673,asemeComment_676 skipwhite skipempty
+syntax match asemeReference_673 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax region asemeComment_674 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeComment_674 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeModuleInBodyOfModules,asemeComment_674 skipwhite skipempty
+syntax match asemeDeclaration_671 /\v%(activities%(<|>)%(\_s*%(\{|%($|\/\/|\/\*)))@=)@=activities%(<|>)/ contained nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_672 skipwhite skipempty
+syntax region asemeComment_672 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_672 skipwhite skipempty
+syntax match asemeComment_672 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeActivitiesInBodyOfSrm,asemeComment_672 skipwhite skipempty
+syntax cluster asemeActivitiesInBodyOfSrm contains=asemePunctuation_670
+syntax region asemePunctuation_670 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent fold contains=@asemeBodyOfActivities
+syntax cluster asemeBodyOfActivities contains=asemeName_669,asemeText_28,asemeText_29,asemeNumber_30,asemeReference_31,asemeReference_32,asemePunctuation_33,asemeComment
+syntax match asemeName_669 /\v%(%(%(%(every|takes|as|uses|reads|writes)%(<|>)|%(within|ends)%(<|>)%(\_s+%(every|takes|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!)@=%(%(%(every|takes|as|uses|reads|writes)%(<|>)|%(within|ends)%(<|>)%(\_s+%(every|takes|as|uses|reads|writes)%(<|>))@!))@![A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_616 skipwhite skipempty
+syntax cluster asemeActivityInBodyOfActivities contains=asemeClause_620,asemeClause_623,asemeClause_626,asemeClause_629,asemeClause_632,asemeClause_635,asemeClause_638,asemeClause_641,asemeClause_644,asemePunctuation_652,asemePunctuation_666,asemePunctuation_668
+syntax match asemePunctuation_668 /\v\)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_616 skipwhite skipempty
+syntax match asemePunctuation_666 /\v\,/ contained nextgroup=asemeName_658,asemeChoice_661,asemeReference_663,asemeReference_664,asemeReference_665,asemeComment_667 skipwhite skipempty
+syntax region asemeComment_667 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeName_658,asemeChoice_661,asemeReference_663,asemeReference_664,asemeReference_665,asemeComment_667 skipwhite skipempty
+syntax match asemeComment_667 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeName_658,asemeChoice_661,asemeReference_663,asemeReference_664,asemeReference_665,asemeComment_667 skipwhite skipempty
+syntax match asemeReference_665 /\v%(%(every|takes|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_616 skipwhite skipempty
 syntax match asemeReference_664 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_616 skipwhite skipempty
 syntax match asemeReference_663 /\v%([A-Za-z_][A-Za-z0-9_]*%(\_s*\.%([ \t]*[A-Za-z_][A-Za-z0-9_]*%(<|>)|\_s*[A-Za-z_][A-Za-z0-9_]*%(<|>)%(\_s+%(every|takes|within|as|uses|reads|writes|ends)%(<|>))@!))*%(<|>))/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_616 skipwhite skipempty
 syntax match asemeChoice_661 /\v%(above|below|around)%(<|>)%(\_s*[.,])@!/ contained nextgroup=asemeReference_660,asemeComment_662 skipwhite skipempty
@@ -363,7 +365,7 @@ syntax match asemeBuiltIn_646 /\v%(bool|int|double|string|bytes|duration)%(<|>)/
 syntax match asemeClause_644 /\vends%(<|>)/ contained nextgroup=asemeReference_643,asemeComment_645 skipwhite skipempty
 syntax region asemeComment_645 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_643,asemeComment_645 skipwhite skipempty
 syntax match asemeComment_645 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_643,asemeComment_645 skipwhite skipempty
-syntax match asemeReference_643 /\v[A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_616 skipwhite skipempty
+syntax match asemeReference_643 /\v%(%(every|takes|as|uses|reads|writes)%(<|>))@![A-Za-z_][A-Za-z0-9_]*%(<|>)/ contained nextgroup=@asemeActivityInBodyOfActivities,asemeComment_616 skipwhite skipempty
 syntax match asemeClause_641 /\vwrites%(<|>)/ contained nextgroup=asemeReference_640,asemeComment_642 skipwhite skipempty
 syntax region asemeComment_642 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_640,asemeComment_642 skipwhite skipempty
 syntax match asemeComment_642 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_640,asemeComment_642 skipwhite skipempty
@@ -1021,76 +1023,76 @@ syntax match asemeDeclaration_1 /\v%(language%(<|>)%(\_s*%([0-9]+%(%(\w|\.[0-9])
 syntax region asemeComment_2 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeNumber_0,asemeComment_2 skipwhite skipempty
 syntax match asemeComment_2 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeNumber_0,asemeComment_2 skipwhite skipempty
 syntax match asemeNumber_0 /\v[0-9]+%(%(\w|\.[0-9]))@!/ contained
-syntax cluster asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam contains=asemeClause_849,asemeClause_852,asemeText_854,asemeNumber_855,asemeTruth_856,asemeLogic_857,asemeClause_858,asemeClause_859,asemeClause_860,asemeClause_861,asemeClause_862,asemeClause_863,asemeClause_864,asemeClause_865,asemeClause_866,asemeClause_867,asemeCall_868,asemeReference_869,asemeOperator_870,asemePunctuation_871
-syntax match asemePunctuation_871 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeOperator_870 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeReference_869 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeCall_868 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeClause_867 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeClause_866 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeClause_865 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeClause_864 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeClause_863 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeClause_862 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeClause_861 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeClause_860 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeClause_859 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=when%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeClause_858 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=else%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeLogic_857 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeTruth_856 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeNumber_855 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeText_854 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeClause_852 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_851,asemeComment_853 skipwhite skipempty
-syntax region asemeComment_853 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_851,asemeComment_853 skipwhite skipempty
-syntax match asemeComment_853 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_851,asemeComment_853 skipwhite skipempty
-syntax match asemeReference_851 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_844,asemeComment_846 skipwhite skipempty
-syntax match asemeClause_849 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_847,asemeComment_850 skipwhite skipempty
+syntax cluster asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam contains=asemeClause_851,asemeClause_854,asemeText_856,asemeNumber_857,asemeTruth_858,asemeLogic_859,asemeClause_860,asemeClause_861,asemeClause_862,asemeClause_863,asemeClause_864,asemeClause_865,asemeClause_866,asemeClause_867,asemeClause_868,asemeClause_869,asemeCall_870,asemeReference_871,asemeOperator_872,asemePunctuation_873
+syntax match asemePunctuation_873 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeOperator_872 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeReference_871 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeCall_870 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeClause_869 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeClause_868 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeClause_867 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeClause_866 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeClause_865 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeClause_864 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeClause_863 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeClause_862 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeClause_861 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=when%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeClause_860 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=else%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeLogic_859 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeTruth_858 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeNumber_857 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeText_856 /\v%(%(%([A-Za-z_][A-Za-z0-9_]*\_s*%([\[:]|\,\_s*[A-Za-z_][A-Za-z0-9_]*\_s*[\[:,]))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(\_s*\{)@!|\&\&|\|\||[<>=!]\=|[^ \t{}"0-9A-Za-z_:,])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeClause_854 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_853,asemeComment_855 skipwhite skipempty
+syntax region asemeComment_855 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_853,asemeComment_855 skipwhite skipempty
+syntax match asemeComment_855 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_853,asemeComment_855 skipwhite skipempty
+syntax match asemeReference_853 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_846,asemeComment_848 skipwhite skipempty
+syntax match asemeClause_851 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_849,asemeComment_852 skipwhite skipempty
+syntax region asemeComment_852 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_849,asemeComment_852 skipwhite skipempty
+syntax match asemeComment_852 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_849,asemeComment_852 skipwhite skipempty
+syntax match asemeReference_849 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_847,asemeComment_850 skipwhite skipempty
 syntax region asemeComment_850 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_847,asemeComment_850 skipwhite skipempty
 syntax match asemeComment_850 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_847,asemeComment_850 skipwhite skipempty
-syntax match asemeReference_847 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_845,asemeComment_848 skipwhite skipempty
-syntax region asemeComment_848 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_845,asemeComment_848 skipwhite skipempty
-syntax match asemeComment_848 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_845,asemeComment_848 skipwhite skipempty
-syntax match asemeReference_845 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_844,asemeComment_846 skipwhite skipempty
-syntax region asemeComment_846 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_844,asemeComment_846 skipwhite skipempty
-syntax match asemeComment_846 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_844,asemeComment_846 skipwhite skipempty
-syntax region asemePunctuation_844 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax region asemeComment_843 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax match asemeComment_843 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_843 skipwhite skipempty
-syntax cluster asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart contains=asemeClause_788,asemeClause_791,asemeText_793,asemeNumber_794,asemeTruth_795,asemeLogic_796,asemeClause_797,asemeClause_798,asemeClause_799,asemeClause_800,asemeClause_801,asemeClause_802,asemeClause_803,asemeClause_804,asemeClause_805,asemeClause_806,asemeCall_807,asemeReference_808,asemeOperator_809,asemePunctuation_810
-syntax match asemePunctuation_810 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeOperator_809 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeReference_808 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeCall_807 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeClause_806 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeClause_805 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeClause_804 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeClause_803 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeClause_802 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeClause_801 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeClause_800 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeClause_799 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeClause_798 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=when%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeClause_797 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=else%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeLogic_796 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeTruth_795 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeNumber_794 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeText_793 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeClause_791 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_790,asemeComment_792 skipwhite skipempty
-syntax region asemeComment_792 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_790,asemeComment_792 skipwhite skipempty
-syntax match asemeComment_792 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_790,asemeComment_792 skipwhite skipempty
-syntax match asemeReference_790 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_783,asemeComment_785 skipwhite skipempty
-syntax match asemeClause_788 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_786,asemeComment_789 skipwhite skipempty
+syntax match asemeReference_847 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_846,asemeComment_848 skipwhite skipempty
+syntax region asemeComment_848 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_846,asemeComment_848 skipwhite skipempty
+syntax match asemeComment_848 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_846,asemeComment_848 skipwhite skipempty
+syntax region asemePunctuation_846 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax region asemeComment_845 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax match asemeComment_845 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeSettingTokenBeforeAsemeAgentsInBodyOfTeam,@asemeAgentsInBodyOfTeam,asemeComment_845 skipwhite skipempty
+syntax cluster asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart contains=asemeClause_790,asemeClause_793,asemeText_795,asemeNumber_796,asemeTruth_797,asemeLogic_798,asemeClause_799,asemeClause_800,asemeClause_801,asemeClause_802,asemeClause_803,asemeClause_804,asemeClause_805,asemeClause_806,asemeClause_807,asemeClause_808,asemeCall_809,asemeReference_810,asemeOperator_811,asemePunctuation_812
+syntax match asemePunctuation_812 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeOperator_811 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(\&\&|\|\||[<>=!]\=|\-\>|\.\.|[\-+*\/%<>=!?#@~|&\^])/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeReference_810 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[A-Za-z_][A-Za-z0-9_]*%([ \t]*\.[ \t]*[A-Za-z_][A-Za-z0-9_]*)*/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeCall_809 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[A-Za-z_][A-Za-z0-9_]*%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeClause_808 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=write_messages%(<|>)%(\_s*\.)@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeClause_807 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=read_messages%(<|>)%(\_s*\()@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeClause_806 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=lost%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeClause_805 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=except%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeClause_804 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=to%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeClause_803 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=from%(<|>)%(\_s+%(%(and|or)%(<|>))@![A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeClause_802 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=send%(<|>)%(\_s+[A-Za-z_])@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeClause_801 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=after%(<|>)%(\_s*\()@=/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeClause_800 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=when%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeClause_799 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=else%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeLogic_798 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(and|or|not)%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeTruth_797 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=%(true|false)%(<|>)%(\_s*\.)@!/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeNumber_796 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)/ contained nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeText_795 /\v%(%(%(%(%(outcome|engage|scenario|property|import)\_s*\"|%(liveness|activities|modules|sag|suc)\_s*\{|abstract\_s+srm\_s|%(let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality|system|import|enum|message|topic|function|aip|srm|statechart|team)\_s+%(%(and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability|liveness|activities|modules|functionality|state)%(<|>))@![A-Za-z_]|clause\_s*\(|%(state|language)\_s+[0-9]|[A-Za-z_][A-Za-z0-9_]*\_s*%(\([0-9A-Za-z_ \t,:]*\)\_s*)?\=%(\=)@!|[0-9]+%(\.[0-9]+)*\_s*\-\>))@!%(\"%([^"\\\n]|\\.)*\"|[0-9]+%(\.[0-9]+)*[A-Za-z]*%(<|>)|[A-Za-z_][A-Za-z0-9_]*%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)*%(<|>)%(%(\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|\&\&|\|\||[<>=!]\=|\-\>|\?\w*\?|[^ \t{}"0-9A-Za-z_:])))@=\"%([^"\\\n]|\\.)*\"/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeClause_793 /\vwrite_messages%(<|>)%(%(\_s*\.\_s*[A-Za-z_][A-Za-z0-9_]*)+\_s*\{)@=/ contained nextgroup=asemeReference_792,asemeComment_794 skipwhite skipempty
+syntax region asemeComment_794 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_792,asemeComment_794 skipwhite skipempty
+syntax match asemeComment_794 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_792,asemeComment_794 skipwhite skipempty
+syntax match asemeReference_792 /\v%(\.\_s*[A-Za-z_][A-Za-z0-9_]*\_s*)+%(\_s*\{)@=/ contained nextgroup=asemePunctuation_785,asemeComment_787 skipwhite skipempty
+syntax match asemeClause_790 /\vsend%(<|>)%(\_s+[A-Za-z_][A-Za-z0-9_]*\_s+[A-Za-z_][A-Za-z0-9_]*\_s*\{)@=/ contained nextgroup=asemeReference_788,asemeComment_791 skipwhite skipempty
+syntax region asemeComment_791 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_788,asemeComment_791 skipwhite skipempty
+syntax match asemeComment_791 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_788,asemeComment_791 skipwhite skipempty
+syntax match asemeReference_788 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_786,asemeComment_789 skipwhite skipempty
 syntax region asemeComment_789 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_786,asemeComment_789 skipwhite skipempty
 syntax match asemeComment_789 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_786,asemeComment_789 skipwhite skipempty
-syntax match asemeReference_786 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*[A-Za-z_][A-Za-z0-9_]*)@=/ contained nextgroup=asemeReference_784,asemeComment_787 skipwhite skipempty
-syntax region asemeComment_787 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemeReference_784,asemeComment_787 skipwhite skipempty
-syntax match asemeComment_787 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemeReference_784,asemeComment_787 skipwhite skipempty
-syntax match asemeReference_784 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_783,asemeComment_785 skipwhite skipempty
-syntax region asemeComment_785 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_783,asemeComment_785 skipwhite skipempty
-syntax match asemeComment_785 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_783,asemeComment_785 skipwhite skipempty
-syntax region asemePunctuation_783 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax region asemeComment_782 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
-syntax match asemeComment_782 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_782 skipwhite skipempty
+syntax match asemeReference_786 /\v[A-Za-z_][A-Za-z0-9_]*%(\_s*\{)@=/ contained nextgroup=asemePunctuation_785,asemeComment_787 skipwhite skipempty
+syntax region asemeComment_787 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=asemePunctuation_785,asemeComment_787 skipwhite skipempty
+syntax match asemeComment_787 /\v\/\/.*$/ contained contains=@Spell nextgroup=asemePunctuation_785,asemeComment_787 skipwhite skipempty
+syntax region asemePunctuation_785 matchgroup=asemePunctuation start=/\v\{/ end=/}/ contained transparent contains=@asemeContentOfAMessage nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax region asemeComment_784 start=/\v\/\*/ end=/\v\*\// contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
+syntax match asemeComment_784 /\v\/\/.*$/ contained contains=@Spell nextgroup=@asemeExpressionTokenBeforeAsemeVarInBodyOfStatechart,@asemeVarInBodyOfStatechart,asemeComment_784 skipwhite skipempty
 syntax cluster asemeFormulaTokenBeforeAsemeFormulaInBodyOfLiveness contains=asemeText_603,asemeNumber_605,asemeReference_606,asemeNumber_607,asemeOperator_608,asemePunctuation_609
 syntax match asemePunctuation_609 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\([0-9A-Za-z_ \t,:]*\)\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=[^ \t0-9A-Za-z_{}]/ contained nextgroup=@asemeFormulaTokenBeforeAsemeFormulaInBodyOfLiveness,@asemeFormulaInBodyOfLiveness,asemeComment_604 skipwhite skipempty
 syntax match asemeOperator_608 /\v%(%(%(\|\||\[\>|\^?ω|\&\&|\-\>|\?\w*\?|[A-Za-z_][A-Za-z0-9_]*%(<|>)%(%(\_s*\=%(\=)@!|\_s*\([0-9A-Za-z_ \t,:]*\)\_s*\=%(\=)@!|\_s*\{|\_s+%(%(liveness|activities|modules|sag|suc)%(<|>))@!\w+\_s*\{))@!|[0-9]\w*|\"%([^"\\\n]|\\.)*\"|[^ \t{}"0-9A-Za-z_])))@=%(\|\||\&\&|\-\>|\[\>|[.|*+~\^&ω])/ contained nextgroup=@asemeFormulaTokenBeforeAsemeFormulaInBodyOfLiveness,@asemeFormulaInBodyOfLiveness,asemeComment_604 skipwhite skipempty
@@ -1318,19 +1320,19 @@ highlight default link asemeBlock_461 asemeBlock
 highlight default link asemeBlock_466 asemeBlock
 highlight default link asemeBlock_468 asemeBlock
 highlight default link asemeBlock_471 asemeBlock
-highlight default link asemeBlock_721 asemeBlock
 highlight default link asemeBlock_723 asemeBlock
-highlight default link asemeBlock_729 asemeBlock
-highlight default link asemeBlock_732 asemeBlock
-highlight default link asemeBlock_737 asemeBlock
-highlight default link asemeBlock_738 asemeBlock
-highlight default link asemeBlock_743 asemeBlock
+highlight default link asemeBlock_725 asemeBlock
+highlight default link asemeBlock_731 asemeBlock
+highlight default link asemeBlock_734 asemeBlock
+highlight default link asemeBlock_739 asemeBlock
+highlight default link asemeBlock_740 asemeBlock
+highlight default link asemeBlock_745 asemeBlock
 highlight default link asemeBlock_75 asemeBlock
 highlight default link asemeBlock_77 asemeBlock
-highlight default link asemeBlock_838 asemeBlock
 highlight default link asemeBlock_840 asemeBlock
-highlight default link asemeBlock_898 asemeBlock
+highlight default link asemeBlock_842 asemeBlock
 highlight default link asemeBlock_900 asemeBlock
+highlight default link asemeBlock_902 asemeBlock
 highlight default link asemeBuiltIn_137 asemeBuiltIn
 highlight default link asemeBuiltIn_145 asemeBuiltIn
 highlight default link asemeBuiltIn_152 asemeBuiltIn
@@ -1346,10 +1348,10 @@ highlight default link asemeBuiltIn_578 asemeBuiltIn
 highlight default link asemeBuiltIn_595 asemeBuiltIn
 highlight default link asemeBuiltIn_646 asemeBuiltIn
 highlight default link asemeBuiltIn_654 asemeBuiltIn
-highlight default link asemeBuiltIn_777 asemeBuiltIn
-highlight default link asemeBuiltIn_812 asemeBuiltIn
-highlight default link asemeBuiltIn_818 asemeBuiltIn
+highlight default link asemeBuiltIn_779 asemeBuiltIn
+highlight default link asemeBuiltIn_814 asemeBuiltIn
 highlight default link asemeBuiltIn_820 asemeBuiltIn
+highlight default link asemeBuiltIn_822 asemeBuiltIn
 highlight default link asemeBuiltIn_86 asemeBuiltIn
 highlight default link asemeBuiltIn_91 asemeBuiltIn
 highlight default link asemeBuiltIn_97 asemeBuiltIn
@@ -1359,20 +1361,20 @@ highlight default link asemeCall_406 asemeCall
 highlight default link asemeCall_443 asemeCall
 highlight default link asemeCall_565 asemeCall
 highlight default link asemeCall_59 asemeCall
-highlight default link asemeCall_807 asemeCall
-highlight default link asemeCall_868 asemeCall
+highlight default link asemeCall_809 asemeCall
+highlight default link asemeCall_870 asemeCall
 highlight default link asemeChoice_120 asemeChoice
 highlight default link asemeChoice_190 asemeChoice
 highlight default link asemeChoice_342 asemeChoice
 highlight default link asemeChoice_617 asemeChoice
 highlight default link asemeChoice_631 asemeChoice
 highlight default link asemeChoice_661 asemeChoice
-highlight default link asemeChoice_674 asemeChoice
-highlight default link asemeChoice_688 asemeChoice
-highlight default link asemeChoice_704 asemeChoice
-highlight default link asemeChoice_752 asemeChoice
-highlight default link asemeChoice_756 asemeChoice
-highlight default link asemeChoice_764 asemeChoice
+highlight default link asemeChoice_675 asemeChoice
+highlight default link asemeChoice_689 asemeChoice
+highlight default link asemeChoice_705 asemeChoice
+highlight default link asemeChoice_754 asemeChoice
+highlight default link asemeChoice_758 asemeChoice
+highlight default link asemeChoice_766 asemeChoice
 highlight default link asemeClause_108 asemeClause
 highlight default link asemeClause_111 asemeClause
 highlight default link asemeClause_115 asemeClause
@@ -1473,21 +1475,19 @@ highlight default link asemeClause_635 asemeClause
 highlight default link asemeClause_638 asemeClause
 highlight default link asemeClause_641 asemeClause
 highlight default link asemeClause_644 asemeClause
-highlight default link asemeClause_677 asemeClause
-highlight default link asemeClause_680 asemeClause
-highlight default link asemeClause_683 asemeClause
-highlight default link asemeClause_686 asemeClause
-highlight default link asemeClause_689 asemeClause
-highlight default link asemeClause_692 asemeClause
-highlight default link asemeClause_695 asemeClause
-highlight default link asemeClause_698 asemeClause
-highlight default link asemeClause_701 asemeClause
-highlight default link asemeClause_739 asemeClause
-highlight default link asemeClause_748 asemeClause
-highlight default link asemeClause_788 asemeClause
-highlight default link asemeClause_791 asemeClause
-highlight default link asemeClause_797 asemeClause
-highlight default link asemeClause_798 asemeClause
+highlight default link asemeClause_678 asemeClause
+highlight default link asemeClause_681 asemeClause
+highlight default link asemeClause_684 asemeClause
+highlight default link asemeClause_687 asemeClause
+highlight default link asemeClause_690 asemeClause
+highlight default link asemeClause_693 asemeClause
+highlight default link asemeClause_696 asemeClause
+highlight default link asemeClause_699 asemeClause
+highlight default link asemeClause_702 asemeClause
+highlight default link asemeClause_741 asemeClause
+highlight default link asemeClause_750 asemeClause
+highlight default link asemeClause_790 asemeClause
+highlight default link asemeClause_793 asemeClause
 highlight default link asemeClause_799 asemeClause
 highlight default link asemeClause_800 asemeClause
 highlight default link asemeClause_801 asemeClause
@@ -1496,10 +1496,10 @@ highlight default link asemeClause_803 asemeClause
 highlight default link asemeClause_804 asemeClause
 highlight default link asemeClause_805 asemeClause
 highlight default link asemeClause_806 asemeClause
-highlight default link asemeClause_849 asemeClause
-highlight default link asemeClause_852 asemeClause
-highlight default link asemeClause_858 asemeClause
-highlight default link asemeClause_859 asemeClause
+highlight default link asemeClause_807 asemeClause
+highlight default link asemeClause_808 asemeClause
+highlight default link asemeClause_851 asemeClause
+highlight default link asemeClause_854 asemeClause
 highlight default link asemeClause_860 asemeClause
 highlight default link asemeClause_861 asemeClause
 highlight default link asemeClause_862 asemeClause
@@ -1508,7 +1508,9 @@ highlight default link asemeClause_864 asemeClause
 highlight default link asemeClause_865 asemeClause
 highlight default link asemeClause_866 asemeClause
 highlight default link asemeClause_867 asemeClause
-highlight default link asemeClause_875 asemeClause
+highlight default link asemeClause_868 asemeClause
+highlight default link asemeClause_869 asemeClause
+highlight default link asemeClause_877 asemeClause
 highlight default link asemeComment_102 asemeComment
 highlight default link asemeComment_105 asemeComment
 highlight default link asemeComment_107 asemeComment
@@ -1690,93 +1692,93 @@ highlight default link asemeComment_653 asemeComment
 highlight default link asemeComment_657 asemeComment
 highlight default link asemeComment_659 asemeComment
 highlight default link asemeComment_662 asemeComment
-highlight default link asemeComment_666 asemeComment
+highlight default link asemeComment_667 asemeComment
 highlight default link asemeComment_67 asemeComment
-highlight default link asemeComment_671 asemeComment
-highlight default link asemeComment_673 asemeComment
-highlight default link asemeComment_675 asemeComment
-highlight default link asemeComment_678 asemeComment
-highlight default link asemeComment_681 asemeComment
-highlight default link asemeComment_684 asemeComment
-highlight default link asemeComment_687 asemeComment
+highlight default link asemeComment_672 asemeComment
+highlight default link asemeComment_674 asemeComment
+highlight default link asemeComment_676 asemeComment
+highlight default link asemeComment_679 asemeComment
+highlight default link asemeComment_682 asemeComment
+highlight default link asemeComment_685 asemeComment
+highlight default link asemeComment_688 asemeComment
 highlight default link asemeComment_69 asemeComment
-highlight default link asemeComment_690 asemeComment
-highlight default link asemeComment_693 asemeComment
-highlight default link asemeComment_696 asemeComment
-highlight default link asemeComment_699 asemeComment
-highlight default link asemeComment_702 asemeComment
-highlight default link asemeComment_705 asemeComment
-highlight default link asemeComment_709 asemeComment
+highlight default link asemeComment_691 asemeComment
+highlight default link asemeComment_694 asemeComment
+highlight default link asemeComment_697 asemeComment
+highlight default link asemeComment_700 asemeComment
+highlight default link asemeComment_703 asemeComment
+highlight default link asemeComment_706 asemeComment
 highlight default link asemeComment_71 asemeComment
-highlight default link asemeComment_712 asemeComment
-highlight default link asemeComment_716 asemeComment
-highlight default link asemeComment_719 asemeComment
-highlight default link asemeComment_722 asemeComment
-highlight default link asemeComment_725 asemeComment
+highlight default link asemeComment_711 asemeComment
+highlight default link asemeComment_714 asemeComment
+highlight default link asemeComment_718 asemeComment
+highlight default link asemeComment_721 asemeComment
+highlight default link asemeComment_724 asemeComment
 highlight default link asemeComment_727 asemeComment
-highlight default link asemeComment_730 asemeComment
-highlight default link asemeComment_733 asemeComment
+highlight default link asemeComment_729 asemeComment
+highlight default link asemeComment_732 asemeComment
 highlight default link asemeComment_735 asemeComment
-highlight default link asemeComment_740 asemeComment
+highlight default link asemeComment_737 asemeComment
 highlight default link asemeComment_742 asemeComment
-highlight default link asemeComment_745 asemeComment
+highlight default link asemeComment_744 asemeComment
 highlight default link asemeComment_747 asemeComment
 highlight default link asemeComment_749 asemeComment
-highlight default link asemeComment_753 asemeComment
-highlight default link asemeComment_757 asemeComment
+highlight default link asemeComment_751 asemeComment
+highlight default link asemeComment_755 asemeComment
 highlight default link asemeComment_759 asemeComment
 highlight default link asemeComment_76 asemeComment
-highlight default link asemeComment_765 asemeComment
+highlight default link asemeComment_761 asemeComment
 highlight default link asemeComment_767 asemeComment
 highlight default link asemeComment_769 asemeComment
-highlight default link asemeComment_772 asemeComment
+highlight default link asemeComment_771 asemeComment
 highlight default link asemeComment_774 asemeComment
 highlight default link asemeComment_776 asemeComment
 highlight default link asemeComment_778 asemeComment
-highlight default link asemeComment_781 asemeComment
-highlight default link asemeComment_782 asemeComment
-highlight default link asemeComment_785 asemeComment
+highlight default link asemeComment_780 asemeComment
+highlight default link asemeComment_783 asemeComment
+highlight default link asemeComment_784 asemeComment
 highlight default link asemeComment_787 asemeComment
 highlight default link asemeComment_789 asemeComment
 highlight default link asemeComment_79 asemeComment
-highlight default link asemeComment_792 asemeComment
+highlight default link asemeComment_791 asemeComment
+highlight default link asemeComment_794 asemeComment
 highlight default link asemeComment_81 asemeComment
-highlight default link asemeComment_815 asemeComment
 highlight default link asemeComment_817 asemeComment
-highlight default link asemeComment_823 asemeComment
+highlight default link asemeComment_819 asemeComment
 highlight default link asemeComment_825 asemeComment
 highlight default link asemeComment_827 asemeComment
+highlight default link asemeComment_829 asemeComment
 highlight default link asemeComment_83 asemeComment
-highlight default link asemeComment_830 asemeComment
 highlight default link asemeComment_832 asemeComment
 highlight default link asemeComment_834 asemeComment
 highlight default link asemeComment_836 asemeComment
-highlight default link asemeComment_839 asemeComment
-highlight default link asemeComment_842 asemeComment
-highlight default link asemeComment_843 asemeComment
-highlight default link asemeComment_846 asemeComment
+highlight default link asemeComment_838 asemeComment
+highlight default link asemeComment_841 asemeComment
+highlight default link asemeComment_844 asemeComment
+highlight default link asemeComment_845 asemeComment
 highlight default link asemeComment_848 asemeComment
 highlight default link asemeComment_850 asemeComment
-highlight default link asemeComment_853 asemeComment
+highlight default link asemeComment_852 asemeComment
+highlight default link asemeComment_855 asemeComment
 highlight default link asemeComment_87 asemeComment
-highlight default link asemeComment_874 asemeComment
 highlight default link asemeComment_876 asemeComment
 highlight default link asemeComment_878 asemeComment
 highlight default link asemeComment_880 asemeComment
 highlight default link asemeComment_882 asemeComment
 highlight default link asemeComment_884 asemeComment
 highlight default link asemeComment_886 asemeComment
-highlight default link asemeComment_889 asemeComment
-highlight default link asemeComment_892 asemeComment
-highlight default link asemeComment_895 asemeComment
-highlight default link asemeComment_899 asemeComment
+highlight default link asemeComment_888 asemeComment
+highlight default link asemeComment_891 asemeComment
+highlight default link asemeComment_894 asemeComment
+highlight default link asemeComment_897 asemeComment
 highlight default link asemeComment_9 asemeComment
-highlight default link asemeComment_902 asemeComment
+highlight default link asemeComment_901 asemeComment
+highlight default link asemeComment_904 asemeComment
 highlight default link asemeComment_92 asemeComment
-highlight default link asemeComment_928 asemeComment
-highlight default link asemeComment_931 asemeComment
-highlight default link asemeComment_939 asemeComment
-highlight default link asemeComment_942 asemeComment
+highlight default link asemeComment_930 asemeComment
+highlight default link asemeComment_933 asemeComment
+highlight default link asemeComment_941 asemeComment
+highlight default link asemeComment_944 asemeComment
 highlight default link asemeComment_95 asemeComment
 highlight default link asemeComment_98 asemeComment
 highlight default link asemeDeclaration_1 asemeDeclaration
@@ -1810,33 +1812,33 @@ highlight default link asemeDeclaration_584 asemeDeclaration
 highlight default link asemeDeclaration_589 asemeDeclaration
 highlight default link asemeDeclaration_613 asemeDeclaration
 highlight default link asemeDeclaration_66 asemeDeclaration
-highlight default link asemeDeclaration_670 asemeDeclaration
-highlight default link asemeDeclaration_715 asemeDeclaration
-highlight default link asemeDeclaration_718 asemeDeclaration
-highlight default link asemeDeclaration_724 asemeDeclaration
-highlight default link asemeDeclaration_734 asemeDeclaration
-highlight default link asemeDeclaration_741 asemeDeclaration
-highlight default link asemeDeclaration_744 asemeDeclaration
-highlight default link asemeDeclaration_768 asemeDeclaration
+highlight default link asemeDeclaration_671 asemeDeclaration
+highlight default link asemeDeclaration_717 asemeDeclaration
+highlight default link asemeDeclaration_720 asemeDeclaration
+highlight default link asemeDeclaration_726 asemeDeclaration
+highlight default link asemeDeclaration_736 asemeDeclaration
+highlight default link asemeDeclaration_743 asemeDeclaration
+highlight default link asemeDeclaration_746 asemeDeclaration
+highlight default link asemeDeclaration_770 asemeDeclaration
 highlight default link asemeDeclaration_78 asemeDeclaration
 highlight default link asemeDeclaration_8 asemeDeclaration
-highlight default link asemeDeclaration_826 asemeDeclaration
-highlight default link asemeDeclaration_831 asemeDeclaration
+highlight default link asemeDeclaration_828 asemeDeclaration
 highlight default link asemeDeclaration_833 asemeDeclaration
 highlight default link asemeDeclaration_835 asemeDeclaration
-highlight default link asemeDeclaration_841 asemeDeclaration
-highlight default link asemeDeclaration_901 asemeDeclaration
-highlight default link asemeDeclaration_930 asemeDeclaration
+highlight default link asemeDeclaration_837 asemeDeclaration
+highlight default link asemeDeclaration_843 asemeDeclaration
+highlight default link asemeDeclaration_903 asemeDeclaration
+highlight default link asemeDeclaration_932 asemeDeclaration
 highlight default link asemeDeclaration_94 asemeDeclaration
-highlight default link asemeDeclaration_941 asemeDeclaration
+highlight default link asemeDeclaration_943 asemeDeclaration
 highlight default link asemeLogic_13 asemeLogic
 highlight default link asemeLogic_248 asemeLogic
 highlight default link asemeLogic_395 asemeLogic
 highlight default link asemeLogic_432 asemeLogic
 highlight default link asemeLogic_48 asemeLogic
 highlight default link asemeLogic_554 asemeLogic
-highlight default link asemeLogic_796 asemeLogic
-highlight default link asemeLogic_857 asemeLogic
+highlight default link asemeLogic_798 asemeLogic
+highlight default link asemeLogic_859 asemeLogic
 highlight default link asemeName_144 asemeName
 highlight default link asemeName_151 asemeName
 highlight default link asemeName_156 asemeName
@@ -1867,22 +1869,22 @@ highlight default link asemeName_611 asemeName
 highlight default link asemeName_64 asemeName
 highlight default link asemeName_650 asemeName
 highlight default link asemeName_658 asemeName
-highlight default link asemeName_668 asemeName
-highlight default link asemeName_713 asemeName
+highlight default link asemeName_669 asemeName
+highlight default link asemeName_715 asemeName
 highlight default link asemeName_73 asemeName
-highlight default link asemeName_750 asemeName
-highlight default link asemeName_754 asemeName
-highlight default link asemeName_760 asemeName
+highlight default link asemeName_752 asemeName
+highlight default link asemeName_756 asemeName
 highlight default link asemeName_762 asemeName
-highlight default link asemeName_816 asemeName
-highlight default link asemeName_824 asemeName
-highlight default link asemeName_829 asemeName
+highlight default link asemeName_764 asemeName
+highlight default link asemeName_818 asemeName
+highlight default link asemeName_826 asemeName
+highlight default link asemeName_831 asemeName
 highlight default link asemeName_85 asemeName
-highlight default link asemeName_873 asemeName
-highlight default link asemeName_888 asemeName
+highlight default link asemeName_875 asemeName
 highlight default link asemeName_89 asemeName
 highlight default link asemeName_890 asemeName
-highlight default link asemeName_896 asemeName
+highlight default link asemeName_892 asemeName
+highlight default link asemeName_898 asemeName
 highlight default link asemeName_90 asemeName
 highlight default link asemeName_96 asemeName
 highlight default link asemeNumber_0 asemeNumber
@@ -1913,26 +1915,26 @@ highlight default link asemeNumber_622 asemeNumber
 highlight default link asemeNumber_625 asemeNumber
 highlight default link asemeNumber_628 asemeNumber
 highlight default link asemeNumber_637 asemeNumber
-highlight default link asemeNumber_679 asemeNumber
 highlight default link asemeNumber_68 asemeNumber
-highlight default link asemeNumber_682 asemeNumber
-highlight default link asemeNumber_685 asemeNumber
-highlight default link asemeNumber_694 asemeNumber
-highlight default link asemeNumber_758 asemeNumber
-highlight default link asemeNumber_766 asemeNumber
-highlight default link asemeNumber_771 asemeNumber
-highlight default link asemeNumber_775 asemeNumber
-highlight default link asemeNumber_794 asemeNumber
+highlight default link asemeNumber_680 asemeNumber
+highlight default link asemeNumber_683 asemeNumber
+highlight default link asemeNumber_686 asemeNumber
+highlight default link asemeNumber_695 asemeNumber
+highlight default link asemeNumber_760 asemeNumber
+highlight default link asemeNumber_768 asemeNumber
+highlight default link asemeNumber_773 asemeNumber
+highlight default link asemeNumber_777 asemeNumber
+highlight default link asemeNumber_796 asemeNumber
 highlight default link asemeNumber_80 asemeNumber
-highlight default link asemeNumber_855 asemeNumber
-highlight default link asemeNumber_879 asemeNumber
-highlight default link asemeNumber_883 asemeNumber
-highlight default link asemeNumber_904 asemeNumber
-highlight default link asemeNumber_910 asemeNumber
-highlight default link asemeNumber_916 asemeNumber
-highlight default link asemeNumber_922 asemeNumber
-highlight default link asemeNumber_933 asemeNumber
-highlight default link asemeNumber_945 asemeNumber
+highlight default link asemeNumber_857 asemeNumber
+highlight default link asemeNumber_881 asemeNumber
+highlight default link asemeNumber_885 asemeNumber
+highlight default link asemeNumber_906 asemeNumber
+highlight default link asemeNumber_912 asemeNumber
+highlight default link asemeNumber_918 asemeNumber
+highlight default link asemeNumber_924 asemeNumber
+highlight default link asemeNumber_935 asemeNumber
+highlight default link asemeNumber_947 asemeNumber
 highlight default link asemeOperator_135 asemeOperator
 highlight default link asemeOperator_26 asemeOperator
 highlight default link asemeOperator_261 asemeOperator
@@ -1961,23 +1963,23 @@ highlight default link asemeOperator_61 asemeOperator
 highlight default link asemeOperator_610 asemeOperator
 highlight default link asemeOperator_63 asemeOperator
 highlight default link asemeOperator_70 asemeOperator
-highlight default link asemeOperator_711 asemeOperator
-highlight default link asemeOperator_726 asemeOperator
+highlight default link asemeOperator_713 asemeOperator
 highlight default link asemeOperator_728 asemeOperator
-highlight default link asemeOperator_731 asemeOperator
-highlight default link asemeOperator_773 asemeOperator
-highlight default link asemeOperator_809 asemeOperator
+highlight default link asemeOperator_730 asemeOperator
+highlight default link asemeOperator_733 asemeOperator
+highlight default link asemeOperator_775 asemeOperator
 highlight default link asemeOperator_811 asemeOperator
+highlight default link asemeOperator_813 asemeOperator
 highlight default link asemeOperator_82 asemeOperator
-highlight default link asemeOperator_828 asemeOperator
-highlight default link asemeOperator_870 asemeOperator
+highlight default link asemeOperator_830 asemeOperator
 highlight default link asemeOperator_872 asemeOperator
-highlight default link asemeOperator_887 asemeOperator
-highlight default link asemeOperator_906 asemeOperator
-highlight default link asemeOperator_912 asemeOperator
-highlight default link asemeOperator_918 asemeOperator
-highlight default link asemeOperator_924 asemeOperator
-highlight default link asemeOperator_935 asemeOperator
+highlight default link asemeOperator_874 asemeOperator
+highlight default link asemeOperator_889 asemeOperator
+highlight default link asemeOperator_908 asemeOperator
+highlight default link asemeOperator_914 asemeOperator
+highlight default link asemeOperator_920 asemeOperator
+highlight default link asemeOperator_926 asemeOperator
+highlight default link asemeOperator_937 asemeOperator
 highlight default link asemePunctuation_100 asemePunctuation
 highlight default link asemePunctuation_122 asemePunctuation
 highlight default link asemePunctuation_128 asemePunctuation
@@ -2046,42 +2048,42 @@ highlight default link asemePunctuation_62 asemePunctuation
 highlight default link asemePunctuation_648 asemePunctuation
 highlight default link asemePunctuation_652 asemePunctuation
 highlight default link asemePunctuation_656 asemePunctuation
-highlight default link asemePunctuation_665 asemePunctuation
-highlight default link asemePunctuation_667 asemePunctuation
-highlight default link asemePunctuation_669 asemePunctuation
-highlight default link asemePunctuation_708 asemePunctuation
-highlight default link asemePunctuation_714 asemePunctuation
+highlight default link asemePunctuation_666 asemePunctuation
+highlight default link asemePunctuation_668 asemePunctuation
+highlight default link asemePunctuation_670 asemePunctuation
+highlight default link asemePunctuation_710 asemePunctuation
+highlight default link asemePunctuation_716 asemePunctuation
 highlight default link asemePunctuation_72 asemePunctuation
-highlight default link asemePunctuation_720 asemePunctuation
-highlight default link asemePunctuation_736 asemePunctuation
+highlight default link asemePunctuation_722 asemePunctuation
+highlight default link asemePunctuation_738 asemePunctuation
 highlight default link asemePunctuation_74 asemePunctuation
-highlight default link asemePunctuation_770 asemePunctuation
-highlight default link asemePunctuation_780 asemePunctuation
-highlight default link asemePunctuation_783 asemePunctuation
-highlight default link asemePunctuation_810 asemePunctuation
-highlight default link asemePunctuation_814 asemePunctuation
-highlight default link asemePunctuation_822 asemePunctuation
-highlight default link asemePunctuation_837 asemePunctuation
+highlight default link asemePunctuation_772 asemePunctuation
+highlight default link asemePunctuation_782 asemePunctuation
+highlight default link asemePunctuation_785 asemePunctuation
+highlight default link asemePunctuation_812 asemePunctuation
+highlight default link asemePunctuation_816 asemePunctuation
+highlight default link asemePunctuation_824 asemePunctuation
+highlight default link asemePunctuation_839 asemePunctuation
 highlight default link asemePunctuation_84 asemePunctuation
-highlight default link asemePunctuation_844 asemePunctuation
-highlight default link asemePunctuation_871 asemePunctuation
-highlight default link asemePunctuation_877 asemePunctuation
-highlight default link asemePunctuation_881 asemePunctuation
-highlight default link asemePunctuation_885 asemePunctuation
-highlight default link asemePunctuation_891 asemePunctuation
-highlight default link asemePunctuation_894 asemePunctuation
-highlight default link asemePunctuation_897 asemePunctuation
-highlight default link asemePunctuation_907 asemePunctuation
-highlight default link asemePunctuation_908 asemePunctuation
-highlight default link asemePunctuation_913 asemePunctuation
-highlight default link asemePunctuation_914 asemePunctuation
-highlight default link asemePunctuation_919 asemePunctuation
-highlight default link asemePunctuation_920 asemePunctuation
-highlight default link asemePunctuation_925 asemePunctuation
-highlight default link asemePunctuation_926 asemePunctuation
-highlight default link asemePunctuation_936 asemePunctuation
-highlight default link asemePunctuation_937 asemePunctuation
-highlight default link asemePunctuation_948 asemePunctuation
+highlight default link asemePunctuation_846 asemePunctuation
+highlight default link asemePunctuation_873 asemePunctuation
+highlight default link asemePunctuation_879 asemePunctuation
+highlight default link asemePunctuation_883 asemePunctuation
+highlight default link asemePunctuation_887 asemePunctuation
+highlight default link asemePunctuation_893 asemePunctuation
+highlight default link asemePunctuation_896 asemePunctuation
+highlight default link asemePunctuation_899 asemePunctuation
+highlight default link asemePunctuation_909 asemePunctuation
+highlight default link asemePunctuation_910 asemePunctuation
+highlight default link asemePunctuation_915 asemePunctuation
+highlight default link asemePunctuation_916 asemePunctuation
+highlight default link asemePunctuation_921 asemePunctuation
+highlight default link asemePunctuation_922 asemePunctuation
+highlight default link asemePunctuation_927 asemePunctuation
+highlight default link asemePunctuation_928 asemePunctuation
+highlight default link asemePunctuation_938 asemePunctuation
+highlight default link asemePunctuation_939 asemePunctuation
+highlight default link asemePunctuation_950 asemePunctuation
 highlight default link asemeReference_106 asemeReference
 highlight default link asemeReference_113 asemeReference
 highlight default link asemeReference_121 asemeReference
@@ -2160,31 +2162,33 @@ highlight default link asemeReference_643 asemeReference
 highlight default link asemeReference_660 asemeReference
 highlight default link asemeReference_663 asemeReference
 highlight default link asemeReference_664 asemeReference
-highlight default link asemeReference_672 asemeReference
-highlight default link asemeReference_676 asemeReference
-highlight default link asemeReference_691 asemeReference
-highlight default link asemeReference_697 asemeReference
-highlight default link asemeReference_700 asemeReference
-highlight default link asemeReference_703 asemeReference
-highlight default link asemeReference_706 asemeReference
+highlight default link asemeReference_665 asemeReference
+highlight default link asemeReference_673 asemeReference
+highlight default link asemeReference_677 asemeReference
+highlight default link asemeReference_692 asemeReference
+highlight default link asemeReference_698 asemeReference
+highlight default link asemeReference_701 asemeReference
+highlight default link asemeReference_704 asemeReference
 highlight default link asemeReference_707 asemeReference
-highlight default link asemeReference_746 asemeReference
-highlight default link asemeReference_784 asemeReference
+highlight default link asemeReference_708 asemeReference
+highlight default link asemeReference_709 asemeReference
+highlight default link asemeReference_748 asemeReference
 highlight default link asemeReference_786 asemeReference
-highlight default link asemeReference_790 asemeReference
-highlight default link asemeReference_808 asemeReference
-highlight default link asemeReference_845 asemeReference
+highlight default link asemeReference_788 asemeReference
+highlight default link asemeReference_792 asemeReference
+highlight default link asemeReference_810 asemeReference
 highlight default link asemeReference_847 asemeReference
-highlight default link asemeReference_851 asemeReference
-highlight default link asemeReference_869 asemeReference
-highlight default link asemeReference_893 asemeReference
-highlight default link asemeReference_905 asemeReference
-highlight default link asemeReference_911 asemeReference
-highlight default link asemeReference_917 asemeReference
-highlight default link asemeReference_923 asemeReference
-highlight default link asemeReference_934 asemeReference
-highlight default link asemeReference_946 asemeReference
-highlight default link asemeReference_947 asemeReference
+highlight default link asemeReference_849 asemeReference
+highlight default link asemeReference_853 asemeReference
+highlight default link asemeReference_871 asemeReference
+highlight default link asemeReference_895 asemeReference
+highlight default link asemeReference_907 asemeReference
+highlight default link asemeReference_913 asemeReference
+highlight default link asemeReference_919 asemeReference
+highlight default link asemeReference_925 asemeReference
+highlight default link asemeReference_936 asemeReference
+highlight default link asemeReference_948 asemeReference
+highlight default link asemeReference_949 asemeReference
 highlight default link asemeText_10 asemeText
 highlight default link asemeText_133 asemeText
 highlight default link asemeText_172 asemeText
@@ -2205,33 +2209,33 @@ highlight default link asemeText_530 asemeText
 highlight default link asemeText_551 asemeText
 highlight default link asemeText_603 asemeText
 highlight default link asemeText_7 asemeText
-highlight default link asemeText_710 asemeText
-highlight default link asemeText_717 asemeText
-highlight default link asemeText_751 asemeText
-highlight default link asemeText_755 asemeText
-highlight default link asemeText_761 asemeText
+highlight default link asemeText_712 asemeText
+highlight default link asemeText_719 asemeText
+highlight default link asemeText_753 asemeText
+highlight default link asemeText_757 asemeText
 highlight default link asemeText_763 asemeText
-highlight default link asemeText_793 asemeText
-highlight default link asemeText_854 asemeText
-highlight default link asemeText_903 asemeText
-highlight default link asemeText_909 asemeText
-highlight default link asemeText_915 asemeText
-highlight default link asemeText_921 asemeText
-highlight default link asemeText_927 asemeText
+highlight default link asemeText_765 asemeText
+highlight default link asemeText_795 asemeText
+highlight default link asemeText_856 asemeText
+highlight default link asemeText_905 asemeText
+highlight default link asemeText_911 asemeText
+highlight default link asemeText_917 asemeText
+highlight default link asemeText_923 asemeText
 highlight default link asemeText_929 asemeText
-highlight default link asemeText_932 asemeText
-highlight default link asemeText_938 asemeText
+highlight default link asemeText_931 asemeText
+highlight default link asemeText_934 asemeText
 highlight default link asemeText_940 asemeText
-highlight default link asemeText_943 asemeText
-highlight default link asemeText_944 asemeText
+highlight default link asemeText_942 asemeText
+highlight default link asemeText_945 asemeText
+highlight default link asemeText_946 asemeText
 highlight default link asemeTruth_12 asemeTruth
 highlight default link asemeTruth_247 asemeTruth
 highlight default link asemeTruth_394 asemeTruth
 highlight default link asemeTruth_431 asemeTruth
 highlight default link asemeTruth_47 asemeTruth
 highlight default link asemeTruth_553 asemeTruth
-highlight default link asemeTruth_795 asemeTruth
-highlight default link asemeTruth_856 asemeTruth
+highlight default link asemeTruth_797 asemeTruth
+highlight default link asemeTruth_858 asemeTruth
 highlight default link asemeType_139 asemeType
 highlight default link asemeType_147 asemeType
 highlight default link asemeType_154 asemeType
@@ -2247,10 +2251,10 @@ highlight default link asemeType_579 asemeType
 highlight default link asemeType_596 asemeType
 highlight default link asemeType_647 asemeType
 highlight default link asemeType_655 asemeType
-highlight default link asemeType_779 asemeType
-highlight default link asemeType_813 asemeType
-highlight default link asemeType_819 asemeType
+highlight default link asemeType_781 asemeType
+highlight default link asemeType_815 asemeType
 highlight default link asemeType_821 asemeType
+highlight default link asemeType_823 asemeType
 highlight default link asemeType_88 asemeType
 highlight default link asemeType_93 asemeType
 highlight default link asemeType_99 asemeType
