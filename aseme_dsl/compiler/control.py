@@ -105,14 +105,17 @@ def read_lines(
                 found.append(no_choice(control, control.reactive, formulas.named[name]))
         inner = inside_formula(scope, formulas, name)
         for entry in control.entries:
-            typed, problems = type_expression(entry.expression, inner)
+            written = entry.expression
+            if isinstance(entry, tree.Way) and (paces := tuple(_pace(entry))):
+                found += paces
+                written = replace(written, every=None)
+            typed, problems = type_expression(written, inner)
             found += problems
-            line = Line(entry.expression, typed, position, entry.span)
+            line = Line(written, typed, position, entry.span)
             position += 1
             if isinstance(entry, tree.LabelledWay):
                 labelled.append(LabelledLine(entry.source, entry.target, line))
                 continue
-            found += _pace(entry)
             key, problem = way(terms, entry.verb, entry.term)
             if entry.verb.text in STAYING:
                 found += check_staying(entry)

@@ -177,6 +177,8 @@ def _taken_over(
     if not parts:
         return item, ()
     found: list[Diagnostic] = []
+    replaced: set[str] = set()
+    """The formulas that stand twice: their control then does, too, which is not said again."""
 
     def joined(kind: str, what: str) -> tuple[_T, ...]:
         """What all have of a kind; of two of one name the first counts (E223), unless they say the same."""
@@ -188,7 +190,9 @@ def _taken_over(
                 first = names.setdefault(_name_of(one), one)
                 if first is one:
                     items.append(one)
-                elif _plain(first) != _plain(one):
+                elif _plain(first) != _plain(one) and not (kind == "controls" and _name_of(one) in replaced):
+                    if kind == "formulas":
+                        replaced.add(_name_of(one))
                     found.append(_twice(item, what, other, part, first, one))
         return tuple(items)
 

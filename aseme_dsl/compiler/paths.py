@@ -197,6 +197,8 @@ def _unknown_word(checker: Checker, name: tree.Name) -> None:
     elif any(name.text in party.variables for party in scope.parties.values()):
         theirs = [party.name for party in scope.parties.values() if name.text in party.variables]
         hint = f"it is a variable of {listed(theirs)}: each participant sees its own"
+    elif name.text in scope.parties:
+        hint = "it is a participant; one agent of it is the `sender(…)` of a message that it has sent"
     elif name.text in NOTHING:
         hint = "write `!has(topic.state.Message)` to ask whether a message is not there"
     elif symbols.topic(name.text) is not None:

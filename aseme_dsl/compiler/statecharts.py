@@ -57,12 +57,12 @@ def read_statechart(
         if problem is not None:
             found.append(problem)
         form = typed.scope.symbols.activities.get(node.activity or "")
-        if form is not None and form.parameters and item.activity is not None:
+        if form is not None and form.parameters:
             found.append(
                 Diagnostic(
                     "E523",
                     f"`{called(form.name, map(str, form.parameters))}`: a state gives it nothing",
-                    item.activity.span,
+                    (item.activity or item.name or item).span,
                     (Related(form.span, "what is said of it"),),
                     hint="only formulas give arguments: describe the role by formulas, or use a variable",
                 )

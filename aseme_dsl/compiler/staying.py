@@ -41,11 +41,12 @@ def check_staying(line: tree.Way) -> Iterator[Diagnostic]:
                     hint="take it on a way out: `enter …`, `leave …` or `repeat …` with `error`",
                 )
     if not written.actions:
+        when = "" if line.verb.text == "exit" else "… "
         yield Diagnostic(
             "E423",
             f"`{name}` does nothing",
             line.span,
-            hint=f"write what is done: `{name} : … / light = true`",
+            hint=f"write what is done: `{name} : {when}/ light = true`",
         )
 
 

@@ -328,3 +328,43 @@ def test_an_agent_misspelt_behind_to() -> None:
 def test_index_misspelt() -> None:
     (item, *_) = found(AUCTION.replace("LINE", "zone = Index"))
     assert (item.code, item.hint) == ("E200", "did you mean `index`?")
+
+
+def test_a_pace_of_what_is_no_loop_beside_an_else() -> None:
+    [item] = found(
+        "system S srm r { var n : int = 0  liveness { r = A . [B] }  activities { A takes 1s writes n }"
+        "  control r { enter B every 5s : [n > 1]  skip B : else } }"
+    )
+    assert item.code == "E432"
+
+
+def test_an_exit_that_does_nothing_is_not_told_to_wait() -> None:
+    [item] = found("system S srm r { liveness { r = A . B }  control r { exit A : } }")
+    assert (item.code, item.hint) == ("E423", "write what is done: `exit A : / light = true`")
+
+
+def test_an_activity_with_parameters_in_a_statechart() -> None:
+    """A statechart has no place for what an activity is given."""
+    [item] = found(
+        "system S statechart c { state 0 OR  state 0.1 START  state 0.2 BASIC Go  state 0.3 END"
+        "  0.1 -> 0.2 :  0.2 -> 0.3 :  activities { Go(to : int) takes 1s } }"
+    )
+    assert (item.code, item.span and item.span.text) == ("E523", "Go")
+
+
+def test_a_participant_where_one_agent_of_it_is_meant() -> None:
+    (item, *_) = found(AUCTION.replace("LINE", "best = o"))
+    assert item.code == "E200"
+    assert (
+        item.hint == "it is a participant; one agent of it is the `sender(…)` of a message that it has sent"
+    )
+
+
+def test_a_formula_that_is_replaced_with_its_control() -> None:
+    [item] = found(
+        "system S abstract srm base { var n : int = 0  liveness { walk = A . B }"
+        "  control walk { enter B : [n > 3] / n = n + 1 } }"
+        "srm robot { includes base  liveness { robot = walk  walk = C . D }"
+        "  control walk { enter D : [n > 1] } }"
+    )
+    assert item.code == "E223" and "the formula `walk`" in item.message

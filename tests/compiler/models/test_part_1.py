@@ -18,7 +18,7 @@ WRITTEN = [
     ROOT / "examples" / "robocup" / "kouretes.aseme",
     *sorted(HERE.glob("*.aseme")),
 ]
-"""The acceptance files, an example, random programs that use all of part 1, and one whose names part 2 uses."""
+"""The acceptance files, an example, random programs in all of part 1, and one whose names part 2 uses."""
 
 FINGERPRINTS: dict[str, dict[str, str]] = json.loads((HERE / "fingerprints.json").read_text("utf-8"))
 """The SHA-256 of each model, as it was when the language had only its part 1. Never made anew."""
