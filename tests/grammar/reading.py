@@ -83,6 +83,8 @@ def short(value: Any) -> Any:
             return value.text
         case tree.Text():
             return f'"{value.text}"'
+        case Span():
+            return value.text
         case Formula():
             return canonical(value)
         case tree.Path():
