@@ -42,6 +42,9 @@ DEBOUNCE = 0.05
 IDLE = 5.0
 """Seconds without a change after which there is time to tidy up."""
 
+UNTIDY = 400_000
+"""How many new objects, and as many as there were, make it necessary to tidy up without waiting for that."""
+
 _log = logging.getLogger(__name__)
 
 _SEVERITIES = {
@@ -105,6 +108,7 @@ class Server(LanguageServer):
         self.moved: Callable[[str, lsp.Position], None] = lambda uri, position: None
         self.renewed: Callable[[], None] = lambda: None
         self.idle: asyncio.TimerHandle | None = None
+        self.kept = 0
 
     @property
     def encoding(self) -> str:
@@ -164,8 +168,14 @@ class Server(LanguageServer):
         if self.idle is not None:
             self.idle.cancel()
         # Models are many objects that live long: to look for cycles among them takes longer than to make
-        # them anew, so it is done when nobody waits (cli/lsp.py turns it off otherwise).
-        self.idle = asyncio.get_running_loop().call_later(IDLE, gc.collect)
+        # them anew, so it is done when nobody waits (cli/lsp.py turns it off otherwise), or has to be done.
+        wait = IDLE if gc.get_count()[0] < max(UNTIDY, self.kept) else 0
+        self.idle = asyncio.get_running_loop().call_later(wait, self.tidy_up)
+
+    def tidy_up(self) -> None:
+        """Free what only cycles hold."""
+        gc.collect()
+        self.kept = len(gc.get_objects())
 
     def publish_one(self, path: str) -> None:
         view = self.files.view(path)
