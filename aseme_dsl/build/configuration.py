@@ -18,7 +18,7 @@ FILE = "pyproject.toml"
 TABLE = "tool.asemec"
 RUN_TABLE = "tool.asemec.run"
 OUTPUT = "out"
-"""Where a build goes unless something else is said."""
+"""Where a build goes unless something else is said: beside the project's file, or where one works."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +63,7 @@ class Configuration:
     files: tuple[Path, ...] = ()
     """What a command works on if nothing is named."""
     output: Path | None = None
+    """Where a build goes: with a `[tool.asemec]` that does not say, `out` beside the pyproject.toml."""
     backends: tuple[str, ...] | None = None
     activities: Path | None = None
     templates: Path | None = None
@@ -115,6 +116,8 @@ def configuration_of(source: Source) -> tuple[Configuration, tuple[Diagnostic, .
     table = tool.get("asemec", {}) if isinstance(tool, dict) else {}
     reader = _Reader(source)
     given = reader.table(table, TABLE, _keys(path.parent))
+    if isinstance(tool, dict) and "asemec" in tool:
+        given.setdefault("output", path.parent / OUTPUT)
     return Configuration(path.parent, path, **given), tuple(reader.diagnostics)
 
 

@@ -35,15 +35,18 @@ _LIBRARIES = {
 }
 """What the package depends on, with what it is for."""
 
-_OPTIONAL = {
+OPTIONAL = {
     "z3-solver": ("check", "lets check compare conditions: overlaps, gaps, what never holds"),
     "grpcio-tools": ("proto", "imports .proto files, with the real protoc that it carries"),
+    "pygls": ("editor", "the language server, for editors"),
     "eclipse-zenoh": ("zenoh", "robots in several processes and on several machines"),
+    "mcap": ("trace", "traces as MCAP files"),
+    "mcap-protobuf-support": ("trace", "traces as MCAP files"),
     "jsonschema": ("schema", "validates models and traces against their JSON schemas"),
     "sphinx": ("sphinx", "draws models in the pages of a documentation"),
     "mkdocs": ("mkdocs", "draws models in the pages of a documentation"),
 }
-"""What an extra brings."""
+"""What the extras bring: the packages of every extra but `dev`, with the extra and what it is for."""
 
 
 def tools() -> tuple[Tool, ...]:
@@ -58,7 +61,7 @@ def tools() -> tuple[Tool, ...]:
         _graphviz(),
         *(
             Tool(name, _version(name), purpose, advice=f"pip install 'aseme-dsl[{extra}]'")
-            for name, (extra, purpose) in _OPTIONAL.items()
+            for name, (extra, purpose) in OPTIONAL.items()
         ),
         Tool(
             "ruff",

@@ -290,6 +290,25 @@ class TestConfiguration:
         assert not list((folder / "deep").iterdir())
         assert b">1<" not in (folder / "made/diagrams/iac.robot.svg").read_bytes()
 
+    def test_a_project_that_does_not_say_where_is_built_beside_its_file(
+        self, here: Here, folder: Path
+    ) -> None:
+        (folder / "walker").mkdir()
+        (folder / "good.aseme").rename(folder / "walker/good.aseme")
+        (folder / "walker/pyproject.toml").write_text("[tool.asemec]\n")
+        for words in (("build", "walker"), ("run", "walker", "--for", "1s"), ("run", "walker/good.aseme")):
+            assert here(*words).code == 0
+            assert not (folder / "out").exists()
+        assert (folder / "walker/out/trace.jsonl").exists()
+
+    def test_a_file_of_no_project_is_built_where_one_works(self, here: Here, folder: Path) -> None:
+        (folder / "deep").mkdir()
+        (folder / "good.aseme").rename(folder / "deep/good.aseme")
+        (folder / "deep/pyproject.toml").write_text('[project]\nname = "another"\n')
+        assert here("build", "deep/good.aseme").code == 0
+        assert (folder / "out/models/iac.robot.json").exists()
+        assert not (folder / "deep/out").exists()
+
     def test_the_command_line_goes_first(self, here: Here, folder: Path) -> None:
         (folder / "pyproject.toml").write_text('[tool.asemec]\noutput = "made"\nactivities = "skills"\n')
         assert here("build", "good.aseme", "-o", "out", "--activities", "acts").code == 0

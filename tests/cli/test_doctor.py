@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import re
+import tomllib
 from importlib import metadata
+from pathlib import Path
 
 import pytest
 
 import aseme_dsl
+from aseme_dsl.build.tools import OPTIONAL
 from tests.cli.support import Here
+
+ROOT = Path(__file__).parents[2]
 
 
 def test_what_is_there_and_what_for(here: Here) -> None:
@@ -25,6 +31,18 @@ def test_what_is_there_and_what_for(here: Here) -> None:
     ):
         assert f"  {name} " in done.out
     assert "soccer" in done.out
+
+
+def test_every_extra_is_there() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    extras = {name: packages for name, packages in project["optional-dependencies"].items() if name != "dev"}
+    assert {package: extra for package, (extra, _) in OPTIONAL.items()} == {
+        re.match(r"[\w-]+", package)[0]: extra  # type: ignore[index]
+        for extra, packages in extras.items()
+        for package in packages
+    }
+    table = (ROOT / "docs/troubleshooting.md").read_text("utf-8")
+    assert [name for name in extras if f"| `{name}` |" not in table] == []
 
 
 def test_json(here: Here) -> None:

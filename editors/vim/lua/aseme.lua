@@ -47,7 +47,7 @@ function M.start(buffer, config)
   })
   if vim.fn.executable(client.cmd[1]) == 0 then
     vim.notify_once(
-      client.cmd[1] .. ' is not installed: pip install "aseme-dsl[editor]"',
+      client.cmd[1] .. ' is not installed; in the clone of aseme-dsl: pip install ".[editor]"',
       vim.log.levels.WARN
     )
     return

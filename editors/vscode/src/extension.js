@@ -68,7 +68,7 @@ async function start(output) {
     const settings = "Settings";
     const chosen = await vscode.window.showErrorMessage(
       `The ASEME language server could not be started as \`${[command, ...server.args].join(" ")}\`. ` +
-        'It comes with: pip install "aseme-dsl[editor]"',
+        'In the clone of aseme-dsl: pip install ".[editor]"',
       settings,
     );
     if (chosen === settings) vscode.commands.executeCommand("workbench.action.openSettings", "aseme.command");
