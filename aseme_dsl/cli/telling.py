@@ -19,7 +19,7 @@ _STATUS_SECONDS = 0.1
 """How often the time is renewed on a terminal."""
 _LONG_NAME = 40
 _QUIET_AFTER = 20
-"""So many different faults are shown; of the others there is only the number."""
+"""So many different faults, and passed deadlines, are shown; of the others there is only the number."""
 
 
 class Telling:
@@ -27,8 +27,8 @@ class Telling:
 
     `alone` is the plan that plays instead of the team, if one does. `activities`: when an agent starts
     another activity than before in a region, and what activities log; `transitions`: every transition and
-    every start; `progress`: the project's own lines, and on a terminal the time. Faults and failures are
-    always shown, on standard error; what several agents have in common is shown for the first.
+    every start; `progress`: the project's own lines, and on a terminal the time. Faults, failures and
+    passed deadlines are always shown, on standard error; what several agents have in common for the first.
     """
 
     def __init__(
@@ -53,6 +53,8 @@ class Telling:
         self._width = max(map(len, self._roles or self._plans), default=1)
         self._doing: dict[tuple[str, str], str] = {}
         self._faults: Counter[tuple[str, str]] = Counter()
+        self._late = 0
+        """How many deadlines have passed."""
         self._followed: dict[str, Plan] = {}
         """The plans of agents that have changed to another one."""
         self._shown_at = 0.0
@@ -77,7 +79,7 @@ class Telling:
     def wants(self, kind: str, what: str | None) -> bool:
         """Whether there may be something to show in such a line of the trace."""
         if kind == "activity":
-            return what == "crash" or (what == "start" and self._activities)
+            return what in ("crash", "cancel") or (what == "start" and self._activities)
         if kind == "module":
             return what == "crash"
         if kind == "step":
@@ -92,6 +94,11 @@ class Telling:
         if kind == "activity":
             if record["what"] == "crash":
                 self._crashed(record)
+            elif record["what"] == "cancel":
+                if "reason" in record:  # its deadline has passed
+                    self._late += 1
+                    if self._late <= _QUIET_AFTER:
+                        self._warn(record, "deadline", f"{record['activity']} is {record['reason']}", None)
             elif self._activities and record["what"] == "start":
                 self._started(record)
         elif kind == "module":
@@ -115,6 +122,9 @@ class Telling:
         again = self.faults - min(len(self._faults), _QUIET_AFTER)
         if again > 0:
             click.echo(f"... and {plural(again, 'fault')} more; the trace has them all", err=True)
+        if self._late > _QUIET_AFTER:
+            late = plural(self._late - _QUIET_AFTER, "passed deadline")
+            click.echo(f"... and {late} more; the trace has them all", err=True)
 
     @property
     def faults(self) -> int:
@@ -183,11 +193,15 @@ class Telling:
         key = (reason, at or "")
         self._faults[key] += 1
         if self._faults[key] == 1 and len(self._faults) <= _QUIET_AFTER:
-            self._clear()
-            place = f" ({at})" if at else ""
-            painted = click.style(what, fg="yellow" if what == "fault" else "red") if self._colour else what
-            text = f"{_time(record['time'])}  {record['agent']}  {painted}: {reason}{place}"
-            click.echo(text, err=True, color=True)
+            self._warn(record, what, reason, at)
+
+    def _warn(self, record: Mapping[str, Any], what: str, reason: str, at: str | None) -> None:
+        self._clear()
+        place = f" ({at})" if at else ""
+        mild = what in ("fault", "deadline")
+        painted = click.style(what, fg="yellow" if mild else "red") if self._colour else what
+        text = f"{_time(record['time'])}  {record['agent']}  {painted}: {reason}{place}"
+        click.echo(text, err=True, color=True)
 
     def _say(self, record: Mapping[str, Any], text: str) -> None:
         self._print(f"{_time(record['time'])}  {record['agent']:<{self._width}}  {text}")

@@ -16,7 +16,7 @@ from aseme_dsl.compiler.library import declared_by
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, Severity, in_order
 from aseme_dsl.source import Source, Span
 
-_ABSENCES = frozenset("E200 E204 E205 E206 E207 E212 E400 E403 E501 E502 E508 E511 E512 E513".split())
+_ABSENCES = frozenset("E200 E204 E205 E206 E207 E212 E400 E403 E501 E502 E508 E511 E512 E513 E520".split())
 _ABSENT = re.compile(r"\b(?:there is no|has no|carries no|does not carry|does not list|no formula has)\b")
 _ELSEWHERE = ("it is a ", "it is in ", "say whose", "a constant is written")
 """How a hint begins that knows the name: nothing is missing, it is only not what is wanted here."""
@@ -67,7 +67,7 @@ def _broken(found: Iterable[Diagnostic]) -> dict[_Line, int]:
     broken = {}
     for line, there in errors.items():
         codes = {code for _, code in there}
-        wrong = next((span for span, code in there if code in _STRUCTURE), None)
+        wrong = next((span for span, code in there if code in _STRUCTURE or _is_in_two(span, code)), None)
         before = [span for span, _ in there if wrong is not None and span.end <= wrong.start]
         twice = activities[line] > 1  # a clause's word is taken for an activity
         if twice or any(pair <= codes for pair in _SLIPPED) or "E216" in codes:
@@ -77,6 +77,11 @@ def _broken(found: Iterable[Diagnostic]) -> dict[_Line, int]:
         elif wrong is not None:
             broken[line] = wrong.start
     return broken
+
+
+def _is_in_two(span: Span, code: str) -> bool:
+    """Whether a duration is in two by a blank, so that an entry ends in it."""
+    return code == "E108" and " " in span.text
 
 
 def _without_rest_of_line(found: Iterable[Diagnostic], broken: dict[_Line, int]) -> list[Diagnostic]:

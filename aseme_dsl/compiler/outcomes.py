@@ -83,34 +83,47 @@ def check_deadlines(charts: Iterable[Statechart], activities: Mapping[str, Activ
             said = activities.get(node.activity) if node.activity is not None else None
             if said is None or said.within is None or said.name in told:
                 continue
-            if caught.isdisjoint((node.label, *(around.label for around in chart.ancestors(node.label)))):
-                told.add(said.name)
-                yield Diagnostic(
-                    "W604",
-                    f"{chart.name} stops if `{said.name}` is not done within {duration_text(said.within)}",
-                    node.span,
-                    (Related(said.span, "the deadline"),),
-                    hint=f"let a transition take it: `enter … : error` after `{said.name}`, or further out",
-                )
+            taken = [
+                caught[label]
+                for label in (node.label, *(around.label for around in chart.ancestors(node.label)))
+                if label in caught
+            ]
+            if None in taken:
+                continue
+            told.add(said.name)
+            message = f"{chart.name} stops if `{said.name}` is not done within {duration_text(said.within)}"
+            related = [Related(said.span, "the deadline")]
+            hint = f"let a transition take it: `enter … : error` after `{said.name}`, or further out"
+            if taken and taken[0] is not None:
+                message += ", and the condition of its `error` does not hold"
+                related.append(Related(taken[0], "the condition, without which nothing takes the failure"))
+                hint = f"say what happens then: `leave {said.name} : error`, or `error` further out"
+            yield Diagnostic("W604", message, node.span, tuple(related), hint=hint)
 
 
-def _where_errors_are_taken(chart: Statechart) -> set[str]:
-    """The sources of `error` transitions; of one out of a choice, the states that lead there."""
+def _where_errors_are_taken(chart: Statechart) -> dict[str, Span | None]:
+    """The sources of `error` transitions; of one out of a choice, the states that lead there.
+
+    Each with the condition on which alone it is taken. Several conditions beside each other are meant to
+    leave nothing out.
+    """
     leading: dict[str, list[str]] = {}
     for transition in chart.transitions:
         leading.setdefault(transition.target, []).append(transition.source)
-    found: set[str] = set()
-    waiting = [
-        transition.source
-        for transition in chart.transitions
-        if any(isinstance(event, Failed) for event in transition.expression.events)
-    ]
+    conditions: dict[str, list[Span | None]] = {}
+    for transition in chart.transitions:
+        expression = transition.expression
+        if any(isinstance(event, Failed) for event in expression.events):
+            span = None if expression.condition is None else expression.condition.span
+            conditions.setdefault(transition.source, []).append(span)
+    waiting = [(label, spans[0] if len(set(spans)) == 1 else None) for label, spans in conditions.items()]
+    found: dict[str, Span | None] = {}
     while waiting:
-        label = waiting.pop()
-        if label not in found:
-            found.add(label)
+        label, condition = waiting.pop()
+        if label not in found or (condition is None and found[label] is not None):
+            found[label] = condition
             if chart.node(label).type is NodeType.CONDITION:
-                waiting += leading.get(label, ())
+                waiting += [(source, condition) for source in leading.get(label, ())]
     return found
 
 

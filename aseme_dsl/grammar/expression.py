@@ -138,6 +138,12 @@ def spelled(written: tree.Expression) -> str:
             return f"({spelled(inner)})"
 
 
+_LATER_VERBS = ("on", "exit", "resume")
+"""The verbs that are so only before a term and `:`, and may be names elsewhere."""
+
+_IN_TERMS = frozenset("( ) . | || ~ * + ;".split())
+"""What terms are made of, besides names."""
+
 _EXPRESSION_TOKEN = re.compile(
     r'"(?:[^"\\\n]|\\.)*"|[0-9]+(?:\.[0-9]+)*[A-Za-z]*\b'
     r"|[A-Za-z_][A-Za-z0-9_]*(?:\s*\.\s*[A-Za-z_][A-Za-z0-9_]*)*\b|&&|\|\||[<>=!]=|\S",
@@ -282,6 +288,10 @@ class _Reader:
                 "write / before actions",
                 f"/ {first}" if start == 0 else None,
             )
+        if first in _LATER_VERBS and (
+            following == "(" or (_is_name(following) and following not in RESERVED)
+        ):
+            raise self._no_colon(first)
         if first == "after" and following == "(":
             opener = self.take()
             duration = self.expression()
@@ -662,6 +672,25 @@ class _Reader:
             return found
         between = Edit(Span(self.source, operator.start, operator.start), f"&& {middle} ")
         return Malformed(replace(found.diagnostic, edits=(between,)))
+
+    def _no_colon(self, verb: Token) -> Malformed:
+        """`on work [c]`: a control line of its own, if it had a colon."""
+        complete = False
+        while self.index < len(self.tokens):
+            begins_operand = self.next == "(" or _is_name(self.next)
+            if (complete and begins_operand) or not (begins_operand or self.next in _IN_TERMS):
+                break
+            complete = self.next not in ("(", ".", "|", "||")
+            self.take()
+        last = self.tokens[self.index - 1]
+        found = self.tokens[self.index] if self.index < len(self.tokens) else None
+        rest = "" if found is None else f", found {shown(found)}"
+        hint = f"write {verb} TERM : event [condition] / actions"
+        if verb == "resume":
+            hint = "write resume TERM :"
+        elif verb == "exit":
+            hint = "write exit TERM : / actions"
+        return self.error("E102", f"expected ':' after {shown(last)}{rest}", last, hint)
 
     def _no_from(self) -> Malformed:
         if self.index == len(self.tokens):

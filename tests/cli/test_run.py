@@ -152,6 +152,23 @@ def test_quiet_and_verbose(here: Here, script: Path) -> None:
     assert verbose.count("one  Stand") > 1
 
 
+def test_deadlines_that_pass_are_told(here: Here, folder: Path) -> None:
+    (folder / "late.aseme").write_text("""system Late
+srm r {
+  liveness { r = Brew+ . Done }
+  activities { Brew takes 9s within 2s  Done takes 1s }
+  control r {
+    repeat Brew : error [count(Brew) < 3]
+    leave Brew : error
+    leave Brew :
+  }
+}
+""")
+    done = here("run", "late.aseme")
+    told = [line.split(maxsplit=2)[2] for line in done.err.splitlines() if "deadline: " in line]
+    assert told == ["r  deadline: Brew is not done within 2 s"] * 3
+
+
 def test_what_comes_again_after_something_else_is_told_again(here: Here, folder: Path) -> None:
     text = """system Again
 srm robot {

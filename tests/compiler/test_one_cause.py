@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.changes import apply
@@ -368,3 +370,58 @@ def test_a_formula_that_is_replaced_with_its_control() -> None:
         "  control walk { enter D : [n > 1] } }"
     )
     assert item.code == "E223" and "the formula `walk`" in item.message
+
+
+def test_a_blank_before_a_unit_hides_the_outcomes_behind_it() -> None:
+    text = """system S
+srm r {
+  liveness { r = (Brew . Pour)~ }
+  activities {
+    Brew within 10 s ends ok, bad
+    Pour takes 2s
+  }
+  control r {
+    repeat (Brew . Pour) : [outcome(Brew) == ok or outcome(Brew) != bad]
+  }
+}
+"""
+    [item] = found(text)
+    assert (item.code, item.fix) == ("E108", "10s")
+    assert found(text.replace("10 s ends ok, bad", "10s"))[0].code == "E520"
+
+
+CONTROL = """system S
+srm r {
+  var NAME : int = 0
+  liveness { r = (Brew . work)~  work = A . B }
+  control r {
+    repeat (Brew . work) :
+    LINE
+    repeat (Brew . work) : error
+  }
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "after"),
+    [
+        ("resume work", "'work'"),
+        ("exit work / n = 1", "'work', found '/'"),
+        ("exit (A . B) / n = 1", "')', found '/'"),
+        ("on work [n > 2] / n = 1", "'work', found '['"),
+        ("on work . A / n = 1", "'work . A', found '/'"),
+        ("on work when [n > 2] / n = 1", "'work', found 'when'"),
+    ],
+)
+def test_a_verb_without_its_colon(line: str, after: str) -> None:
+    [item] = found(CONTROL.replace("NAME", "n").replace("LINE", line))
+    assert (item.code, item.message) == ("E102", f"expected ':' after {after}")
+    assert item.hint is not None
+    assert item.hint.startswith(f"write {line.split()[0]} TERM :")
+
+
+@pytest.mark.parametrize("name", "enter skip repeat leave start finish on exit resume".split())
+def test_a_variable_may_be_called_like_a_verb(name: str) -> None:
+    line = "enter work : [NAME < 2 && (1 == NAME) || !(2 > NAME)] / NAME = NAME + 1; NAME = 2"
+    assert found(CONTROL.replace("LINE", line).replace("NAME", name)) == []
