@@ -101,6 +101,45 @@ class Call:
 
 
 @dataclass(frozen=True, slots=True)
+class ListValue:
+    """`[a, b]`: as many values of one type; absent where one of them is."""
+
+    elements: tuple[Value, ...]
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """`x.items[i]`, or (`path`) a member of that element: absent where the list has no such element."""
+
+    list: Value
+    index: Value
+    path: tuple[str, ...]
+    type: Type
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Size:
+    """`size(x.items)`: how many elements a list has."""
+
+    list: Value
+    span: Span
+    type: Type = INT
+
+
+@dataclass(frozen=True, slots=True)
+class Contains:
+    """`contains(x.items, v)`: whether an element of the list equals the value."""
+
+    list: Value
+    value: Value
+    span: Span
+    type: Type = BOOL
+
+
+@dataclass(frozen=True, slots=True)
 class Has:
     """Whether a message or an optional member is there, or an agent in its variable: never absent itself."""
 
@@ -264,6 +303,10 @@ Value = (
     | Bound
     | Sender
     | Call
+    | ListValue
+    | Element
+    | Size
+    | Contains
     | Has
     | Age
     | At
@@ -449,6 +492,14 @@ def operands(value: Value) -> tuple[Value, ...]:
     match value:
         case Call(arguments=arguments):
             return arguments
+        case ListValue(elements=elements):
+            return elements
+        case Element(list=whole, index=index):
+            return (whole, index)
+        case Size(list=whole):
+            return (whole,)
+        case Contains(list=whole, value=wanted):
+            return (whole, wanted)
         case Not(operand=operand) | Negate(operand=operand) | Holds(operand=operand):
             return (operand,)
         case Logic(operands=parts):
@@ -471,6 +522,14 @@ def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
     match value:
         case Call():
             return replace(value, arguments=parts)
+        case ListValue():
+            return replace(value, elements=parts)
+        case Element():
+            return replace(value, list=parts[0], index=parts[1])
+        case Size():
+            return replace(value, list=parts[0])
+        case Contains():
+            return replace(value, list=parts[0], value=parts[1])
         case Logic():
             return replace(value, operands=parts)
         case Not() | Negate() | Holds():
@@ -684,6 +743,14 @@ def value_text(value: Value, *, expand: bool = False) -> str:
                 text = name if lost else f"sender({name})"
             case Call(function=function, arguments=arguments):
                 text = f"{function.name}({', '.join(show(a) for a in arguments)})"
+            case ListValue(elements=elements):
+                text = f"[{', '.join(show(element) for element in elements)}]"
+            case Element(list=whole, index=index, path=path):
+                text = ".".join((f"{show(whole, _ATOM)}[{show(index)}]", *path))
+            case Size(list=whole):
+                text = f"size({show(whole)})"
+            case Contains(list=whole, value=wanted):
+                text = f"contains({show(whole)}, {show(wanted)})"
             case Has(message=message):
                 text = f"has({show(message)})"
             case Age(message=message):

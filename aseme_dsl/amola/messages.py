@@ -22,16 +22,22 @@ class Kind(StrEnum):
     OUTCOME = "outcome"
     """How the activity that names the type has ended; only conditions have such values."""
     AGENT = "agent"
+    LIST = "list"
+    """What a repeated member holds, and `[a, b]`: some values of one type, in their order."""
 
 
 @dataclass(frozen=True, slots=True)
 class Type:
-    """A kind, with the name of the enum or message where it is one."""
+    """A kind, with the name of the enum or message where it is one, or the type of a list's elements."""
 
     kind: Kind
     name: str = ""
+    element: Type | None = None
+    """Of a list; None for `[]`, which has no elements to tell."""
 
     def __str__(self) -> str:
+        if self.element is not None:
+            return f"list of {self.element}"
         return self.name or self.kind.value
 
 
@@ -43,6 +49,13 @@ BYTES = Type(Kind.BYTES)
 DURATION = Type(Kind.DURATION)
 AGENT = Type(Kind.AGENT)
 """An agent of the team: what a variable may hold, and no member of a message."""
+
+
+def list_of(element: Type | None) -> Type:
+    """The type of a list of such elements."""
+    return Type(Kind.LIST, element=element)
+
+
 BUILT_IN = {str(t): t for t in (BOOL, INT, DOUBLE, STRING, BYTES, DURATION)}
 
 

@@ -17,11 +17,14 @@ from aseme_dsl.amola.expression import (
     Bound,
     Call,
     Compare,
+    Contains,
+    Element,
     EnumConstant,
     Expired,
     Has,
     Holds,
     Index,
+    ListValue,
     Literal,
     Logic,
     Mean,
@@ -33,11 +36,12 @@ from aseme_dsl.amola.expression import (
     ParameterValue,
     Random,
     Sender,
+    Size,
     StateValue,
     Value,
     VariableValue,
 )
-from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Type
+from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Type, list_of
 
 Known = Mapping[str, str]
 """Slots that are known to hold a message at this point, with the local name of the message."""
@@ -132,6 +136,9 @@ def _is(truth: bool, value: Value, names: Names, known: Known) -> tuple[str, Kno
             return (f"({code})" if truth else f"not ({code})"), known
         case Literal(value=constant):
             return str(bool(constant) is truth), known
+        case Contains():
+            piece = _contains(value, "in" if truth else "not in", names, known)
+            return " and ".join((*piece.needs, piece.code)), piece.known
     piece = evaluate(value, names, known)
     return " and ".join((*piece.needs, piece.code if truth else _negated(value, piece.code))), piece.known
 
@@ -215,6 +222,15 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return Piece(names.states(value), known=known)
         case Call():
             return _call(value, names, known)
+        case ListValue():
+            return _list(value, names, known)
+        case Element():
+            return _element(value, names, known)
+        case Size(list=whole):
+            piece = evaluate(whole, names, known)
+            return Piece(f"len({piece.code})", piece.needs, piece.known)
+        case Contains():
+            return _contains(value, "in", names, known)
         case Compare(operator=operator, left=left, right=right):
             one, other = _pair(left, right, names, known)
             return Piece(f"{one.code} {operator} {other.code}", one.needs + other.needs, other.known)
@@ -236,7 +252,7 @@ def _pair(left: Value, right: Value, names: Names, known: Known) -> tuple[Piece,
 def _in_parentheses(piece: Piece, value: Value) -> Piece:
     while isinstance(value, Named):
         value = value.expression
-    if isinstance(value, Compare | Expired | StateValue):
+    if isinstance(value, Compare | Contains | Expired | StateValue):
         return Piece(f"({piece.code})", piece.needs, piece.known)
     return piece
 
@@ -281,6 +297,35 @@ def _at(message: Member, offset: Value, names: Names, known: Known) -> Piece:
     return _path(local, message.channel.message, message.path, needs, names, extent.known)
 
 
+def _list(value: ListValue, names: Names, known: Known) -> Piece:
+    """A tuple, as in messages."""
+    codes: list[str] = []
+    needs: tuple[str, ...] = ()
+    for item in value.elements:
+        piece = _in_parentheses(evaluate(item, names, known), item)
+        codes.append(converted(piece, item.type, value.type.element or item.type))
+        needs += piece.needs
+        known = piece.known
+    return Piece(f"({', '.join(codes)}{',' if len(codes) == 1 else ''})", needs, known)
+
+
+def _element(value: Element, names: Names, known: Known) -> Piece:
+    """An element, which must be there; a negative index is none here."""
+    whole = evaluate(value.list, names, known)
+    index = evaluate(value.index, names, whole.known)
+    items, place = names.local(), names.local()
+    there = f"len({items} := {whole.code}) > ({place} := {index.code}) >= 0"
+    needs = (*whole.needs, *index.needs, there)
+    element = value.list.type.element
+    message = "" if element is None else element.name
+    return _path(f"{items}[{place}]", message, value.path, needs, names, index.known)
+
+
+def _contains(value: Contains, word: str, names: Names, known: Known) -> Piece:
+    whole, wanted = _pair(value.list, value.value, names, known)
+    return Piece(f"{wanted.code} {word} {whole.code}", whole.needs + wanted.needs, wanted.known)
+
+
 def _outcome(activity: str, names: Names, known: Known) -> Piece:
     labels = names.outcomes(activity)
     asked = f"outcomes.get({labels[0]!r})" if len(labels) == 1 else f"last_outcome({labels!r})"
@@ -319,5 +364,7 @@ def _arithmetic(value: Arithmetic, names: Names, known: Known) -> Piece:
 
 
 def converted(piece: Piece, source: Type, target: Type) -> str:
-    """The code of a value as another type takes it: an int becomes a double."""
+    """The code of a value as another type takes it: an int becomes a double, also those in a list."""
+    if target == list_of(DOUBLE) and source == list_of(INT):
+        return f"tuple(map(float, {piece.code}))"
     return f"float({piece.code})" if target == DOUBLE and source == INT else piece.code

@@ -45,6 +45,14 @@ def value_term(value: e.Value) -> Term:
             if function.target.startswith("builtin:"):
                 return ("builtin", function.target[8:], *values)
             return ("call", function_key(value), *values)
+        case e.ListValue(elements=elements):
+            return ("list", *(value_term(element) for element in elements))
+        case e.Element(list=whole, index=index, path=path):
+            return ("element", value_term(whole), value_term(index), path)
+        case e.Size(list=whole):
+            return ("size", value_term(whole))
+        case e.Contains(list=whole, value=wanted):
+            return ("contains", value_term(whole), value_term(wanted))
         case e.Has(message=message):
             return ("has", value_term(message))
         case e.Age(message=message):

@@ -35,11 +35,13 @@ FORMS: dict[str, str] = {
     "done": "done(Formula)",
     "count": "count(Activity) < 3",
     "sender": "sender(message)",
+    "size": "size(topic.state.Message.members)",
+    "contains": "contains(topic.state.Message.members, value)",
 }
 """What looks like a function and is part of the language, with an example of its use."""
 
 STATE_QUESTIONS = ("in", "done", "count")
-YIELDING = frozenset(("outcome", "random", "sender", *STATE_QUESTIONS))
+YIELDING = frozenset(("outcome", "random", "sender", "size", "contains", *STATE_QUESTIONS))
 """The forms that came later: a function that a document declares under such a name goes before."""
 
 PERFORMATIVES = tuple(

@@ -305,10 +305,18 @@ def timer(checker: Checker, written: tree.Call, name: str, count: int) -> str | 
     return first.segments[0].text
 
 
+def fits(kind: Type, expected: Type) -> bool:
+    """Whether a value of one type may go where another is wanted; a list as its elements may."""
+    if kind.kind is Kind.LIST is expected.kind:
+        of, wanted = kind.element, expected.element
+        return of is None or (wanted is not None and fits(of, wanted))
+    return kind == expected or (kind, expected) in ((INT, DOUBLE), (AGENT, STRING))
+
+
 def assignable(checker: Checker, value: Value, expected: Type) -> bool:
     """Whether a value may go where `expected` is wanted; an int may where a double is."""
     kind = value.type
-    if kind == expected or (expected == DOUBLE and kind == INT) or (expected == STRING and kind == AGENT):
+    if fits(kind, expected):
         return True
     if expected == INT and kind == DOUBLE:
         hint = "round it: `floor`, `ceil` and `round` of `import math` give an int"
@@ -319,5 +327,7 @@ def assignable(checker: Checker, value: Value, expected: Type) -> bool:
         wanted = "a duration has a unit: 200ms, 1.5s, 2min"
     elif expected.kind is Kind.ENUM:
         wanted = f"a constant of `{expected}` is wanted"
+    elif expected.element is not None and fits(kind, expected.element):
+        wanted = f"write `[{value.span.text}]`"
     checker.report("E500", f"{a(expected)} is wanted here, not {a(kind)}", value.span, wanted)
     return False

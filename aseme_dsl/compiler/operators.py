@@ -21,6 +21,9 @@ def compare(checker: Checker, written: tree.Binary, left: Value, right: Value) -
         hint = _comparison_hint(first, second)
     elif first.kind is Kind.MESSAGE:
         problem, hint = f"two messages ({first}) cannot be compared", "compare their members"
+    elif first.kind is Kind.LIST:
+        problem = "two lists cannot be compared"
+        hint = "compare their sizes or elements: `size(x)`, `x[0]`"
     elif operator not in ("==", "!=") and not (is_number(first) or first in (DURATION, STRING)):
         problem = f"`{operator}` does not order {_plural(first)}"
         hint = "`<`, `<=`, `>`, `>=` are for numbers, durations and strings"
@@ -32,6 +35,8 @@ def compare(checker: Checker, written: tree.Binary, left: Value, right: Value) -
 
 def _comparison_hint(first: Type, second: Type) -> str | None:
     kinds = {first.kind, second.kind}
+    if Kind.LIST in kinds:
+        return "compare its size or an element, `size(x)`, `x[0]`, or ask `contains(x, …)`"
     if Kind.MESSAGE in kinds:
         message = first if first.kind is Kind.MESSAGE else second
         return f"name a member of `{message}`, or write `has(…)` to ask whether it is there"

@@ -6,9 +6,11 @@ first segment is a host if and only if the second is not a communication class.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Index, Member, Named, ParameterValue, Value, VariableValue
-from aseme_dsl.amola.messages import Channel, Comm, EnumType, Kind, Message, Topic, Type
+from aseme_dsl.amola.messages import Channel, Comm, EnumType, Kind, Message, Topic, Type, list_of
 from aseme_dsl.compiler.builtins import COMM_TYPES, PERFORMATIVES
 from aseme_dsl.compiler.checker import Checker, a
 from aseme_dsl.compiler.library import providers
@@ -143,6 +145,9 @@ def _let(checker: Checker, path: tree.Path, let: TypedLet) -> Value | None:
     message = unnamed(let.value)
     if isinstance(message, Member) and message.type.kind is Kind.MESSAGE:
         return _members(checker, message, path.segments[1:], path.span)
+    if isinstance(message, amola.Element) and message.type.kind is Kind.MESSAGE:
+        found = member_path(checker, message.type, message.path, path.segments[1:])
+        return None if found is None else replace(message, path=found[0], type=found[1], span=path.span)
     checker.report(
         "E501",
         f"the let `{let.name}` is {a(let.value.type)}: it has no members",
@@ -436,6 +441,11 @@ def member_path(
     path = list(start)
     for name in names:
         owner = symbols.message(kind.name) if kind.kind is Kind.MESSAGE else None
+        if kind.kind is Kind.LIST:
+            one = f"{path[-1]}[0].{name}" if path else f"[0].{name}"
+            hint = f"take one of its elements: `{one}` for the first"
+            checker.report("E501", f"`{'.'.join(path)}` is a list: it has no members", name.span, hint)
+            return None
         if owner is None:
             if kind.name not in symbols.wrong:
                 where = ".".join(path)
@@ -445,16 +455,7 @@ def member_path(
         if field is None:
             _no_member(checker, owner, name)
             return None
-        if field.label == "repeated":
-            checker.report(
-                "E501",
-                f"`{name}` is repeated: an expression reads single values",
-                name.span,
-                "give the whole message to a function",
-                (Related(field.span, "declared here"),),
-            )
-            return None
-        kind = field.type
+        kind = list_of(field.type) if field.label == "repeated" else field.type
         path.append(name.text)
     return tuple(path), kind
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Named, Value, operands, walk
 from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, STRING, Kind, Type
-from aseme_dsl.compiler import exchange
+from aseme_dsl.compiler import exchange, lists
 from aseme_dsl.compiler.builtins import ACTIONS, FORMS, PERFORMATIVES, STATE_QUESTIONS
 from aseme_dsl.compiler.calls import (
     assignable,
@@ -29,6 +29,9 @@ from aseme_dsl.compiler.state_values import state_value
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
+
+LISTS = {"size": lists.size, "contains": lists.contains}
+"""The forms that are about lists."""
 
 DEEPEST = 100
 """How deep an expression may be nested, with its lets written out: everything after walks it by recursion."""
@@ -88,7 +91,9 @@ def type_value(
     """Type a value; with `expected`, it must be assignable to that type. None when it is wrong."""
     checker = Checker(scope)
     value = _whole(checker, written)
-    if value is not None and expected is not None and not assignable(checker, value, expected):
+    if expected is None:
+        value = None if lists.is_empty(checker, value) else value
+    elif value is not None and not assignable(checker, value, expected):
         value = None
     return value, tuple(checker.diagnostics)
 
@@ -163,6 +168,10 @@ def paths_in(written: tree.Expression) -> Iterator[tree.Path]:
                 stack.extend(reversed(parts))
             case tree.Parenthesised(inner=inner):
                 stack.append(inner)
+            case tree.List(elements=parts):
+                stack.extend(reversed(parts))
+            case tree.Element(list=whole, index=index):
+                stack += [index, whole]
 
 
 def _whole(checker: Checker, written: tree.Expression) -> Value | None:
@@ -206,6 +215,16 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
             return value_of_path(checker, written)
         case tree.Call():
             return _call(checker, written, depth)
+        case tree.List():
+            elements = [_value(checker, part, depth + 1) for part in written.elements]
+            sound = [item for item in elements if item is not None]
+            return lists.literal(checker, written, sound) if len(sound) == len(elements) else None
+        case tree.Element():
+            whole = _value(checker, written.list, depth + 1)
+            index = _value(checker, written.index, depth + 1)
+            if whole is None or index is None:
+                return None
+            return lists.element(checker, written, whole, index)
         case tree.Unary():
             return _unary(checker, written, depth)
         case tree.Binary() if is_about_outcome(written):
@@ -277,6 +296,8 @@ def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
     typed = [argument for argument in arguments if argument is not None]
     if name is None or len(typed) < len(arguments):
         return None
+    if name in LISTS and not checker.scope.symbols.overloads(name):
+        return LISTS[name](checker, written, typed)
     return call(checker, name, written, typed)
 
 

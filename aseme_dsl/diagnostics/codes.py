@@ -169,6 +169,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E532": ("error", "a message that no participant receives"),
     "E533": ("error", "an agent message that is not taken"),
     "E534": ("error", "an agent before anybody is known"),
+    "E535": ("error", "an element of what is no list, or one chosen by no int"),
+    "E536": ("error", "a list of values that do not go together"),
     "W500": ("warning", "an action that no one sees"),
     "W501": ("warning", "a timer that is never started"),
     "W520": ("warning", "a signal that nobody reads"),
@@ -185,6 +187,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     # Roles and agent messages (W55x)
     "W550": ("warning", "an abstract role that no role includes"),
     "W551": ("warning", "a name for what is taken that nothing uses"),
+    "W552": ("warning", "an element that there cannot be"),
     # Statecharts (E6xx): the structural rules of the papers' tools
     "E600": ("error", "a statechart without exactly one root"),
     "E601": ("error", "an OR state without exactly one START"),

@@ -208,6 +208,20 @@ def _type(around: Around, name: tree.Name) -> Symbol | None:
     return Symbol(Kind.MESSAGE, name.text)
 
 
+def _of_element(around: Around, name: tree.Name) -> Symbol | None:
+    """A member behind the brackets of an element."""
+    node = around.node
+    assert isinstance(node, tree.Element)
+    message = _held(around, node.list)
+    for member in node.members:
+        if message is None:
+            return None
+        if member is name:
+            return Symbol(Kind.FIELD, name.text, message)
+        message = _held_by(around, message, member.text)
+    return None
+
+
 def _party(around: Around, name: tree.Name) -> Symbol | None:
     return around.parties.get(name.text)
 
@@ -342,6 +356,7 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.TeamAgents, "names"): (Use.DECLARATION, _agent),
     (tree.TeamAgents, "role"): (Use.READ, _is(Kind.ROLE)),
     (tree.Setting, "name"): (Use.WRITE, _of_role),
+    (tree.Element, "members"): (Use.READ, _of_element),
 }
 """What a name in a field of a node does there, and what it means."""
 
@@ -357,6 +372,39 @@ UNNAMED: frozenset[tuple[type, str]] = frozenset(
     }
 )
 """Where the tree has names that mean nothing by themselves."""
+
+
+def _held_by(around: Around, message: str, member: str) -> str | None:
+    owner = around.world.symbols.message(message)
+    found = owner.field(member) if owner is not None else None
+    return found.type.name or None if found is not None else None
+
+
+def _held(around: Around, written: tree.Expression | None) -> str | None:
+    """The message (or enum) that a member, or an element of a list that is one, is of."""
+    members: list[str] = []
+    seen: set[Symbol] = set()
+    while True:
+        while isinstance(written, tree.Parenthesised):
+            written = written.inner
+        if isinstance(written, tree.Element):
+            members[:0] = [item.text for item in written.members]
+            written = written.list
+            continue
+        if not isinstance(written, tree.Path):
+            return None
+        named = around.values.get(written.text)
+        if named is None or named in seen or named not in around.lets:
+            break
+        seen.add(named)
+        written = around.lets[named]
+    last = next(reversed(list(_value(around, written))), None)
+    if last is None or last.symbol.kind is not Kind.FIELD:
+        return None
+    message = _held_by(around, last.symbol.owner, last.symbol.name)
+    for member in members:
+        message = None if message is None else _held_by(around, message, member)
+    return message
 
 
 # ---- dotted names --------------------------------------------------------------------------------

@@ -212,9 +212,8 @@ def _fields(scope: Scope, known: Known, message: Message | None, path: Sequence[
         field = message.field(name) if message is not None else None
         message = scope.symbols.message(field.type.name) if field is not None else None
     for field in message.fields if message is not None else ():
-        if field.label != "repeated":
-            detail = f"{field.label} {field.type}".strip()
-            yield Item(field.name, ItemKind.MEMBER, detail, known.documentation(field.span), rank=2)
+        detail = f"{field.label} {field.type}".strip()
+        yield Item(field.name, ItemKind.MEMBER, detail, known.documentation(field.span), rank=2)
 
 
 def actions(scope: Scope, known: Known) -> Iterator[Item]:

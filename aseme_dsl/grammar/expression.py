@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TypeVar
 
 from aseme_dsl.amola.expression import Literal, value_text
 from aseme_dsl.amola.liveness import Argument
@@ -51,6 +52,11 @@ _COLON = re.compile(
 )
 _UNCLOSED = re.compile(r"[^{}\n]*?([^\s{},;]+)[ \t,;]*(?=\bto\b(?!\s*=)|\n|\Z)", re.ASCII)
 """A message with its braces, and what may be wrong inside them."""
+
+_HAVE_NO_ELEMENTS = (tree.Number, tree.Duration, tree.Truth, tree.Text)
+"""What stands before the brackets of a condition, if anything does that is no list."""
+
+Made = TypeVar("Made", bound=tree.Expression)
 
 _BEGINS_NO_ACTION = ("", ";", "/", "]", ")", "[", ",", "=", ".")
 _ARE_NO_ACTION = ("else", "when", "and", "or")
@@ -136,6 +142,10 @@ def spelled(written: tree.Expression) -> str:
             return f" {operator} ".join(map(spelled, operands))
         case tree.Parenthesised(inner=inner):
             return f"({spelled(inner)})"
+        case tree.List(elements=elements):
+            return f"[{', '.join(map(spelled, elements))}]"
+        case tree.Element(list=whole, index=index, members=members):
+            return ".".join((f"{spelled(whole)}[{spelled(index)}]", *(name.text for name in members)))
 
 
 _LATER_VERBS = ("on", "exit", "resume")
@@ -502,6 +512,37 @@ class _Reader:
         return operand
 
     def value(self) -> tree.Expression:
+        found = self.whole()
+        while self.next == "[" and not isinstance(found, _HAVE_NO_ELEMENTS):
+            opener = self.take()
+            index = self.expression()
+            self.need("]", opener)
+            members: tuple[tree.Name, ...] = ()
+            if self.next == "." and self.index + 1 < len(self.tokens):
+                self.take()
+                if not _is_name(self.next):
+                    raise self.unexpected("a member of the element")
+                members = read_path(self.source, self.take()).segments
+            made = tree.Element(found, index, members, self.since(found.span.start))
+            found = self.grown(made, found, index)
+        return found
+
+    def elements(self) -> tree.List:
+        """`[a, b]`"""
+        opener = self.take()
+        elements: list[tree.Expression] = []
+        if self.next != "]":
+            elements.append(self.expression())
+            while self.next == ",":
+                self.take()
+                elements.append(self.expression())
+        if self.next != "]":
+            raise self.unexpected("an operator, ',' or ']'", related=(self._still_open(opener),))
+        self.take()
+        return self.grown(tree.List(tuple(elements), self.since(opener.start)), *elements)
+
+    def whole(self) -> tree.Expression:
+        """A value without what stands in `[ ]` behind it."""
         if self.index == len(self.tokens):
             raise self.unexpected("a value")
         first = self.tokens[self.index]
@@ -511,6 +552,8 @@ class _Reader:
         if initial == '"':
             self.index += 1
             return read_text(self.source, first)
+        if first == "[":
+            return self.elements()
         if first == "(":
             self.take()
             inner = self.expression()
@@ -561,7 +604,7 @@ class _Reader:
             )
         return tree.Number(float(text) if fraction else int(whole), self.span(text))
 
-    def grown(self, made: tree.Expression, *parts: tree.Expression) -> tree.Expression:
+    def grown(self, made: Made, *parts: tree.Expression) -> Made:
         """`made` of `parts`, with its height remembered and bounded."""
         height = 1 + max((self.heights.pop(id(part), 0) for part in parts), default=0)
         if height > DEEPEST:

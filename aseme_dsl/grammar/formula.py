@@ -159,12 +159,15 @@ class _Reader:
         opening = index + 1
         if opening >= len(tokens) or tokens[opening] != "(":
             return index
-        depth = 0
+        depth = elements = 0
         for place in range(opening, len(tokens)):
             token, before = tokens[place], tokens[place - 1]
             depth += (token == "(") - (token == ")")
             if depth == 0:
                 return place
+            if (token == "[" and _is_name(before)) or (token == "]" and elements):
+                elements += 1 if token == "[" else -1
+                continue
             if token in _FORMULA_ONLY or (before == "." and token == "(") or (before == ")" and token == "."):
                 return index
             if before in ("*", "+") and (token in (")", ",", ".")):

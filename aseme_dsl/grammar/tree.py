@@ -118,7 +118,27 @@ class Parenthesised:
     span: Span
 
 
-Expression = Number | Duration | Truth | Text | Path | Call | Unary | Binary | Logic | Parenthesised
+@dataclass(frozen=True, slots=True)
+class List:
+    """`[a, b]`"""
+
+    elements: tuple[Expression, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """`list[index]`, and (`members`) what follows it: `.name.length`."""
+
+    list: Expression
+    index: Expression
+    members: tuple[Name, ...]
+    span: Span
+
+
+Expression = (
+    Number | Duration | Truth | Text | Path | Call | Unary | Binary | Logic | Parenthesised | List | Element
+)
 
 # ---- transition expressions --------------------------------------------------------------------
 

@@ -9,6 +9,7 @@ What is worth saying is decided here, once:
   which the choice asks `has(…)`, timers have run out, ages are old. An event, a timeout, a signal, or a state
   around it that may be left, ends the wait. One condition alone is a wait that was meant.
 - A condition that reads nothing, like `true`, is as its author wants it: it counts as none.
+- What a list holds is not known but for its size: a choice that asks for its elements is not looked at.
 - What a declared function returns is not known. If a finding depends on it together with what the function
   itself looks at, it is not reported.
 """
@@ -23,7 +24,14 @@ from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import Kind
 from aseme_dsl.amola.statechart import Statechart, Transition
 from aseme_dsl.proofs.prover import Prover
-from aseme_dsl.proofs.unknowns import Vocabulary, identity, is_unknown_function, reads_signal, sources
+from aseme_dsl.proofs.unknowns import (
+    Vocabulary,
+    identity,
+    is_beyond,
+    is_unknown_function,
+    reads_signal,
+    sources,
+)
 from aseme_dsl.proofs.ways import COMPLETION, MOST, Fork, forks, interruptions, paths
 
 if TYPE_CHECKING:
@@ -148,7 +156,8 @@ def asks(branch: Transition) -> bool:
             | e.Outcome
             | e.StateValue
             | e.Index
-            | e.Call,
+            | e.Call
+            | e.Element,
         )
         for part in e.walk(condition)
     )
@@ -179,7 +188,9 @@ def _closers(chart: Statechart, fork: Fork) -> tuple[Way, ...] | None:
         found.append(path.conditions)
     own_conditions = tuple(item.expression.condition for item in fork.branches)
     for condition in (*own_conditions, *(condition for way in found for condition in way)):
-        if condition is not None and (reads_signal(condition) or _asks_of_states(condition)):
+        if condition is not None and (
+            reads_signal(condition) or _asks_of_states(condition) or is_beyond(condition)
+        ):
             return None
     return tuple(found)
 
@@ -196,6 +207,8 @@ def _is_worth_it(fork: Fork, vocabulary: Vocabulary) -> bool:
     where each of several branches has one.
     """
     asking = [branch.expression.condition for branch in fork.branches if asks(branch)]
+    if any(is_beyond(item) for item in (*fork.before, *asking) if item is not None):
+        return False
     conditions = [*fork.before, *(condition for condition in asking if condition is not None)]
     if len(asking) > 1 and not ends_open(fork):
         return True

@@ -20,10 +20,13 @@ from aseme_dsl.proofs.unknowns import (
     HAS,
     MEAN,
     RAISES,
+    SET,
+    SIZE,
     STATE,
     TAKEN,
     THERE,
     VALUE,
+    WHOLE,
     Key,
     Unknown,
     Vocabulary,
@@ -32,6 +35,7 @@ from aseme_dsl.proofs.unknowns import (
     presences,
     signature,
     unknowns_of,
+    written_size,
 )
 
 _INT_BITS = 63
@@ -92,7 +96,7 @@ class Encoder:
         elif kind is Kind.OUTCOME:
             last = len(self._vocabulary.outcomes[unknown.type.name]) - 1
             self.facts.append(self._z3.And(symbol >= 0, symbol <= last))
-        elif kind in _TEXTS or key[0] == AGE or (key[0] == STATE and kind is Kind.INT):
+        elif kind in _TEXTS or key[0] in (AGE, SIZE) or (key[0] == STATE and kind is Kind.INT):
             self.facts.append(symbol >= 0)
         elif kind is Kind.INT and key[0] in (VALUE, TAKEN):
             self.facts.append(self._z3.And(symbol >= -(2**_INT_BITS), symbol < 2**_INT_BITS))
@@ -217,6 +221,9 @@ class Encoder:
                 return self._present(presences(message, self._vocabulary)[:1]), False
             case e.At() | e.Mean():
                 return self.symbols[THERE, *identity(value)], False
+            case e.Element():
+                read = self._all(Truth(*self._look(operand)) for operand in e.operands(value))
+                return self.and_(read.yes, self.symbols[SET, *identity(value)]), read.fault
             case e.Holds():
                 return True, self._is(True, value).fault
             case e.Not() | e.Logic():
@@ -255,6 +262,11 @@ class Encoder:
                 parts = [self._compute(argument) for argument in value.arguments]
                 found = self._built_in(function.target[8:], [part for part, _ in parts])
                 return found, self.or_(*(fault for _, fault in parts))
+            case e.Size() if (count := written_size(value)) is not None:
+                return self._z3.IntVal(count, self._context), False
+            case e.Size() | e.Contains() | e.Element() | e.ListValue():
+                faults = [self._compute(part)[1] for part in e.operands(value)]
+                return True if _whole(value) else self.symbols[identity(value)], self.or_(*faults)
             case e.Compare(operator=operator):
                 (left, one), (right, two) = self._compute(value.left), self._compute(value.right)
                 return self._compared(operator, left, right), self.or_(one, two)
@@ -386,8 +398,8 @@ class Encoder:
 
 
 def _whole(value: e.Value) -> bool:
-    """Whether it is a whole message, which only functions take."""
-    return value.type.kind is Kind.MESSAGE
+    """Whether it is a whole message or list, which only functions and `size` take."""
+    return value.type.kind in WHOLE
 
 
 def _texts(conditions: Iterable[e.Value]) -> list[Any]:

@@ -12,7 +12,7 @@ from typing import Any
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Kind
-from aseme_dsl.proofs.unknowns import RAISES, THERE, Key, Vocabulary, identity, presences
+from aseme_dsl.proofs.unknowns import RAISES, THERE, Key, Vocabulary, identity, presences, written_size
 
 Values = Mapping[Key, Any]
 """What is known: booleans for presences, an enum's number, ns for a duration, else the value itself."""
@@ -183,6 +183,8 @@ def _value(value: e.Value, values: Values, vocabulary: Vocabulary) -> Any:
             if values.get((RAISES, *key)):
                 raise Fault
             return values.get(key, _UNKNOWN)
+        case e.Size() if (count := written_size(value)) is not None:
+            return count
         case e.Compare(operator=word):
             left = _value(value.left, values, vocabulary)
             right = _value(value.right, values, vocabulary)

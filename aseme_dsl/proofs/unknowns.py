@@ -16,6 +16,7 @@ Key = tuple[Any, ...]
 HAS, SET, VALUE, VARIABLE, EXPIRED, AGE = "has", "set", "value", "variable", "expired", "age"
 OUTCOME, STATE, INDEX = "outcome", "state", "index"
 TAKEN, SENDER = "taken", "sender"
+LIST, ELEMENT, SIZE, CONTAINS = "list", "element", "size", "contains"
 AT, MEAN, CALL, RAISES, THERE = "at", "mean", "call", "raises", "there"
 PRESENCES = (HAS, SET, THERE)
 
@@ -94,6 +95,14 @@ def identity(value: e.Value) -> Key:
             return (MEAN, message.host, message.channel, message.path, nanoseconds(extent))
         case e.Call(function=function, arguments=arguments):
             return (CALL, signature(function), *(identity(argument) for argument in arguments))
+        case e.ListValue(elements=elements):
+            return (LIST, *(identity(element) for element in elements))
+        case e.Element(list=whole, index=index, path=path):
+            return (ELEMENT, identity(whole), identity(index), path)
+        case e.Size(list=whole):
+            return (SIZE, identity(whole))
+        case e.Contains(list=whole, value=wanted):
+            return (CONTAINS, identity(whole), identity(wanted))
         case e.Logic(operator=operator, operands=operands):
             return (operator, *(identity(operand) for operand in operands))
         case e.Compare(operator=operator, left=left, right=right):
@@ -146,7 +155,7 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
         match part:
             case e.Member() | e.Bound():
                 yield from _presence_unknowns(part, vocabulary)
-                if part.type.kind is not Kind.MESSAGE:
+                if part.type.kind not in WHOLE:
                     yield Unknown(identity(part), e.value_text(part), part.type, presences(part, vocabulary))
             case e.Has(message=message):
                 yield from _presence_unknowns(message, vocabulary)
@@ -158,8 +167,14 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 yield from _presence_unknowns(part.message, vocabulary)
                 there = (THERE, *identity(part))
                 yield Unknown(there, e.value_text(part), BOOL)
-                if part.type.kind is not Kind.MESSAGE:
+                if part.type.kind not in WHOLE:
                     yield Unknown(identity(part), e.value_text(part), part.type, (there,))
+            case e.Size() | e.Contains() | e.Element():
+                read = list(_needs(part, vocabulary))
+                yield from read
+                needs = tuple(dict.fromkeys(item.key for item in read))
+                if part.type.kind not in WHOLE:
+                    yield Unknown(identity(part), e.value_text(part), part.type, needs)
             case e.VariableValue():
                 yield from _presence_unknowns(part, vocabulary)
                 yield Unknown(identity(part), e.value_text(part), part.type, presences(part, vocabulary))
@@ -174,6 +189,23 @@ def unknowns_of(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 yield Unknown(key, e.value_text(part), part.type, needs)
 
 
+WHOLE = (Kind.MESSAGE, Kind.LIST)
+"""What has no value of its own here: it is there or not."""
+
+
+def written_size(value: e.Size) -> int | None:
+    """How many elements a list has that is written out."""
+    whole = value.list
+    while isinstance(whole, e.Named):
+        whole = whole.expression
+    return len(whole.elements) if isinstance(whole, e.ListValue) else None
+
+
+def is_beyond(value: e.Value) -> bool:
+    """Whether it looks into a list, of which nothing is known but how long it is."""
+    return any(isinstance(part, e.Element | e.Contains) for part in e.walk(value))
+
+
 def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
     """The presences without which a value is surely absent."""
     stack = [value]
@@ -185,6 +217,9 @@ def _needs(value: e.Value, vocabulary: Vocabulary) -> Iterator[Unknown]:
                 yield from itertools.islice(_presence_unknowns(message, vocabulary), 1)
             case e.At() | e.Mean():
                 yield Unknown((THERE, *identity(item)), e.value_text(item), BOOL)
+            case e.Element():
+                yield Unknown((SET, *identity(item)), e.value_text(item), BOOL)
+                stack.extend(reversed(e.operands(item)))
             case e.Has() | e.Holds() | e.Logic() | e.Not():
                 pass  # may be there whatever is not
             case _:

@@ -103,6 +103,11 @@ def short(value: Any) -> Any:
             return f"({short(value.left)} {value.operator} {short(value.right)})"
         case tree.Logic():
             return "(" + f" {value.operator} ".join(str(short(item)) for item in value.operands) + ")"
+        case tree.List():
+            return f"[{', '.join(str(short(item)) for item in value.elements)}]"
+        case tree.Element():
+            members = "".join(f".{name.text}" for name in value.members)
+            return f"{short(value.list)}[{short(value.index)}]{members}"
         case tree.Parenthesised():
             return f"({short(value.inner)})"
         case tuple():

@@ -33,6 +33,9 @@ from tests.grammar.reading import condition, declared, mistakes, short, transiti
         ("PlayerState.PLAYING != a.state.B.c", "(PlayerState.PLAYING != a.state.B.c)"),
         ("mean(a.data.B.c, 300ms) < 30", "(mean(a.data.B.c, 300000000ns) < 30)"),
         ("at(x, -200ms) >= 1.5", "(at(x, (-200000000ns)) >= 1.5)"),
+        ("x.items[i + 1].a.b == -y[0][n]", "(x.items[(i + 1)].a.b == (-y[0][n]))"),
+        ("size([]) + [1, a.b][0] % f(x)[0]", "(size([]) + ([1, a.b][0] % f(x)[0]))"),
+        ("contains([(a), [b]], c[d[0]])", "contains([(a), [b]], c[d[0]])"),
     ],
 )
 def test_precedence(text: str, spelled: str) -> None:
@@ -212,6 +215,16 @@ def test_an_expression_ends_where_the_next_entry_begins() -> None:
         ("goal = 3", "="),
         ("[a", "a"),
         ("a]", "]"),
+        ("[x.items[0 == 1]", "]"),
+        ("[x.items[0] == 1", "1"),
+        ("[size(x.items[0) > 1]", ")"),
+        ("[contains([1, 2, n) ]", ")"),
+        ("[x[0]. == 1]", "=="),
+        ("[x[] == 1]", "]"),
+        ("/ n = way[1", "1"),
+        ("/ n = [1, 2", "2"),
+        ("/ n = [1 2]", "2"),
+        ("/ way[0] = 2", "="),
     ],
 )
 def test_malformed_transitions(text: str, place: str) -> None:
@@ -236,6 +249,9 @@ def test_expressions_may_be_nested_a_hundred_deep() -> None:
         "(" * 50_000,
         "!" * 101 + "a",
         "f(" * 101 + ")" * 101,
+        "[" * 101 + "]" * 101,
+        "a" + "[0]" * 101,
+        "a[" * 101 + "0" + "]" * 101,
         " + ".join("a" * 102),
         "a || b && c == d + e * (" * 100 + "a" + ")" * 100,
     ],

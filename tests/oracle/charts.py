@@ -17,7 +17,7 @@ system Random
 
 enum Colour { RED GREEN BLUE }
 message Inner { int y  optional int z }
-message M { int x  bool on  double d  string s  Colour colour  Inner inner }
+message M { int x  bool on  double d  string s  Colour colour  Inner inner  repeated int many }
 message Note { string text  int n }
 
 topic t { state M, Note  signal M, Note  data M }
@@ -49,9 +49,11 @@ MEMBERS: dict[str, dict[str, tuple[str, ...]]] = {
     "Note": {"int": ("n",), "string": ("text",)},
 }
 FILLED: dict[str, dict[str, tuple[str, ...]]] = {
-    "M": {**MEMBERS["M"], "int": ("x", "inner.y")},
+    "M": {**MEMBERS["M"], "int": ("x", "inner.y"), "ints": ("many",)},
     "Note": MEMBERS["Note"],
 }
+LISTS: dict[str, dict[str, str]] = {"M": {"int": "many"}, "Note": {}}
+"""The repeated members of each message, by the type of their elements."""
 HOSTS = ("ann", "bob", "me")
 EVENTS = ("go", "hop", "stop")
 TIMERS = ("pace", "pace", "limit")
@@ -294,9 +296,15 @@ class Words:
             case "bool":
                 return self._bool(depth)
             case "int":
-                match pick.weighted(member=3, arithmetic=4, least=2, function=1, sign=1, at=1):
+                match pick.weighted(
+                    member=3, arithmetic=4, least=2, function=1, sign=1, at=1, element=2, size=1
+                ):
                     case "member":
                         return self._member("int", depth)
+                    case "element":
+                        return f"{self._list(depth)}[{self.value('int', depth - 1)}]"
+                    case "size":
+                        return f"size({self._list(depth)})"
                     case "arithmetic":
                         operator = pick.one_of(("+", "-", "*", "%"))
                         right = str(pick.number(0, 3)) if operator == "*" else self.value("int", depth - 1)
@@ -354,6 +362,7 @@ class Words:
             expired=4,
             function=2,
             same=1,
+            contained=1,
             state=4 if self.in_condition and self.states else 0,
             agent=agents,
         ):
@@ -381,6 +390,8 @@ class Words:
                 return f"has({self._host()}{pick.one_of(self.channels)})"
             case "expired":
                 return f"expired({pick.one_of(TIMERS)})"
+            case "contained":
+                return f"contains({self._list(depth)}, {self.value('int', depth - 1)})"
             case "function":
                 return f"{pick.one_of(('even', 'shy'))}({self.value('int', depth - 1)})"
         return f"({self.value('bool', depth - 1)} == {self.value('bool', depth - 1)})"
@@ -436,6 +447,18 @@ class Words:
         if channel in DATA and depth > 0 and pick.one_in(3):
             return self._at(kind)
         return f"{self._host()}{channel}.{pick.one_of(MEMBERS[channel.split('.')[2]][kind])}"
+
+    def _list(self, depth: int, *, written: bool = True) -> str:
+        """A list of ints: a repeated member, at times as it was, or one that is written out."""
+        pick = self.choices
+        match pick.weighted(member=4, at=1, taken=1 if self.taken[1] == "M" else 0, literal=int(written)):
+            case "at":
+                return f"at({self._host()}t.data.M.many, -{self._duration()})"
+            case "taken":
+                return f"{self.taken[0]}.many"
+            case "literal":
+                return f"[{', '.join(self._plain('int', depth - 1) for _ in range(pick.number(1, 3)))}]"
+        return f"{self._host()}{pick.one_of([c for c in CHANNELS if c.endswith('.M')])}.many"
 
     def _at(self, kind: str) -> str:
         channel = self.choices.one_of(self._with_member(kind, DATA))
@@ -610,6 +633,13 @@ class Words:
                 return f"{self.value('int', 2)} % 5"
             case "double":
                 return f"{self.value(self.choices.one_of(('double', 'int')), 2)} % 4.0"
+            case "ints":
+                if self.choices.one_in(6):
+                    return "[]"
+                if self.choices.one_in(3):
+                    return self._list(1, written=False)
+                count = self.choices.number(1, 3)
+                return f"[{', '.join(self._assigned('int') for _ in range(count))}]"
             case "duration":
                 return f"max(0ms, min({self.value('duration', 1)}, 20ms))"
         return self.value(kind, 2)

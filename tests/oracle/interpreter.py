@@ -1056,6 +1056,15 @@ class Reference:
                     values = [member(m.message, path) for m in history if m.time >= self.now - found]
                     there = [value for value in values if value is not ABSENT]
                     found = reduce(add, there) / len(there) if there else ABSENT
+            case ("element", items, index, path):
+                # "`list[i]` is the element with the number i, from 0; … absent where there is none"
+                read = [self.look_up(items, region)]
+                read.append(ABSENT if read[0] is ABSENT else self.look_up(index, region))
+                found = ABSENT
+                if ABSENT not in read:
+                    held, number = [self.compute(item) for item in read]
+                    numbered = dict(enumerate(held))
+                    found = member(numbered[number], path) if number in numbered else ABSENT
             case ("holds", operand):
                 # "`holds(c)` is two-valued"
                 found = self.holds(operand, region)
@@ -1092,6 +1101,12 @@ class Reference:
                 return int(self.compute(inner))
             case ("neg", inner):
                 return -self.compute(inner)
+            case ("list", *elements):
+                return tuple(self.compute(element) for element in elements)
+            case ("size", items):
+                return sum(1 for _ in self.compute(items))
+            case ("contains", items, wanted):
+                return any(item == self.compute(wanted) for item in self.compute(items))
             case ("builtin", name, *arguments):
                 return BUILT_IN[name](*[self.compute(argument) for argument in arguments])
             case ("call", name, *arguments):
@@ -1225,8 +1240,9 @@ def parts(term: Term | None) -> Iterator[Term]:
     if term is None:
         return
     yield term
+    path = term[3] if term[0] == "element" else None
     for item in term[1:]:
-        if isinstance(item, tuple) and item and term[0] not in ("member", "taken"):
+        if isinstance(item, tuple) and item and term[0] not in ("member", "taken") and item is not path:
             yield from parts(item)
 
 

@@ -111,9 +111,9 @@ def expression(tokens: Sequence[str], depth: int, *, transition: bool) -> list[P
         if not previous or previous in ("(", "[") or unary:
             blanks = 0
         if token in ("(", "["):
-            if token == "(" and not operand:
-                blanks = 0
-            if token == "[" and outside and previous and previous != "when":
+            if not operand and (token == "(" or brackets or not outside):
+                blanks = 0  # of a call, or of an element
+            if token == "[" and outside and not brackets and previous and previous != "when":
                 level = level_of(depth, _CONDITION)
             brackets += 1
             depth += 1
@@ -143,6 +143,8 @@ def expression(tokens: Sequence[str], depth: int, *, transition: bool) -> list[P
             level = level_of(depth, _EVENT)
         elif token in _INFIX:
             level = level_of(depth, _INFIX[token])
+        if "." in (token, previous):  # a member of an element
+            blanks = 0
         if previous in (",", ";"):
             level = level_of(at, _COMMA)
         pieces.append(Piece(token, blanks, level, at))
