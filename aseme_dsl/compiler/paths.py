@@ -6,6 +6,7 @@ first segment is a host if and only if the second is not a communication class.
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from aseme_dsl.amola import expression as amola
@@ -354,9 +355,17 @@ def _no_class(checker: Checker, path: tree.Path) -> None:
             first,
             pool,
             "a message is read as `topic.state.Message.member`",
-            certain=providers(first.text, "topic", "let", "enum"),
+            certain=_taken_elsewhere(checker, first) or providers(first.text, "topic", "let", "enum"),
         )
     )
+
+
+def _taken_elsewhere(checker: Checker, name: tree.Name) -> str | None:
+    """What to do about `q.n` where another line has `propose Bid q from contractor`."""
+    text = name.span.source.text
+    if not checker.scope.parties or not re.search(rf"\w\s+\w+\s+{name}\s+from\s+\w", text):
+        return None
+    return f"`{name}` is known only in the line that takes the message: keep what is needed in a variable"
 
 
 def _no_message(checker: Checker, path: tree.Path, topic: Topic, carried: list[str]) -> None:
@@ -379,6 +388,17 @@ def _wrong_class(checker: Checker, topic: tree.Name, comm: tree.Name) -> None:
         hint = "write " + listed((str(channel) for channel in fits), "or")
         fix = f"{fits[0].comm}.{comm}" if len(fits) == 1 else None
         checker.report("E503", "the communication class is missing", comm.span, hint, fix=fix)
+        return
+    paths = [
+        f"{channel}.{comm}"
+        for channel in channels
+        if (message := checker.scope.symbols.message(channel.message)) is not None
+        and any(member.name == comm.text for member in message.fields)
+    ]
+    if len(paths) == 1:
+        problem = "the communication class and the message are missing"
+        fix = paths[0].partition(".")[2]
+        checker.report("E503", problem, comm.span, f"write `{paths[0]}`", fix=fix)
         return
     near = closest(comm.text, COMM_TYPES)
     hint = f"did you mean `{near}`?" if near else "there are `signal`, `state` and `data`"

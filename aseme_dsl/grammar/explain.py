@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from aseme_dsl.amola.messages import BUILT_IN
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar.lexer import UNITS, Lexed, shown
 from aseme_dsl.grammar.recovery import BLOCKS, begins_declaration
@@ -118,6 +119,8 @@ class _Explanation:
             or self._misspelt()
             or self._no_colon()
             or self._hyphen()
+            or self._other_comment()
+            or self._other_assignment()
             or self._late_language()
         )
         typical = typical or self._other_word() or self._agents_by_number()
@@ -292,6 +295,34 @@ class _Explanation:
         span, several = self._span(self.index - 1), int(number) > 1
         fix = f"1..{number}" if several else None
         return Diagnostic("E100", message, span, hint=f"write [{fix}]" if fix else None, fix=fix)
+
+    def _other_comment(self) -> Diagnostic | None:
+        """`# …` of other languages."""
+        if self.tokens.word(self.index) != "#":
+            return None
+        message = "'#' does not begin a comment here"
+        return Diagnostic("E100", message, self._span(self.index), hint="comments begin with '//'", fix="//")
+
+    def _other_assignment(self) -> Diagnostic | None:
+        """`int rounds = 0` for a variable of a role, `ann = waiter` and `with (limit = 2)` in a team."""
+        tokens = self.tokens
+        before, word, after = (tokens.word(self.index + step) for step in (-1, 0, 1))
+        if self.mistake.kind == "JunkAgents" and word == "=" and self._expects_literal(":"):
+            message = f"expected ':' after {shown(before)}, found '='"
+            hint = f"write {before} : {after}" if after[:1].isalpha() else "write ':'"
+            return Diagnostic("E100", message, self._span(self.index), hint=hint, fix=":")
+        if self.mistake.kind == "JunkAgents" and word == "(" and before == "with":
+            message = "what is set in an agent stands behind 'with' without parentheses"
+            hint = "write with NAME = VALUE, NAME = VALUE"
+            return Diagnostic("E100", message, self._span(self.index), hint=hint)
+        if "var" in self.words and word in BUILT_IN and after[:1].isalpha() and self.index == self.first:
+            value = tokens.word(self.index + 3)
+            initial = f" = {value}" if tokens.word(self.index + 2) == "=" and value else ""
+            message = f"expected 'var' before a variable, found {shown(word)}"
+            return Diagnostic(
+                "E100", message, self._span(self.index), hint=f"write var {after} : {word}{initial}"
+            )
+        return None
 
     def _late_language(self) -> Diagnostic | None:
         if self.index != self.first or self.tokens.word(self.index) != "language":

@@ -14,7 +14,7 @@ from typing import TypeVar
 
 from aseme_dsl.amola.expression import Literal, value_text
 from aseme_dsl.amola.liveness import Argument
-from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, STRING
+from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, STRING
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.filling import apart
@@ -659,6 +659,9 @@ class _Reader:
             hint, fix = f"names are written with '_': {previous}_{following}", "_"
         if _is_name(found) and previous is not None and found in UNITS and previous[0].isdigit():
             hint = f"write {previous}{found} without a blank"
+        name = re.compile(r"\s+([A-Za-z_]\w*)").match(self.source.text, found.end)
+        if found in BUILT_IN and previous is not None and name is not None:
+            hint = f"write var {name[1]} : {found}"
         after = f" after {shown(previous)}" if previous is not None else ""
         return self.error(
             "E102", f"expected {wanted}{after}, found {shown(found)}", found, hint, fix, related

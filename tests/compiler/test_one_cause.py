@@ -425,3 +425,60 @@ def test_a_verb_without_its_colon(line: str, after: str) -> None:
 def test_a_variable_may_be_called_like_a_verb(name: str) -> None:
     line = "enter work : [NAME < 2 && (1 == NAME) || !(2 > NAME)] / NAME = NAME + 1; NAME = 2"
     assert found(CONTROL.replace("LINE", line).replace("NAME", name)) == []
+
+
+TEAM = """system S
+topic kitchen { state Kitchen }
+message Kitchen { bool stop }
+srm R {
+  var strength : int = 1
+  liveness { R = A . B } COMMENT
+  MEMBER
+  activities { A takes 1s writes kitchen.state.Kitchen }
+  control R { enter B : CONDITION }
+}
+team T { ann AGENT }
+"""
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right", "code", "hint"),
+    [
+        ("MEMBER", "int rounds = 0", "E100", "write var rounds : int = 0"),
+        ("COMMENT", "# both", "E100", "comments begin with '//'"),
+        ("CONDITION", "[kitchen.stop]", "E503", "write `kitchen.state.Kitchen.stop`"),
+        ("AGENT", "= R", "E100", "write ann : R"),
+        ("AGENT", ": R with (strength = 2)", "E100", "write with NAME = VALUE, NAME = VALUE"),
+    ],
+)
+def test_what_is_written_so_in_other_languages(wrong: str, right: str, code: str, hint: str) -> None:
+    text = TEAM.replace(wrong, right)
+    for place, usual in (("MEMBER", ""), ("COMMENT", ""), ("CONDITION", ""), ("AGENT", ": R")):
+        text = text.replace(place, usual)
+    [item] = found(text)
+    assert (item.code, item.hint) == (code, hint)
+
+
+def test_a_type_before_the_name_behind_another_variable() -> None:
+    [item] = found("system S srm R { var n : int = 0\n int rounds = 0\n liveness { R = A } }")
+    assert (item.code, item.hint) == ("E102", "write var rounds : int")
+
+
+def test_a_message_is_known_only_in_the_line_that_takes_it() -> None:
+    text = """system S
+message Q { int n }
+aip ask {
+  participant one { engage "Always."  sends request Q  receives inform Q  process = Ask . Wait }
+  participant two { engage "Always."  sends inform Q  receives request Q  process = Get . (Answer | Refuse) }
+  control one { enter Ask : / send request Q { n = 1 } to two }
+  control two {
+    enter Get : request Q q from one
+    enter Answer : [q.n > 2]
+    enter Refuse : else
+  }
+}
+"""
+    items = [item for item in found(text) if item.code == "E502"]
+    assert [item.hint for item in items] == [
+        "`q` is known only in the line that takes the message: keep what is needed in a variable"
+    ]
