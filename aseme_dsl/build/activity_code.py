@@ -84,6 +84,14 @@ def check_code(
     return tuple(kept), tuple(allowed for item in found if (allowed := _allowed(item)) is not None)
 
 
+def variables_read(system: System, folder: Path, project: Path | None = None) -> frozenset[str]:
+    """The variables that the Python in `folder` reads with `context.variable("name")`."""
+    places = {piece.path for piece in _pieces(system, folder, project) if piece.path is not None}
+    modules = (_module(path, []) for path in sorted({*places, *folder.glob("*.py")}))
+    calls = (call for module in modules if module is not None for call in _calls(module))
+    return frozenset(call.name for call in calls if call.method == "variable")
+
+
 def _allowed(item: Diagnostic) -> Suppressed | None:
     """The problem with the comment on its line that allows it, if there is one."""
     if item.span is None:
@@ -466,4 +474,4 @@ def _missing(call: _Call, activity: Activity) -> tuple[str, str] | None:
     return None
 
 
-__all__ = ["check_code"]
+__all__ = ["check_code", "variables_read"]

@@ -98,6 +98,7 @@ def compile_root(
     suppressed = analysis.suppressed
     if system is not None:
         problems, allowed = code_problems(system, configuration, activities)
+        diagnostics = _without_read(diagnostics, system, configuration, activities)
         diagnostics = in_order((*diagnostics, *configuration.diagnostics.apply(problems)))
         suppressed += allowed
     files = tuple(source.path for source in system.sources) if system else ()
@@ -127,15 +128,43 @@ def code_problems(
     system: System, configuration: Configuration, activities: Path | None
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """What the code of the activities gets wrong, where there is some; several systems may share it."""
-    output = configuration.output or Path(OUTPUT)
-    if activities is None and configuration.activities is None and not output.is_dir():
+    folder = _code_folder(configuration, activities)
+    if folder is None:
         return (), ()
     from aseme_dsl.build.activity_code import check_code
-    from aseme_dsl.build.build import activities_folder, choose
 
-    folder = activities_folder(output, choose(configuration, activities=activities))
     alone = len(configuration.files) < 2
     return check_code(system, folder, alone=alone, project=configuration.folder)
+
+
+def _code_folder(configuration: Configuration, activities: Path | None) -> Path | None:
+    """Where the code of the activities may be."""
+    output = configuration.output or Path(OUTPUT)
+    if activities is None and configuration.activities is None and not output.is_dir():
+        return None
+    from aseme_dsl.build.build import activities_folder, choose
+
+    return activities_folder(output, choose(configuration, activities=activities))
+
+
+def _without_read(
+    diagnostics: tuple[Diagnostic, ...],
+    system: System,
+    configuration: Configuration,
+    activities: Path | None,
+) -> tuple[Diagnostic, ...]:
+    """Without the notes on variables that nothing reads (N725), where the code of an activity does."""
+    if all(item.code != "N725" for item in diagnostics):
+        return diagnostics
+    folder = _code_folder(configuration, activities)
+    if folder is None or not folder.is_dir():
+        return diagnostics
+    from aseme_dsl.build.activity_code import variables_read
+
+    read = variables_read(system, folder, configuration.folder)
+    return tuple(
+        item for item in diagnostics if item.code != "N725" or item.span is None or item.span.text not in read
+    )
 
 
 def check(inputs: Inputs, sources: Mapping[str, str] | None = None) -> Checked:

@@ -373,3 +373,21 @@ class TestConfiguration:
     def test_a_file_that_is_no_configuration(self, here: Here, folder: Path, text: str) -> None:
         (folder / "pyproject.toml").write_text(text, "utf-8", "surrogateescape")
         assert here("check", "good.aseme").code == 1
+
+
+def test_a_variable_that_only_the_code_reads_is_read(here: Here, folder: Path) -> None:
+    (folder / "pyproject.toml").write_text(
+        '[tool.asemec]\nfiles = ["count.aseme"]\nactivities = "activities"\n', "utf-8"
+    )
+    (folder / "count.aseme").write_text(
+        "system S srm r { var n : int = 0 var m : int = 0\n"
+        "liveness { r = Walk~ } activities { Walk takes 1s }\n"
+        "control r { repeat Walk : / n = n + 1; m = 2 } }"
+    )
+    (folder / "activities").mkdir()
+    (folder / "activities" / "walk.py").write_text(
+        'class Walk:\n    def execute(self, context):\n        context.log(context.variable("n"))\n'
+    )
+    done = here("check", "count.aseme")
+    assert "variable `m`" in done.out + done.err
+    assert "variable `n`" not in done.out + done.err
