@@ -49,6 +49,7 @@ def test_every_place_of_the_grammar_has_an_answer() -> None:
             "RoleName",
             "SystemName",
             "IncludedName",
+            "OutcomeName",
         )
         or terminal in ("Path", "Text", "Label")
     }

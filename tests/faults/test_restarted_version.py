@@ -49,8 +49,14 @@ def swapped_to(run: Started, robot: str, life: int = 1) -> str | None:
 
 def hears_again(run: Started, listener: str, speaker: str) -> bool:
     """Whether a robot has heard the beginning of a second life of another one, and goes on hearing."""
-    numbers = signals_from(run.trace(listener), speaker)
-    return numbers.count(1) == 2 and len(numbers) - numbers.index(1, numbers.index(1) + 1) > 20
+    trace = run.trace(listener)
+    news = [
+        n
+        for n, r in enumerate(trace)
+        if r["kind"] == "peer" and (r["peer"], r["what"]) == (speaker, "restarted")
+    ]
+    since = signals_from(trace[news[-1] :], speaker) if news else []
+    return since[:1] == [1] and len(since) > 20
 
 
 def test_it_begins_as_its_team_goes_on(tmp_path: Path) -> None:

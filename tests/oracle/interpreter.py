@@ -1106,7 +1106,8 @@ class Reference:
             case ("size", items):
                 return sum(1 for _ in self.compute(items))
             case ("contains", items, wanted):
-                return any(item == self.compute(wanted) for item in self.compute(items))
+                sought = self.compute(wanted)
+                return any(item == sought for item in self.compute(items))
             case ("builtin", name, *arguments):
                 return BUILT_IN[name](*[self.compute(argument) for argument in arguments])
             case ("call", name, *arguments):
