@@ -144,8 +144,7 @@ def _act(server: Server) -> None:
         view = server.view(params.text_document.uri)
         if view is None:
             return None
-        start = server.offset(view, params.range.start)
-        end = server.offset(view, params.range.end)
+        start, end = server.offsets(view, params.range)
         wanted = params.context.only
         return [
             _code_action(server, view, item, params.context.diagnostics)

@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from lsprotocol import types as lsp
 from pygls.exceptions import JsonRpcException, JsonRpcInvalidParams
@@ -92,6 +92,13 @@ _FOLDS = {
 }
 
 
+class AtPlace(Protocol):
+    """What a request about one place in a file is asked with."""
+
+    text_document: lsp.TextDocumentIdentifier
+    position: lsp.Position
+
+
 class Server(LanguageServer):
     """A language server with the workspace that it answers for."""
 
@@ -135,8 +142,17 @@ class Server(LanguageServer):
     def view(self, uri: str) -> View | None:
         return self.files.view(self.path(uri))
 
+    def place(self, params: AtPlace) -> tuple[View, int] | None:
+        """The view and the offset that a request is about."""
+        view = self.view(params.text_document.uri)
+        return None if view is None else (view, self.offset(view, params.position))
+
     def offset(self, view: View, position: lsp.Position) -> int:
         return self.offset_in(view.source, position)
+
+    def offsets(self, view: View, extent: lsp.Range) -> tuple[int, int]:
+        """Where a range starts and ends."""
+        return self.offset(view, extent.start), self.offset(view, extent.end)
 
     def offset_in(self, source: Source, position: lsp.Position) -> int:
         return self.lines(source).offset(Position(position.line, position.character))
@@ -326,57 +342,54 @@ def _change(item: lsp.TextDocumentContentChangeEvent) -> Change:
 def _questions(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_HOVER)
     def on_hover(params: lsp.HoverParams) -> lsp.Hover | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+        place = server.place(params)
+        if place is None:
             return None
-        found = hover.hover(view, server.offset(view, params.position))
+        found = hover.hover(*place)
         if found is None:
             return None
         return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, found.text), server.range(found.span))
 
     @server.feature(lsp.TEXT_DOCUMENT_DEFINITION)
     def definition(params: lsp.DefinitionParams) -> list[lsp.Location] | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+        place = server.place(params)
+        if place is None:
             return None
-        offset = server.offset(view, params.position)
+        view, offset = place
         return server.locations(navigation.definition_or_python(view, offset, _folders(server, view)))
 
     @server.feature(lsp.TEXT_DOCUMENT_DECLARATION)
     def declaration(params: lsp.DeclarationParams) -> list[lsp.Location] | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+        place = server.place(params)
+        if place is None:
             return None
-        return server.locations(navigation.definition(view, server.offset(view, params.position)))
+        return server.locations(navigation.definition(*place))
 
     @server.feature(lsp.TEXT_DOCUMENT_IMPLEMENTATION)
     def implementation(params: lsp.ImplementationParams) -> list[lsp.Location] | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+        place = server.place(params)
+        if place is None:
             return None
-        offset = server.offset(view, params.position)
+        view, offset = place
         return server.locations(navigation.implementation(view, offset, _folders(server, view)))
 
     @server.feature(lsp.TEXT_DOCUMENT_REFERENCES)
     def references(params: lsp.ReferenceParams) -> list[lsp.Location] | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+        place = server.place(params)
+        if place is None:
             return None
-        places = navigation.references(
-            view,
-            server.offset(view, params.position),
-            _folders(server, view),
-            declaration=params.context.include_declaration,
-        )
+        view, offset = place
+        declared = params.context.include_declaration
+        places = navigation.references(view, offset, _folders(server, view), declaration=declared)
         return server.locations(places)
 
     @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
     def highlights(params: lsp.DocumentHighlightParams) -> list[lsp.DocumentHighlight] | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+        place = server.place(params)
+        if place is None:
             return None
         server.moved(params.text_document.uri, params.position)
-        found = navigation.highlights(view, server.offset(view, params.position))
+        found = navigation.highlights(*place)
         return [lsp.DocumentHighlight(server.range(span), _HIGHLIGHTS[use]) for span, use in found]
 
     @server.feature(lsp.WORKSPACE_SYMBOL)
@@ -404,21 +417,20 @@ def _folders(server: Server, view: View) -> navigation.PythonFolders:
 def _changes(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_PREPARE_RENAME)
     def prepare(params: lsp.PrepareRenameParams) -> lsp.Range | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+        place = server.place(params)
+        if place is None:
             return None
-        found = rename.renameable(server.files, view, server.offset(view, params.position))
+        found = rename.renameable(server.files, *place)
         if isinstance(found, rename.Refused):
             raise JsonRpcInvalidParams(found.reason)
         return server.range(found)
 
     @server.feature(lsp.TEXT_DOCUMENT_RENAME, lsp.RenameOptions(prepare_provider=True))
     def on_rename(params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+        place = server.place(params)
+        if place is None:
             return None
-        offset = server.offset(view, params.position)
-        found = rename.rename(server.files, view, offset, params.new_name)
+        found = rename.rename(server.files, *place, params.new_name)
         if isinstance(found, rename.Refused):
             raise JsonRpcInvalidParams(found.reason)
         return lsp.WorkspaceEdit(
@@ -520,7 +532,7 @@ def _structure(server: Server) -> None:
         view = server.view(params.text_document.uri)
         if view is None:
             return None
-        start, end = server.offset(view, params.range.start), server.offset(view, params.range.end)
+        start, end = server.offsets(view, params.range)
         found = [item for item in tokens.tokens(view) if item.end > start and item.start < end]
         return lsp.SemanticTokens(tokens.encoded(server.lines(view.source), found))
 
@@ -529,7 +541,7 @@ def _structure(server: Server) -> None:
         view = server.view(params.text_document.uri)
         if view is None:
             return None
-        start, end = server.offset(view, params.range.start), server.offset(view, params.range.end)
+        start, end = server.offsets(view, params.range)
         return [
             lsp.InlayHint(
                 server.range(Span(view.source, item.offset, item.offset)).start,
@@ -579,11 +591,11 @@ def _remember(server: Server, view: View, data: Sequence[int]) -> str:
 def _hierarchy(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY)
     def prepare(params: lsp.CallHierarchyPrepareParams) -> list[lsp.CallHierarchyItem] | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+        place = server.place(params)
+        if place is None:
             return None
-        found = calls.prepared(view, server.offset(view, params.position))
-        return [_item(server, view.path, found)] if found is not None else None
+        found = calls.prepared(*place)
+        return [_item(server, place[0].path, found)] if found is not None else None
 
     @server.feature(lsp.CALL_HIERARCHY_INCOMING_CALLS)
     def incoming(params: lsp.CallHierarchyIncomingCallsParams) -> list[lsp.CallHierarchyIncomingCall] | None:
