@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from aseme_dsl.amola.statechart import Node, Statechart
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart
 
 
 def states_meant(
@@ -25,6 +25,21 @@ def states_meant(
     return ()
 
 
+def performers(chart: Statechart, source: str, activity: str) -> tuple[Node, ...]:
+    """The states of which `outcome(activity)` is the last outcome, in a transition out of `source`.
+
+    They are looked for from its region, or its participant's branch, outwards: there one thing is done after
+    the other, so that "the last" is clear.
+    """
+    region, branch = chart.region_of(source), chart.branch_of(source) or ""
+    return states_meant(
+        chart,
+        branch if branch.startswith(f"{region}.") else region,
+        activity,
+        lambda node: node.type is NodeType.BASIC and node.activity == activity,
+    )
+
+
 def loop_of(chart: Statechart, label: str) -> str:
     """The state whose entry sets the count of `label` to 0: what its loop stands in, else its region.
 
@@ -39,4 +54,4 @@ def loop_of(chart: Statechart, label: str) -> str:
     return label
 
 
-__all__ = ["loop_of", "states_meant"]
+__all__ = ["loop_of", "performers", "states_meant"]

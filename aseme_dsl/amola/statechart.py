@@ -279,6 +279,20 @@ class Statechart:
             label = parent
         return label
 
+    def is_branch(self, node: Node) -> bool:
+        """Whether a state is the outermost of what came from a participant."""
+        if node.origin.kind is not OriginKind.PROTOCOL or node.type is not NodeType.OR:
+            return False
+        parent = None if node.parent is None else self.node(node.parent)
+        return parent is not None and parent.origin != node.origin
+
+    def branch_of(self, label: str) -> str | None:
+        """The label of the innermost protocol branch around a state, or of the state itself."""
+        node = self.node(label)
+        if self.is_branch(node):
+            return label
+        return next((item.label for item in self.ancestors(label) if self.is_branch(item)), None)
+
     def scope_of(self, transition: Transition) -> str:
         """The lowest OR state that holds source and target (P1, section 4.3)."""
         around = {node.label for node in self.ancestors(transition.target)}

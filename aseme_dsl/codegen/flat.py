@@ -31,13 +31,12 @@ from aseme_dsl.amola.expression import (
     values_of,
     walk,
 )
-from aseme_dsl.amola.meant import loop_of, states_meant
+from aseme_dsl.amola.meant import loop_of, performers, states_meant
 from aseme_dsl.amola.messages import DURATION, Comm
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import (
     Node,
     NodeType,
-    OriginKind,
     Statechart,
     Transition,
     TransitionKind,
@@ -150,14 +149,7 @@ class FlatChart:
     @cached_property
     def branches(self) -> tuple[Node, ...]:
         """The states that are the branch of a participant."""
-        return tuple(node for node in self.chart.nodes if self.is_branch(node))
-
-    def is_branch(self, node: Node) -> bool:
-        """Whether a state is the outermost of what came from a participant."""
-        if node.origin.kind is not OriginKind.PROTOCOL or node.type is not NodeType.OR:
-            return False
-        parent = None if node.parent is None else self.chart.node(node.parent)
-        return parent is not None and parent.origin != node.origin
+        return tuple(node for node in self.chart.nodes if self.chart.is_branch(node))
 
     @cached_property
     def leaving(self) -> tuple[Node, ...]:
@@ -165,7 +157,7 @@ class FlatChart:
         return tuple(
             node
             for node in self.chart.nodes
-            if node.type is NodeType.OR and (self.is_branch(node) or self.chart.exits_of(node.label))
+            if node.type is NodeType.OR and (self.chart.is_branch(node) or self.chart.exits_of(node.label))
         )
 
     @cached_property
@@ -186,7 +178,7 @@ class FlatChart:
             for region in self.regions
             if any(
                 region.label.startswith(f"{node.label}.")
-                and self.branch_of(region.label) == self.branch_of(node.label)
+                and self.chart.branch_of(region.label) == self.chart.branch_of(node.label)
                 for node in self.resumed
             )
         )
@@ -199,13 +191,6 @@ class FlatChart:
             if transition.kind is TransitionKind.ON:
                 found[transition.source] = (*found.get(transition.source, ()), number)
         return found
-
-    def branch_of(self, label: str) -> str | None:
-        """The label of the innermost protocol branch around a state, or of the state itself."""
-        node = self.chart.node(label)
-        if self.is_branch(node):
-            return label
-        return next((item.label for item in self.chart.ancestors(label) if self.is_branch(item)), None)
 
     def transition(self, number: int) -> Transition:
         """The transition of that number in the template's order."""
@@ -283,19 +268,8 @@ class FlatChart:
         )
 
     def asked_of(self, source: str, activity: str) -> tuple[str, ...]:
-        """The states of which `outcome(activity)` is the last outcome, in a transition out of `source`.
-
-        They are looked for from its region, or its participant's branch, outwards: there one thing is done
-        after the other, so that "the last" is clear.
-        """
-        region, branch = self.chart.region_of(source), self.branch_of(source) or ""
-        found = states_meant(
-            self.chart,
-            branch if branch.startswith(f"{region}.") else region,
-            activity,
-            lambda node: node.type is NodeType.BASIC and node.activity == activity,
-        )
-        return tuple(node.label for node in found)
+        """The states of which `outcome(activity)` is the last outcome, in a transition out of `source`."""
+        return tuple(node.label for node in performers(self.chart, source, activity))
 
     @cached_property
     def counted(self) -> dict[str, str]:

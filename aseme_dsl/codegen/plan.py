@@ -143,7 +143,7 @@ def _call(name: str, required: Sequence[Any], optional: Iterable[tuple[str, Any,
 
 
 def _state(node: Node, flat: FlatChart, placed: bool = True) -> str:
-    branch = f"{node.origin.owner}.{node.origin.name}" if flat.is_branch(node) else None
+    branch = f"{node.origin.owner}.{node.origin.name}" if flat.chart.is_branch(node) else None
     return _call(
         "State",
         [node.label, node.name, node.type.value],

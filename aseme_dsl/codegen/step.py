@@ -656,9 +656,7 @@ class _Generator:
         match event:
             case After(duration=duration):
                 return f"now - self.{self._time(source)} >= {duration}"
-            case Received():
-                return f"self.waiting_mail({self._letter(source, event)}) is not None"
-            case Lost():
+            case Received() | Lost():
                 return f"self.waiting_mail({self._letter(source, event)}) is not None"
             case Raised(name=name):
                 return f"self.happened({region}, {name!r})"
@@ -666,7 +664,7 @@ class _Generator:
                 return f"self.failed_inside({source!r})"
 
     def _letter(self, source: str, event: Received | Lost) -> str:
-        branch = self.flat.branch_of(source)
+        branch = self.chart.branch_of(source)
         return f"{branch!r}, {', '.join(map(repr, _kind(event)))}"
 
     def _pick(self, region: int, number: int, expression: TransitionExpression) -> str:
@@ -676,7 +674,7 @@ class _Generator:
             pick = _Method(self._names(region))
             pick.names.mail = "mail"
             self._asked_by(number, pick.names)
-            branch = self.flat.branch_of(self.flat.transition(number).source)
+            branch = self.chart.branch_of(self.flat.transition(number).source)
             kinds = tuple(_kind(event) for event in expression.events if isinstance(event, Received | Lost))
             pick.add(2, f"for mail in self.letters({branch!r}, {kinds!r}):")
             if expression.condition is None:
@@ -911,7 +909,7 @@ class _Generator:
     def _left(self, node: Node) -> list[str]:
         """What is done when a state is left, after what is inside it."""
         lines = [f"self._exit_{self._key(node.label)}()"] if self.chart.exits_of(node.label) else []
-        return [*lines, f"self.part({node.label!r})"] if self.flat.is_branch(node) else lines
+        return [*lines, f"self.part({node.label!r})"] if self.chart.is_branch(node) else lines
 
     def _spend_events(
         self, method: _Method, depth: int, region: int, source: str, segments: list[TransitionExpression]
@@ -1113,7 +1111,7 @@ class _Generator:
         self._method(f"{name}(self, now: int) -> int", document, method)
 
     def _on_entry(self, method: _Method, depth: int, region: int, node: Node) -> None:
-        if self.flat.is_branch(node):
+        if self.chart.is_branch(node):
             method.add(depth, f"self.join({node.label!r})")
         for variable in self.chart.variables:
             if variable.scope == node.label:
@@ -1132,7 +1130,7 @@ class _Generator:
                 method.add(depth, f"self.{self._count(label)} = 0")
         if node.label in self.flat.counted:
             method.add(depth, f"self.{self._count(node.label)} += 1")
-        if self.flat.is_branch(node):
+        if self.chart.is_branch(node):
             for inner in self.flat.resumed:
                 if inner.label.startswith(f"{node.label}."):
                     method.add(depth, f"self.{self._kept(inner)} = None")
@@ -1159,7 +1157,7 @@ class _Generator:
         method = _Method(self._names(region))
         method.add(2, f"kept = self.{self._kept(node)} or {{}}", f"self.{self._kept(node)} = None")
         method.add(2, f"n = kept.get({region}, INACTIVE)")
-        if self.flat.is_branch(node):
+        if self.chart.is_branch(node):
             self._activate_start(method, 2, region, node.label)
         else:
             self._where_it_was(method, region, node.label)
@@ -1187,7 +1185,7 @@ class _Generator:
                 (
                     around.label
                     for around in reversed(self.flat.around(leaf.label))
-                    if around.label.startswith(f"{label}.") and self.flat.is_branch(around)
+                    if around.label.startswith(f"{label}.") and self.chart.is_branch(around)
                 ),
                 None,
             )
@@ -1265,7 +1263,7 @@ class _Generator:
             case Publish(channel=channel):
                 method.add(depth, f"self.publish({region}, b, {str(channel)!r})")
             case Send(performative=performative, message=message, participant=participant):
-                branch = self.flat.branch_of(source)
+                branch = self.chart.branch_of(source)
                 letter = f"{branch!r}, {performative!r}, {message!r}, {participant!r}"
                 self._computed(method, depth, number, action.values, lambda *p: [_sending(letter, action, p)])
             case StartTimer(timer=timer, duration=duration):

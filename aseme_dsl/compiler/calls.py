@@ -166,14 +166,28 @@ def wrong_form(checker: Checker, name: str, span: Span, problem: str) -> None:
     checker.report("E504", problem, span, f"it is used as `{FORMS[name]}`")
 
 
+def is_given(checker: Checker, name: str, written: tree.Call, count: int) -> bool:
+    """Whether a form is given as many arguments as it takes (E504)."""
+    given = len(written.arguments)
+    if given != count:
+        plural = "" if count == 1 else "s"
+        wrong_form(checker, name, written.span, f"`{name}` takes {count} argument{plural}, not {given}")
+    return given == count
+
+
+def only_name(checker: Checker, name: str, argument: tree.Expression, wanted: str) -> tree.Name | None:
+    """The name, with nothing before or after it, that a form wants as `wanted` (E504)."""
+    if isinstance(argument, tree.Path) and len(argument.segments) == 1:
+        return argument.segments[0]
+    wrong_form(checker, name, argument.span, f"`{name}` wants the name of {wanted}")
+    return None
+
+
 def _message(
     checker: Checker, name: str, written: tree.Call, arguments: Sequence[Value], count: int
 ) -> Member | None:
     """The first of `count` arguments, which is a whole message on the blackboard."""
-    if len(arguments) != count:
-        plural = "" if count == 1 else "s"
-        problem = f"`{name}` takes {count} argument{plural}, not {len(arguments)}"
-        wrong_form(checker, name, written.span, problem)
+    if not is_given(checker, name, written, count):
         return None
     message = unnamed(arguments[0])
     if not isinstance(message, Member):
@@ -205,14 +219,14 @@ def _has(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Va
 
 def _sender(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
     """Who has sent the agent message that the transition takes."""
-    message = arguments[0] if len(arguments) == 1 else None
+    if not is_given(checker, "sender", written, 1):
+        return None
+    message = arguments[0]
     if isinstance(message, amola.Bound) and not message.path:
         return amola.Sender(message.name, written.span)
-    problem = f"`sender` takes 1 argument, not {len(arguments)}"
+    problem = "`sender` wants the agent message that the transition takes"
     if isinstance(message, amola.Sender) and message.lost:
         problem = f"`{message.name}` is the agent itself"
-    elif message is not None:
-        problem = "`sender` wants the agent message that the transition takes"
     wrong_form(checker, "sender", written.span, problem)
     return None
 
@@ -291,18 +305,13 @@ def _mean(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> V
 
 def timer(checker: Checker, written: tree.Call, name: str, count: int) -> str | None:
     """The timer that `expired` or `start_timer` names: a word of its own, declared by its use."""
-    if len(written.arguments) != count:
-        plural = "" if count == 1 else "s"
-        problem = f"`{name}` takes {count} argument{plural}, not {len(written.arguments)}"
-        wrong_form(checker, name, written.span, problem)
+    if not is_given(checker, name, written, count):
         return None
     first = written.arguments[0]
     while isinstance(first, tree.Parenthesised):
         first = first.inner
-    if not isinstance(first, tree.Path) or len(first.segments) != 1:
-        wrong_form(checker, name, first.span, f"`{name}` wants the name of a timer")
-        return None
-    return first.segments[0].text
+    found = only_name(checker, name, first, "a timer")
+    return None if found is None else found.text
 
 
 def fits(kind: Type, expected: Type) -> bool:

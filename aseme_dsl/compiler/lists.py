@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.messages import DOUBLE, INT, Kind, Type, list_of
-from aseme_dsl.compiler.calls import fits, wrong_form
+from aseme_dsl.compiler.calls import fits, is_given, wrong_form
 from aseme_dsl.compiler.checker import Checker, a, is_number
 from aseme_dsl.compiler.constants import NotConstant, fold
 from aseme_dsl.compiler.paths import member_path, unnamed
@@ -109,10 +109,7 @@ def contains(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -
 def _is_of_list(
     checker: Checker, name: str, written: tree.Call, arguments: Sequence[Value], count: int
 ) -> bool:
-    if len(arguments) != count:
-        plural = "" if count == 1 else "s"
-        problem = f"`{name}` takes {count} argument{plural}, not {len(arguments)}"
-        wrong_form(checker, name, written.span, problem)
+    if not is_given(checker, name, written, count):
         return False
     if arguments[0].type.kind is not Kind.LIST:
         problem = f"`{name}` wants a list, not {a(arguments[0].type)}"

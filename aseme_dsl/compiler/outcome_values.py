@@ -5,7 +5,7 @@ from __future__ import annotations
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Literal, Value
 from aseme_dsl.amola.messages import Kind, Type
-from aseme_dsl.compiler.calls import wrong_form
+from aseme_dsl.compiler.calls import is_given, only_name
 from aseme_dsl.compiler.checker import Checker
 from aseme_dsl.compiler.names import listed, unknown
 from aseme_dsl.compiler.symbols import ActivityForm
@@ -65,15 +65,11 @@ def _asked(written: tree.Expression) -> tree.Call | None:
 def _activity(checker: Checker, written: tree.Call) -> ActivityForm | None:
     """The activity that is asked for, with its outcomes."""
     symbols = checker.scope.symbols
-    if len(written.arguments) != 1:
-        problem = f"`outcome` takes 1 argument, not {len(written.arguments)}"
-        wrong_form(checker, "outcome", written.span, problem)
+    if not is_given(checker, "outcome", written, 1):
         return None
-    argument = written.arguments[0]
-    if not isinstance(argument, tree.Path) or len(argument.segments) != 1:
-        wrong_form(checker, "outcome", argument.span, "`outcome` wants the name of an activity")
+    name = only_name(checker, "outcome", written.arguments[0], "an activity")
+    if name is None:
         return None
-    name = argument.segments[0]
     found = symbols.activities.get(name.text)
     if found is not None and found.ends:
         return found

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from aseme_dsl.amola.expression import Compare, Failed, Literal, Outcome, Value, duration_text
-from aseme_dsl.amola.meant import states_meant
+from aseme_dsl.amola.meant import performers
 from aseme_dsl.amola.messages import Kind
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.source import Span
 
@@ -25,7 +25,7 @@ def check_outcomes(charts: Iterable[Statechart], activities: Mapping[str, Activi
 
 
 def _absent(chart: Statechart, source: str, value: Value) -> Diagnostic | None:
-    if not isinstance(value, Outcome) or performing(chart, source, value.activity):
+    if not isinstance(value, Outcome) or performers(chart, source, value.activity):
         return None
     return Diagnostic(
         "E520",
@@ -53,13 +53,6 @@ def _otherwise(chart: Statechart, value: Value, activities: Mapping[str, Activit
         wanted.span,
         related,
         hint=f"say so among the activities: `{asked.activity} ends {wanted.value}, …`",
-    )
-
-
-def performing(chart: Statechart, source: str, activity: str) -> tuple[Node, ...]:
-    """The states whose activity `outcome(activity)` means in a transition out of `source`."""
-    return states_meant(
-        chart, source, activity, lambda node: node.type is NodeType.BASIC and node.activity == activity
     )
 
 
@@ -127,4 +120,4 @@ def _where_errors_are_taken(chart: Statechart) -> dict[str, Span | None]:
     return found
 
 
-__all__ = ["check_deadlines", "check_outcomes", "performing"]
+__all__ = ["check_deadlines", "check_outcomes"]

@@ -8,7 +8,7 @@ from aseme_dsl.amola.expression import StateValue, values_of, walk
 from aseme_dsl.amola.meant import states_meant
 from aseme_dsl.amola.messages import BOOL, INT
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart
-from aseme_dsl.compiler.calls import wrong_form
+from aseme_dsl.compiler.calls import is_given, only_name
 from aseme_dsl.compiler.checker import Checker
 from aseme_dsl.compiler.formulas import cut
 from aseme_dsl.compiler.names import unknown
@@ -19,41 +19,41 @@ from aseme_dsl.source import Span
 
 def state_value(checker: Checker, question: str, written: tree.Call) -> StateValue | None:
     """`in(chase)`: of which states it asks is known only in a chart."""
-    if len(written.arguments) != 1:
-        problem = f"`{question}` takes 1 argument, not {len(written.arguments)}"
-        wrong_form(checker, question, written.span, problem)
+    if not is_given(checker, question, written, 1):
         return None
-    argument = written.arguments[0]
-    if not isinstance(argument, tree.Path) or len(argument.segments) != 1:
-        wrong_form(
-            checker, question, argument.span, f"`{question}` wants the name of a formula or an activity"
-        )
+    name = only_name(checker, question, written.arguments[0], "a formula or an activity")
+    if name is None:
         return None
     kind = INT if question == "count" else BOOL
-    return StateValue(question, argument.text, kind, argument.span, written.span)
+    return StateValue(question, name.text, kind, name.span, written.span)
 
 
 def check_states(charts: Iterable[Statechart]) -> Iterator[Diagnostic]:
     """E430 where a chart has no state of the name, E431 where `count` means several, E433 in actions."""
     told: set[Span] = set()
     for chart in charts:
-        for node in chart.nodes:
-            for argument in node.arguments:
-                for value in walk(argument.value):
-                    if isinstance(value, StateValue) and value.span not in told:
-                        problem = _problem(chart, node.label, value, False)
-                        if problem is not None:
-                            told.add(value.span)
-                            yield problem
-        for transition in chart.transitions:
-            condition = transition.expression.condition
-            asked = () if condition is None else tuple(walk(condition))
-            for value in values_of(transition.expression):
-                if isinstance(value, StateValue) and value.span not in told:
-                    problem = _problem(chart, transition.source, value, value in asked)
-                    if problem is not None:
-                        told.add(value.span)
-                        yield problem
+        for place, value, in_condition in _questions(chart):
+            if value.span in told:
+                continue
+            problem = _problem(chart, place, value, in_condition)
+            if problem is not None:
+                told.add(value.span)
+                yield problem
+
+
+def _questions(chart: Statechart) -> Iterator[tuple[str, StateValue, bool]]:
+    """What is asked of states, with the state where it is asked and whether a condition asks it."""
+    for node in chart.nodes:
+        for argument in node.arguments:
+            for value in walk(argument.value):
+                if isinstance(value, StateValue):
+                    yield node.label, value, False
+    for transition in chart.transitions:
+        condition = transition.expression.condition
+        asked = () if condition is None else tuple(walk(condition))
+        for value in values_of(transition.expression):
+            if isinstance(value, StateValue):
+                yield transition.source, value, value in asked
 
 
 def _problem(chart: Statechart, source: str, value: StateValue, in_condition: bool) -> Diagnostic | None:

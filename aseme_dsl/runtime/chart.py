@@ -6,7 +6,7 @@ carries its effects out; simulation, replay and tests do the same.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from importlib import import_module
 from random import Random
 from typing import Any, ClassVar
@@ -434,27 +434,21 @@ class Chart:
 
     def waiting_mail(self, branch: str, performative: str, message: str, participant: str) -> Mail | None:
         """The oldest agent message of that kind that waits in a branch."""
-        for item in self.mail[branch]:
-            if (item.performative, item.message, item.participant) == (performative, message, participant):
-                return item
-        return None
+        return next(self.letters(branch, [(performative, message, participant)]), None)
 
     def take_mail(self, branch: str, performative: str, message: str, participant: str) -> None:
         """A transition takes the oldest agent message of that kind."""
         item = self.waiting_mail(branch, performative, message, participant)
         if item is not None:
-            self.mail[branch].remove(item)
-            self.effects.append(MailTaken(branch, item.identity))
+            self.take_letter(item)
 
-    def letters(self, branch: str, kinds: Iterable[tuple[str, str, str]]) -> Iterable[Mail]:
+    def letters(self, branch: str, kinds: Iterable[tuple[str, str, str]]) -> Iterator[Mail]:
         """The agent messages of these kinds that wait in a branch: kind by kind, the oldest first."""
         waiting = self.mail[branch]
-        return [
-            item
-            for kind in kinds
-            for item in waiting
-            if (item.performative, item.message, item.participant) == kind
-        ]
+        for kind in kinds:
+            for item in waiting:
+                if (item.performative, item.message, item.participant) == kind:
+                    yield item
 
     def take_letter(self, item: Mail) -> None:
         """A transition takes an agent message, unless another part of it has done so."""
