@@ -71,9 +71,9 @@ class Names:
     """The names of one generated method and what the emitted code turned out to use."""
 
     slots: Mapping[tuple[str, str | None], str]
-    """The board's slot for (channel, host)."""
+    """The code that reads the message of (channel, host)."""
     variables: Mapping[str, str]
-    """The attribute of self for each variable."""
+    """The code that reads each variable."""
     fields: Mapping[tuple[str, str], tuple[bool, str]] = field(default_factory=dict)
     """For (message, field) whether it may be absent in a message that is there, and its type's name."""
     enums: set[tuple[str, str]] = field(default_factory=set)
@@ -157,8 +157,8 @@ def _wrapped(code: str) -> str:
 def _place(message: Member | VariableValue, names: Names) -> str:
     """Where a message, or an agent, is looked for: None is there without one."""
     if isinstance(message, VariableValue):
-        return f"self.{names.variables[message.name]}"
-    return f"b.{_slot(message, names)}"
+        return names.variables[message.name]
+    return _slot(message, names)
 
 
 def _slot(message: Member, names: Names) -> str:
@@ -171,7 +171,7 @@ def _present(message: Member, names: Names, known: Known) -> tuple[str, tuple[st
     if slot in known:
         return known[slot], (), known
     local = names.local()
-    return local, (f"({local} := b.{slot}) is not None",), {**known, slot: local}
+    return local, (f"({local} := {slot}) is not None",), {**known, slot: local}
 
 
 def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
@@ -187,7 +187,7 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
         case ParameterValue(name=name):
             raise AssertionError(f"{name} is replaced where its formula is expanded")
         case VariableValue(name=name, type=kind):
-            code = f"self.{names.variables[name]}"
+            code = names.variables[name]
             if kind != AGENT:
                 return Piece(code, known=known)
             local = names.local()
@@ -201,7 +201,7 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
         case Age(message=message):
             slot = _slot(message, names)
             _, needs, known = _present(message, names, known)
-            return Piece(f"(now - b.{slot}_time)", needs, known)
+            return Piece(f"(now - {slot}_time)", needs, known)
         case At(message=message, offset=offset):
             return _at(message, offset, names, known)
         case Mean(message=message, window=window):

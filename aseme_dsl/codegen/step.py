@@ -18,9 +18,8 @@ what a careful person writes by hand. Methods of the class, for region 3:
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
-from functools import partial
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
     Action,
@@ -47,21 +46,16 @@ from aseme_dsl.amola.expression import (
     values_of,
     walk,
 )
-from aseme_dsl.amola.meant import states_meant
-from aseme_dsl.amola.messages import Comm, Kind, Type
+from aseme_dsl.amola.messages import Comm
 from aseme_dsl.amola.statechart import (
     Node,
     NodeType,
     Region,
     Statechart,
     TransitionKind,
-    Variable,
-    transition_text,
 )
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.expressions import (
-    NOTHING,
-    Known,
     Names,
     Piece,
     converted,
@@ -69,24 +63,14 @@ from aseme_dsl.codegen.expressions import (
     evaluate,
     holds,
 )
+from aseme_dsl.codegen.face import Face, Method, docstring, mail_name, natural
 from aseme_dsl.codegen.flat import FlatChart, Wait, Way, signals
-from aseme_dsl.codegen.place import place
 
 TABLE = 64
 """Regions with more numbers than this dispatch through a tuple of functions, others through comparisons."""
 
 LOST = "lost"
 """What stands for the performative where an agent is lost."""
-
-_PYTHON = {
-    Kind.BOOL: "bool",
-    Kind.INT: "int",
-    Kind.DOUBLE: "float",
-    Kind.STRING: "str",
-    Kind.BYTES: "bytes",
-    Kind.DURATION: "int",
-    Kind.AGENT: "str | None",
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,64 +96,25 @@ def generate_step(system: System, chart: Statechart, class_name: str) -> StepCod
     return _Generator(system, chart, class_name).generate()
 
 
-class _Identifiers:
-    """Python names for keys, each its own."""
-
-    def __init__(self) -> None:
-        self._taken: set[str] = set()
-        self._names: dict[object, str] = {}
-
-    def name(self, key: object, wish: str) -> str:
-        if key not in self._names:
-            base = re.sub(r"\W", "_", wish)
-            name, number = base, 2
-            while name in self._taken:
-                name, number = f"{base}_{number}", number + 1
-            self._taken.add(name)
-            self._names[key] = name
-        return self._names[key]
-
-
-@dataclass
-class _Method:
-    """The lines of a method being written, with the names it uses."""
-
-    names: Names
-    lines: list[str] = field(default_factory=list)
-
-    def add(self, depth: int, *lines: str) -> None:
-        self.lines += ["    " * depth + line for line in lines]
-
-
 @dataclass(frozen=True, slots=True)
 class _Body:
     """What a round does while a region has this number."""
 
     number: int
     title: str
-    method: _Method
+    method: Method
 
 
-class _Generator:
+class _Generator(Face):
     def __init__(self, system: System, chart: Statechart, class_name: str) -> None:
-        self.system = system
-        self.chart = chart
+        super().__init__(system, chart, FlatChart(chart, system.activities))
         self.class_name = class_name
-        self.flat = FlatChart(chart, system.activities)
-        self.identifiers = _Identifiers()
-        self.enums: set[tuple[str, str]] = set()
-        self.messages: set[str] = set()
         self.published: set[str] = set()
-        self.methods: list[list[str]] = []
-        self.tables: list[str] = []
-        self.guards: set[int] = set()
         self.slots = {region.number: self._region_slots(region.number) for region in self.flat.regions}
-        self.fields = {
-            (message.name, item.name): (item.label == "optional", item.type.name)
-            for message in system.messages
-            for item in message.fields
+        self.seen = {
+            region: {message: f"b.{slot}" for message, slot in slots.items()}
+            for region, slots in self.slots.items()
         }
-        self.variables = {variable.name: variable for variable in chart.variables}
 
     # ---- names -----------------------------------------------------------------------------
 
@@ -192,9 +137,6 @@ class _Generator:
     def _copies(self, name: str) -> list[str]:
         regions = self.flat.variable_regions[name]
         return list(dict.fromkeys(self._variable(name, region) for region in regions or (0,)))
-
-    def _time(self, label: str) -> str:
-        return self.identifiers.name(("time", label), f"t_{label}")
 
     def _kept(self, node: Node) -> str:
         """What is remembered of a composite that may be resumed."""
@@ -220,20 +162,12 @@ class _Generator:
     def _has_time(self, number: int) -> bool:
         return any(isinstance(event, After) for event in self.chart.transitions[number].expression.events)
 
-    def _count(self, label: str) -> str:
-        return self.identifiers.name(("count", label), f"n_{label}")
-
     def _names(self, region: int, prefix: str = "") -> Names:
-        variables = {name: self._variable(name, region) for name in self.variables}
-        return Names(self.slots[region], variables, self.fields, self.enums, prefix=prefix)
+        variables = {name: f"self.{self._variable(name, region)}" for name in self.variables}
+        return Names(self.seen[region], variables, self.fields, self.enums, prefix=prefix)
 
-    def _place(self, number: int) -> str:
-        transition = self.chart.transitions[number]
-        text = transition_text(transition)
-        target = self.chart.node(transition.target)
-        named = f" {target.name}" if target.name != target.label else ""
-        ends = f"{transition.source} -> {transition.target}{named}"
-        return "  ".join(part for part in (ends, text, f"({place(transition.span)})") if part)
+    def _held(self, region: int) -> tuple[str, str]:
+        return f"b: Board{region}, now: int", "b, now"
 
     # ---- the whole -------------------------------------------------------------------------
 
@@ -267,9 +201,9 @@ class _Generator:
             self.class_name, tuple(sorted(used)), constants, tuple(boards), tuple(body), tuple(self.tables)
         )
 
-    def _method(self, signature: str, document: str, method: _Method) -> None:
+    def _method(self, signature: str, document: str, method: Method) -> None:
         """Write a method, with only those locals that its lines use."""
-        region = next((r for r, slots in self.slots.items() if slots is method.names.slots), 0)
+        region = next((r for r, slots in self.seen.items() if slots is method.names.slots), 0)
         lines = [f"    def {signature}:", f'        """{document}"""']
         text = "\n".join(method.lines)
         if re.search(r"\bb\b", text) and "b:" not in signature:
@@ -301,7 +235,7 @@ class _Generator:
                 (copy, self._python(variable.type), self._initial(variable))
                 for copy in self._copies(variable.name)
             ]
-        names = ", ".join(f'"{name}"' for name, _, _ in sorted(attributes, key=_natural))
+        names = ", ".join(f'"{name}"' for name, _, _ in sorted(attributes, key=natural))
         running = {
             node.label: (f"r{region.number}", f"k{region.number}", self.flat.leaf[node.label])
             for region in regions
@@ -361,22 +295,6 @@ class _Generator:
         found = {label: self._count(label) for label in self.flat.counted}
         return [f"    COUNTS: ClassVar[Mapping[str, str]] = {found!r}"] if found else []
 
-    def _python(self, kind: Type) -> str:
-        if kind.kind in (Kind.ENUM, Kind.MESSAGE):
-            self.messages.add(kind.name)
-            return kind.name
-        return _PYTHON[kind.kind]
-
-    def _initial(self, variable: Variable) -> str:
-        value = variable.initial.value
-        if variable.type.kind is Kind.AGENT:
-            return "None"
-        if variable.type.kind is Kind.ENUM:
-            constant = str(value)
-            self.enums.add((variable.type.name, constant))
-            return enum_name(variable.type.name, constant)
-        return repr(float(value)) if variable.type.kind is Kind.DOUBLE else repr(value)
-
     def _readers(self) -> dict[str, tuple[int, ...]]:
         found: dict[str, list[int]] = {}
         for region in self.flat.regions:
@@ -429,7 +347,7 @@ class _Generator:
             "",
             "    __slots__ = ("
             + "".join(
-                f'"{name}", ' for name in sorted(names, key=lambda name: _natural((name, "", None)))
+                f'"{name}", ' for name in sorted(names, key=lambda name: natural((name, "", None)))
             ).rstrip()
             + ")",
             f"    CHANNELS = frozenset({list(reads)!r})",
@@ -456,7 +374,7 @@ class _Generator:
             numbers = [number, number + 1] if leaf.type is NodeType.BASIC else [number]
             for state in numbers:
                 # locals of different leaves are typed differently, so they do not share names
-                method = _Method(self._names(region, f"{state}_"))
+                method = Method(self._names(region, f"{state}_"))
                 self._from_leaf(method, region, leaf, complete=self._leaf_complete(leaf, state))
                 if method.lines:
                     bodies.append(_Body(state, self._leaf_title(leaf, state), method))
@@ -466,20 +384,14 @@ class _Generator:
         if self.flat.regions[region].size > TABLE:
             self._table(region, bodies, signature, document)
             return
-        whole = _Method(self._names(region))
+        whole = Method(self._names(region))
         if bodies:
             whole.add(2, f"r = self.r{region}")
             self._tree(whole, bodies, 2)
         whole.add(2, "return False")
         self._method(signature, document, whole)
 
-    def _leaf_title(self, leaf: Node, number: int) -> str:
-        """A leaf for people: its label, what it is, and for an activity whether it still runs."""
-        if leaf.type is not NodeType.BASIC:
-            return f"{leaf.label} {leaf.type.value}"
-        return f"{leaf.label} {leaf.name} {'runs' if number == self.flat.leaf[leaf.label] else 'is complete'}"
-
-    def _tree(self, whole: _Method, bodies: list[_Body], depth: int) -> None:
+    def _tree(self, whole: Method, bodies: list[_Body], depth: int) -> None:
         """Find the body of the active leaf by comparisons; halves where there are many."""
         if len(bodies) > 4:
             middle = len(bodies) // 2
@@ -500,7 +412,7 @@ class _Generator:
             body.method.add(2, "return False")
             self._method(f"{name}(self, now: int) -> bool", f"While {body.title}.", body.method)
             entries[body.number] = f"{self.class_name}.{name}"
-        whole = _Method(self._names(region))
+        whole = Method(self._names(region))
         whole.add(
             2,
             f"leaf = _LEAVES_{region}[self.r{region}]",
@@ -512,24 +424,7 @@ class _Generator:
         self.tables += [f"    {entry}," for entry in entries]
         self.tables += [")"]
 
-    def _leaf_complete(self, leaf: Node, number: int) -> str | bool:
-        """Whether a leaf is complete: known for the number, or a condition for an AND."""
-        match leaf.type:
-            case NodeType.START:
-                return True
-            case NodeType.BASIC:
-                return number != self.flat.leaf[leaf.label]
-            case NodeType.AND:
-                ends = []
-                for region in self.flat.regions_of(leaf.label):
-                    end = self.chart.end_of(region.label)
-                    if end is None:
-                        return False
-                    ends.append(f"self.r{region.number} == {self.flat.leaf[end.label]}")
-                return " and ".join(ends)
-        return False
-
-    def _from_leaf(self, method: _Method, region: int, leaf: Node, complete: str | bool) -> None:
+    def _from_leaf(self, method: Method, region: int, leaf: Node, complete: str | bool) -> None:
         """Everything that one round may do while `leaf` is active: what cuts short, the outermost first, then
         innermost source first."""
         depth = 2
@@ -558,15 +453,12 @@ class _Generator:
                 method.add(depth, f"if self._around_{self._key(around.label)}(now):", "    return True")
                 self._around(region, around)
 
-    def _key(self, label: str) -> str:
-        return label.replace(".", "_")
-
     def _around(self, region: int, source: Node) -> None:
         """A method with the transitions that may leave a composite before it is complete."""
         name = f"_around_{self._key(source.label)}(self, now: int) -> bool"
         if any(method[0] == f"    def {name}:" for method in self.methods):
             return
-        method = _Method(self._names(region))
+        method = Method(self._names(region))
         self._ways(method, 2, region, source.label, None, False)
         method.add(2, "return False")
         self._method(name, f"What may leave {source.label} {source.name} before it is complete.", method)
@@ -576,7 +468,7 @@ class _Generator:
         name = f"_first_{self._key(source.label)}(self, now: int) -> bool"
         if any(method[0] == f"    def {name}:" for method in self.methods):
             return
-        method = _Method(self._names(region))
+        method = Method(self._names(region))
         always = any(
             self._way(method, 2, region, source.label, None, False, way, ())
             for way in self.flat.first_ways(source.label)
@@ -586,7 +478,7 @@ class _Generator:
         self._method(name, f"What cuts {source.label} {source.name} short.", method)
 
     def _ways(
-        self, method: _Method, depth: int, region: int, source: str, leaf: Node | None, complete: str | bool
+        self, method: Method, depth: int, region: int, source: str, leaf: Node | None, complete: str | bool
     ) -> bool:
         """The ways out of a source; whether one of them is always taken, so that nothing follows."""
         return any(
@@ -596,7 +488,7 @@ class _Generator:
 
     def _way(
         self,
-        method: _Method,
+        method: Method,
         depth: int,
         region: int,
         source: str,
@@ -634,7 +526,7 @@ class _Generator:
                 tests.append(self._guard(method, region, way.number, expression.condition))
         if taken_message(expression):
             picked = self._pick(region, way.number, expression)
-            tests.append(f"({_mail(way.number)} := {picked}) is not None")
+            tests.append(f"({mail_name(way.number)} := {picked}) is not None")
         tests = [test for test in tests if test != "True"]
         if tests:
             method.add(depth, f"if {' and '.join(tests)}:")
@@ -671,7 +563,7 @@ class _Generator:
         """A method that finds the agent message which a transition takes, if its condition depends on it."""
         if number not in self.guards:
             self.guards.add(number)
-            pick = _Method(self._names(region))
+            pick = Method(self._names(region))
             pick.names.mail = "mail"
             self._asked_by(number, pick.names)
             branch = self.chart.branch_of(self.flat.transition(number).source)
@@ -689,69 +581,15 @@ class _Generator:
                     pick.add(3, "except Exception as error:", f"    self.fault({number}, error)")
             pick.add(2, "return None")
             signature = f"_picks_{number}(self, b: Board{region}, now: int) -> Any"
-            document = f"What is taken by {_docstring(self._place(number))}."
+            document = f"What is taken by {docstring(self._place(number))}."
             self._method(signature, document, pick)
         return f"self._picks_{number}(self.b{region}, now)"
-
-    def _guard(self, method: _Method, region: int, number: int, condition: Value) -> str:
-        """The condition in line, or as a method of its own where evaluating it may raise."""
-        before = method.names.may_raise
-        method.names.may_raise = False
-        self._asked_by(number, method.names)
-        code, _ = holds(condition, method.names)
-        raises, method.names.may_raise = method.names.may_raise, before
-        if not raises:
-            return code
-        if number not in self.guards:
-            self.guards.add(number)
-            guard = _Method(self._names(region))
-            self._asked_by(number, guard.names)
-            code, _ = holds(condition, guard.names)
-            guard.add(2, "try:", f"    return {code}", "except Exception as error:")
-            guard.add(3, f"return self.fault({number}, error)")
-            signature = f"_holds_{number}(self, b: Board{region}, now: int) -> bool"
-            self._method(signature, f"The condition of {_docstring(self._place(number))}.", guard)
-        return f"self._holds_{number}(b, now)"
-
-    def _asked_by(self, number: int, names: Names) -> None:
-        """Let the names of states in the expression of a transition mean what they mean there."""
-        self._asked_at(self.flat.transition(number).source, names)
-
-    def _asked_at(self, source: str, names: Names) -> None:
-        names.outcomes = partial(self.flat.asked_of, source)
-        names.states = partial(self._about_states, source)
-
-    def _about_states(self, source: str, value: StateValue) -> str:
-        """The code of `in(T)`, `done(T)` or `count(T)` in a transition out of `source`."""
-        meant = states_meant(self.chart, source, value.state)
-        if value.question == "count":
-            return f"self.{self._count(meant[0].label)}"
-        ask = self._is_active if value.question == "in" else self._is_done
-        found = [code for node in meant if (code := ask(node)) is not None]
-        code = " or ".join(f"({code})" if " and " in code else code for code in found) or "False"
-        return f"({code})" if len(found) > 1 else code
-
-    def _is_active(self, node: Node) -> str | None:
-        region = self.flat.region_number[node.label]
-        first, last = self.flat.range[node.label]
-        return f"self.r{region} == {first}" if first == last else f"{first} <= self.r{region} <= {last}"
-
-    def _is_done(self, node: Node) -> str | None:
-        region = self.flat.region_number[node.label]
-        if node.type is NodeType.OR:
-            end = self.chart.end_of(node.label)
-            return None if end is None else f"self.r{region} == {self.flat.leaf[end.label]}"
-        number = self.flat.leaf[node.label]
-        if node.type is NodeType.BASIC:
-            return f"self.r{region} == {number + 1}"
-        complete = self._leaf_complete(node, number)
-        return None if complete is False else f"self.r{region} == {number} and {complete}"
 
     # ---- taking a transition ---------------------------------------------------------------
 
     def _take(
         self,
-        method: _Method,
+        method: Method,
         depth: int,
         region: int,
         source: str,
@@ -765,7 +603,7 @@ class _Generator:
         self._spend_events(method, depth, region, source, plain)
         for number, transition in zip(taken, transitions, strict=True):
             if taken_message(transition.expression):
-                method.add(depth, f"self.take_letter({_mail(number)})")
+                method.add(depth, f"self.take_letter({mail_name(number)})")
         scope = self.chart.scope_of(transitions[0])
         target = transitions[-1].target
         for transition in transitions[1:]:
@@ -778,7 +616,7 @@ class _Generator:
             method.add(depth, f"b.spend({channel!r}, {host!r})")
 
     def _actions(
-        self, method: _Method, depth: int, region: int, source: str, taken: tuple[int, ...]
+        self, method: Method, depth: int, region: int, source: str, taken: tuple[int, ...]
     ) -> list[tuple[str, str | None]]:
         """The actions of the segments in order; the signals that these and their conditions look at."""
         transitions = [self.flat.transition(number) for number in taken]
@@ -786,7 +624,7 @@ class _Generator:
         looked_at = dict.fromkeys(found for item in conditions for found in signals(walk(item)))
         still_seen = set(looked_at)  # until an action puts messages on the board
         for number, transition in zip(taken, transitions, strict=True):
-            method.names.mail = _mail(number)
+            method.names.mail = mail_name(number)
             for action in transition.expression.actions:
                 for channel, host in signals(_read_by(action)):
                     if (channel, host) not in still_seen:
@@ -802,7 +640,7 @@ class _Generator:
 
     # ---- staying in a state ----------------------------------------------------------------
 
-    def _on(self, method: _Method, depth: int, region: int, number: int, complete: str | bool) -> None:
+    def _on(self, method: Method, depth: int, region: int, number: int, complete: str | bool) -> None:
         """The tests of a transition that stays, around what it does.
 
         Without an event it is taken once for what it sees: again when something of that is news, or when its
@@ -831,7 +669,7 @@ class _Generator:
             method.add(depth, f"b.ask({channel!r}, {host!r})")
         guard = "True"
         if taken_message(expression):
-            guard = f"({_mail(number)} := {self._pick(region, number, expression)}) is not None"
+            guard = f"({mail_name(number)} := {self._pick(region, number, expression)}) is not None"
         elif expression.condition is not None:
             guard = self._guard(method, region, number, expression.condition)
         if guard != "True":
@@ -851,7 +689,7 @@ class _Generator:
             for event in expression.events
         ]
         if taken_message(expression):
-            method.add(depth, f"self.take_letter({_mail(number)})")
+            method.add(depth, f"self.take_letter({mail_name(number)})")
             spent = there = []
         for index, (test, action) in enumerate(zip(there, spent, strict=True)):
             if len(spent) == 1 and not expression.when:
@@ -886,16 +724,16 @@ class _Generator:
                     values.setdefault(f"self.last_outcome({labels!r})")
                 case StateValue():
                     values.setdefault(self._about_states(transition.source, value))
-        method = _Method(self._names(region))
+        method = Method(self._names(region))
         parts = ["(" + "".join(f"{code}, " for code in found).strip() + ")" for found in (messages, values)]
         method.add(2, f"return {parts[0]}, {parts[1]}")
-        place = _docstring(self._place(number))
+        place = docstring(self._place(number))
         self._method(f"_seen_{number}(self) -> Seen", f"What {place} reads.", method)
 
     def _exit(self, node: Node) -> None:
         """A method with what is done when a state is left."""
         region = self.flat.region_number[node.label]
-        method = _Method(self._names(region))
+        method = Method(self._names(region))
         for transition in self.chart.exits_of(node.label):
             number = self.flat.transition_number[id(transition)]
             method.add(2, f"# {self._place(number)}", f"self.taken.append(({number},))")
@@ -904,7 +742,7 @@ class _Generator:
         if any(re.search(r"\bnow\b", line) for line in method.lines):
             method.lines.insert(0, "        now = self.now")
         name = f"_exit_{self._key(node.label)}(self) -> None"
-        self._method(name, f"What is done when {node.label} {_docstring(node.name)} is left.", method)
+        self._method(name, f"What is done when {node.label} {docstring(node.name)} is left.", method)
 
     def _left(self, node: Node) -> list[str]:
         """What is done when a state is left, after what is inside it."""
@@ -912,7 +750,7 @@ class _Generator:
         return [*lines, f"self.part({node.label!r})"] if self.chart.is_branch(node) else lines
 
     def _spend_events(
-        self, method: _Method, depth: int, region: int, source: str, segments: list[TransitionExpression]
+        self, method: Method, depth: int, region: int, source: str, segments: list[TransitionExpression]
     ) -> None:
         """Spend the first event of each segment that is there, one that several name once."""
         spending = [
@@ -953,7 +791,7 @@ class _Generator:
         return "pass"
 
     def _leave_leaf(
-        self, method: _Method, depth: int, region: int, scope: str, leaf: Node | None, complete: bool
+        self, method: Method, depth: int, region: int, scope: str, leaf: Node | None, complete: bool
     ) -> None:
         for node in self.flat.resumed:
             if self.flat.region_number[node.label] != region or not node.label.startswith(scope + "."):
@@ -988,7 +826,7 @@ class _Generator:
         running = [n for n in self.flat.leaves(region) if n.type is NodeType.BASIC]
         ands = [n for n in self.flat.leaves(region) if n.type is NodeType.AND]
         left = [n for n in running if self._left(n)]
-        method = _Method(self._names(region))
+        method = Method(self._names(region))
         if running or ands:
             method.add(2, f"r = self.r{region}")
         if running:
@@ -1009,7 +847,7 @@ class _Generator:
         self._method(
             f"_leave_leaf_{region}(self) -> None", f"Leave the active leaf of region {label}.", method
         )
-        whole = _Method(self._names(region))
+        whole = Method(self._names(region))
         for node in self.flat.resumed:
             if self.flat.region_number[node.label] == region:
                 first, last = self.flat.range[node.label]
@@ -1028,7 +866,7 @@ class _Generator:
 
     def _enter(
         self,
-        method: _Method,
+        method: Method,
         depth: int,
         region: int,
         scope: str,
@@ -1085,7 +923,7 @@ class _Generator:
     def _begin_given(self, name: str, node: Node) -> None:
         """Compute what an activity is given; where that cannot be, the state has failed."""
         region = self.flat.region_number[node.label]
-        method = _Method(self._names(region))
+        method = Method(self._names(region))
         self._asked_at(node.label, method.names)
         said = self.flat.said_of(node)
         types = {item.name: item.type for item in said.parameters} if said is not None else {}
@@ -1107,10 +945,10 @@ class _Generator:
                 method.add(3, f"return self.not_given({node.label!r}, {what!r}, error)")
         given = "".join(f"({item.name!r}, given_{n}), " for n, item in enumerate(node.arguments)).rstrip()
         method.add(2, f"return self.begin({node.label!r}, {node.activity!r}, ({given}))")
-        document = f"Start {_docstring(node.name)}, the activity of {node.label}."
+        document = f"Start {docstring(node.name)}, the activity of {node.label}."
         self._method(f"{name}(self, now: int) -> int", document, method)
 
-    def _on_entry(self, method: _Method, depth: int, region: int, node: Node) -> None:
+    def _on_entry(self, method: Method, depth: int, region: int, node: Node) -> None:
         if self.chart.is_branch(node):
             method.add(depth, f"self.join({node.label!r})")
         for variable in self.chart.variables:
@@ -1140,7 +978,7 @@ class _Generator:
     def _keep(self, node: Node) -> None:
         """A method that remembers where a composite is left, before it is; nothing if it is complete."""
         region = self.flat.region_number[node.label]
-        method = _Method(self._names(region))
+        method = Method(self._names(region))
         inside = [region, *(inner.number for inner in self.flat.regions_inside(node.label))]
         kept = ", ".join(f"{number}: self.r{number}" for number in inside)
         end = self.chart.end_of(node.label)
@@ -1149,12 +987,12 @@ class _Generator:
             value = f"None if self.r{region} == {self.flat.leaf[end.label]} else {value}"
         method.add(2, f"self.{self._kept(node)} = {value}")
         name = f"_keep_{self._key(node.label)}(self) -> None"
-        self._method(name, f"Remember where {node.label} {_docstring(node.name)} is left.", method)
+        self._method(name, f"Remember where {node.label} {docstring(node.name)} is left.", method)
 
     def _resume(self, node: Node) -> None:
         """A method by which a composite that has been entered goes on with what is remembered."""
         region = self.flat.region_number[node.label]
-        method = _Method(self._names(region))
+        method = Method(self._names(region))
         method.add(2, f"kept = self.{self._kept(node)} or {{}}", f"self.{self._kept(node)} = None")
         method.add(2, f"n = kept.get({region}, INACTIVE)")
         if self.chart.is_branch(node):
@@ -1162,19 +1000,19 @@ class _Generator:
         else:
             self._where_it_was(method, region, node.label)
         name = f"_resume_{self._key(node.label)}(self, now: int) -> None"
-        self._method(name, f"Go on in {node.label} {_docstring(node.name)}.", method)
+        self._method(name, f"Go on in {node.label} {docstring(node.name)}.", method)
 
     def _again(self, region: int) -> None:
         """A method that enters a region in which a composite around it goes on."""
         label = self.flat.regions[region].label
-        method = _Method(self._names(region))
+        method = Method(self._names(region))
         self._begin_region(method, region)
         method.add(2, f"n = kept.get({region}, INACTIVE)")
         self._where_it_was(method, region, label)
         signature = f"_again_{region}(self, now: int, kept: dict[int, int]) -> None"
         self._method(signature, f"Enter region {label} where it was left.", method)
 
-    def _where_it_was(self, method: _Method, region: int, label: str) -> None:
+    def _where_it_was(self, method: Method, region: int, label: str) -> None:
         """Enter the leaf `n` inside the state `label`, or its START; the inside of a branch begins anew."""
         branches: set[str] = set()
         branched = False
@@ -1208,7 +1046,7 @@ class _Generator:
         method.add(2, "else:")
         self._activate_start(method, 3, region, label)
 
-    def _activate_start(self, method: _Method, depth: int, region: int, label: str) -> None:
+    def _activate_start(self, method: Method, depth: int, region: int, label: str) -> None:
         start = self.chart.start_of(label)
         assert start is not None
         method.add(depth, f"self.r{region} = {self.flat.leaf[start.label]}")
@@ -1217,12 +1055,12 @@ class _Generator:
 
     def _enter_region(self, region: int) -> None:
         label = self.flat.regions[region].label
-        method = _Method(self._names(region))
+        method = Method(self._names(region))
         self._begin_region(method, region)
         self._activate_start(method, 2, region, label)
         self._method(f"_enter_{region}(self, now: int) -> None", f"Enter region {label}.", method)
 
-    def _begin_region(self, method: _Method, region: int) -> None:
+    def _begin_region(self, method: Method, region: int) -> None:
         """The blackboard of a region that is entered, and its copies of variables."""
         outer = self.flat.enclosing(region)
         method.add(2, f"self.b{region} = Board{region}()", f"self.b{region}.inherit(self.b{outer})")
@@ -1238,7 +1076,7 @@ class _Generator:
         self._on_entry(method, 2, region, self.chart.node(self.flat.regions[region].label))
 
     def _enter_root(self) -> None:
-        method = _Method(self._names(0))
+        method = Method(self._names(0))
         root = self.chart.root
         self._on_entry(method, 2, 0, root)
         self._activate_start(method, 2, 0, root.label)
@@ -1246,7 +1084,7 @@ class _Generator:
             method.lines.insert(0, "        now = self.now")
         self._method("enter(self) -> None", "Enter the root.", method)
 
-    def _write(self, method: _Method, depth: int, region: int, name: str, code: str) -> None:
+    def _write(self, method: Method, depth: int, region: int, name: str, code: str) -> None:
         attribute = self._variable(name, region)
         method.add(depth, f"self.{attribute} = {code}")
         if len(self.flat.variable_regions[name]) > 1:
@@ -1255,7 +1093,7 @@ class _Generator:
     # ---- actions ---------------------------------------------------------------------------
 
     def _action(
-        self, method: _Method, depth: int, region: int, number: int, source: str, action: Action
+        self, method: Method, depth: int, region: int, number: int, source: str, action: Action
     ) -> None:
         match action:
             case ReadMessages():
@@ -1291,55 +1129,25 @@ class _Generator:
         code = converted(piece, value.type, target.type)
         if isinstance(target, Member):
             return [f"b.fill({str(target.channel)!r}, {target.host!r}, {target.path!r}, {code})"]
-        lines = _Method(self._names(region))
+        lines = Method(self._names(region))
         self._write(lines, 0, region, target.name, code)
         return lines.lines
-
-    def _computed(
-        self,
-        method: _Method,
-        depth: int,
-        number: int,
-        values: Sequence[Value],
-        use: Callable[..., list[str]],
-    ) -> None:
-        """Compute values and use them; an absent or raising one is a fault."""
-        before, method.names.may_raise = method.names.may_raise, False
-        self._asked_by(number, method.names)
-        pieces: list[Piece] = []
-        known: Known = NOTHING
-        for value in values:
-            pieces.append(evaluate(value, method.names, known))
-            known = pieces[-1].known
-        needs = [need for piece in pieces for need in piece.needs]
-        raises, method.names.may_raise = method.names.may_raise, before
-        if raises:
-            method.add(depth, "try:")
-            depth += 1
-        if needs:
-            method.add(depth, f"if {' and '.join(needs)}:")
-            method.add(depth + 1, *use(*pieces))
-            method.add(depth, "else:", f"    self.fault({number}, ABSENT)")
-        else:
-            method.add(depth, *use(*pieces))
-        if raises:
-            method.add(depth - 1, "except Exception as error:", f"    self.fault({number}, error)")
 
     # ---- the rest --------------------------------------------------------------------------
 
     def _frame(self) -> None:
         regions = self.flat.regions
-        plain = _Method(self._names(0))
+        plain = Method(self._names(0))
         plain.add(2, "return self._region_0(self.now)")
         self._method("round(self) -> bool", "One round over all regions.", plain)
-        leave = _Method(self._names(0))
+        leave = Method(self._names(0))
         leave.add(2, "self._leave_0()")
         self._method("leave(self) -> None", "Leave everything.", leave)
         end = self.chart.end_of(self.chart.root.label)
-        finished = _Method(self._names(0))
+        finished = Method(self._names(0))
         finished.add(2, f"return self.r0 == {self.flat.leaf[end.label]}" if end else "return False")
         self._method("is_finished(self) -> bool", "Whether the root's END is active.", finished)
-        boards = _Method(self._names(0))
+        boards = Method(self._names(0))
         parts = ["self.b0"]
         parts += [f"self.b{r.number} if self.r{r.number} >= 0 else None" for r in regions[1:]]
         boards.add(2, f"return ({', '.join(parts)},)")
@@ -1359,7 +1167,7 @@ class _Generator:
         ]
 
     def _configuration(self) -> None:
-        method = _Method(self._names(0))
+        method = Method(self._names(0))
         numbers = ", ".join(f"self.r{region.number}" for region in self.flat.regions)
         method.add(
             2,
@@ -1369,7 +1177,7 @@ class _Generator:
         self._method("configuration(self) -> tuple[str, ...]", "The labels of the active leaves.", method)
 
     def _due(self) -> None:
-        method = _Method(self._names(0))
+        method = Method(self._names(0))
         if not self.flat.waits:
             method.add(2, "return None")
         else:
@@ -1381,7 +1189,7 @@ class _Generator:
             "due(self, now: int) -> int | None", "The next moment at which time alone may matter.", method
         )
 
-    def _wait(self, method: _Method, wait: Wait) -> None:
+    def _wait(self, method: Method, wait: Wait) -> None:
         region = self.flat.region_number[wait.source]
         if wait.source in self.flat.leaf:
             number = self.flat.leaf[wait.source]
@@ -1414,11 +1222,6 @@ def _kind(event: Received | Lost) -> tuple[str, str, str]:
     return event.performative, event.message, event.participant
 
 
-def _mail(number: int) -> str:
-    """The local name of what a transition takes."""
-    return f"mail_{number}"
-
-
 def _sending(letter: str, action: Send, pieces: Sequence[Piece]) -> str:
     """The call that sends an agent message, with what its values have come to."""
     fills = action.fills
@@ -1436,18 +1239,8 @@ def _sending(letter: str, action: Send, pieces: Sequence[Piece]) -> str:
     return f"self.send({', '.join(arguments)})"
 
 
-def _natural(attribute: tuple[str, str, str | None]) -> list[tuple[int, str]]:
-    """Orders b2 before b10."""
-    parts = re.split(r"(\d+)", attribute[0])
-    return [(int(part), "") if part.isdigit() else (-1, part) for part in parts]
-
-
 def _read_by(action: Action) -> Iterable[Value]:
     return values_of(TransitionExpression(actions=(action,)))
-
-
-def _docstring(text: str) -> str:
-    return text.replace("\\", "\\\\").replace('"', "'")
 
 
 def retention(system: System, chart: Statechart, flat: FlatChart | None = None) -> dict[str, int]:
