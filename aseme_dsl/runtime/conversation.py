@@ -17,6 +17,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
+from aseme_dsl.runtime.acl import NOT_UNDERSTOOD, AclMessage, name_of
 from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.convert import Messages, mailed
@@ -30,64 +31,10 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.driver import Driver
     from aseme_dsl.runtime.faults import Links
 
-PERFORMATIVES = (
-    "accept_proposal",
-    "agree",
-    "cancel",
-    "cfp",
-    "confirm",
-    "disconfirm",
-    "failure",
-    "inform",
-    "inform_if",
-    "inform_ref",
-    "not_understood",
-    "propagate",
-    "propose",
-    "proxy",
-    "query_if",
-    "query_ref",
-    "refuse",
-    "reject_proposal",
-    "request",
-    "request_when",
-    "request_whenever",
-    "subscribe",
-)
-"""FIPA's communicative acts, as a document writes them."""
-
-NOT_UNDERSTOOD = "not_understood"
 WAITING = 1000
 """So many messages wait at the most, at one agent, for a participant to be entered."""
 REMEMBERED = 4096
 """Of so many conversations that are over here is known who has left them, while others may not know it."""
-
-
-def fipa_name(performative: str) -> str:
-    """A performative as FIPA spells it: `accept-proposal`."""
-    return performative.replace("_", "-")
-
-
-@dataclass(frozen=True, slots=True)
-class AclMessage:
-    """An agent message, with the parameters of FIPA's Agent Communication Language that are used here.
-
-    `message` is the type of the content; `participant` and `to` are the sender's and the receivers' parts in
-    the protocol.
-    """
-
-    performative: str
-    sender: str
-    receivers: tuple[str, ...]
-    message: str
-    content: Any
-    protocol: str
-    conversation: str
-    participant: str
-    to: str
-    identity: Identity
-    version: str = ""
-    """The version of the protocol that the sender plays (`BranchInfo.version`)."""
 
 
 @dataclass(slots=True)
@@ -99,6 +46,8 @@ class _Branch:
     waiting: list[Mail] = field(default_factory=list)
     taken: dict[tuple[str, str, str], Mail] = field(default_factory=dict)
     """The last one taken of each kind and sender, the newest at the end."""
+    answered: dict[str, Mail] = field(default_factory=dict)
+    """The last one taken of each sender: what is sent to it next is an answer to that."""
     was_full: bool = False
 
 
@@ -233,6 +182,7 @@ class Conversations:
         part: str,
     ) -> None:
         assert place.conversation is not None
+        identity = agent.identity()
         acl = AclMessage(
             performative,
             agent.name,
@@ -243,12 +193,16 @@ class Conversations:
             place.conversation,
             place.info.participant,
             part,
-            agent.identity(),
+            identity,
             place.info.version,
+            agent.plan.system,
+            name_of(identity),
         )
-        self._tell_sent(acl)
+        answered = place.answered
+        self._tell_sent(acl, [answered[name].identity for name in receivers if name in answered])
         for name in receivers:
-            self._bring(name, acl)
+            heard = answered.get(name)
+            self._bring(name, acl if heard is None else replace(acl, in_reply_to=heard.reply_with))
 
     def _bring(self, name: str, acl: AclMessage) -> None:
         """Deliver a message to an agent here, or have it carried to one elsewhere."""
@@ -420,6 +374,7 @@ class Conversations:
             acl.participant,
             acl.sender,
             acl.identity,
+            acl.reply_with,
         )
         place.waiting.append(mail)
         agent.post(acl.identity, mail, conversation=acl.conversation)
@@ -447,6 +402,7 @@ class Conversations:
         )
         if acl.performative == NOT_UNDERSTOOD or acl.sender not in self._plans:
             return
+        identity = agent.identity()
         answer = AclMessage(
             NOT_UNDERSTOOD,
             agent.name,
@@ -457,10 +413,13 @@ class Conversations:
             acl.conversation,
             acl.to,
             acl.participant,
-            agent.identity(),
+            identity,
             acl.version,
+            acl.ontology,
+            name_of(identity),
+            acl.reply_with,
         )
-        self._tell_sent(answer)
+        self._tell_sent(answer, [acl.identity])
         self._bring(acl.sender, answer)
 
     # ---- what the charts do ------------------------------------------------------------------
@@ -522,6 +481,7 @@ class Conversations:
                 kind = (mail.performative, mail.message, mail.sender)
                 place.taken.pop(kind, None)
                 place.taken[kind] = mail
+                place.answered[mail.sender] = mail
 
     def taken_by(self, agent: Agent, branch: str) -> tuple[Mail, ...]:
         """What a participation has taken: the last of each kind and sender, the newest at the end."""
@@ -551,6 +511,8 @@ class Conversations:
                 info.participant,
                 mail.identity,
                 info.version,
+                agent.plan.system,
+                mail.reply_with,
             )
             self._unexpected(agent, acl, "its part in the conversation is over")
             return False
@@ -616,7 +578,7 @@ class Conversations:
 
     # ---- the trace ---------------------------------------------------------------------------
 
-    def _tell_sent(self, acl: AclMessage) -> None:
+    def _tell_sent(self, acl: AclMessage, answered: Sequence[Identity]) -> None:
         if self._trace.active:
             self._trace.write(
                 "mail",
@@ -625,6 +587,7 @@ class Conversations:
                 sequence=acl.identity[1],
                 **_said(acl),
                 to=list(acl.receivers),
+                answers=[list(identity) for identity in answered] or None,
             )
 
     def _tell(
@@ -658,6 +621,7 @@ class Conversations:
                 agent=agent.name,
                 input=list(acl.identity),
                 **_said(acl),
+                in_reply_to=acl.in_reply_to or None,
             )
 
     def _told(

@@ -83,6 +83,8 @@ class Mail:
     participant: str
     sender: str
     identity: Identity
+    reply_with: str = ""
+    """What an answer to it calls it."""
 
 
 Input = Arrived | Completed | Crashed | Happened | Written | Mail

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import Context, conversation
-from aseme_dsl.runtime.conversation import PERFORMATIVES, fipa_name
+from aseme_dsl.runtime.acl import PERFORMATIVES, fipa_name
 from tests.runtime.playing import MS, SECOND, Played, play
 from tests.support.generated import generate
 
@@ -134,6 +134,24 @@ def test_a_contract_net_finds_its_contractor() -> None:
     ]
 
 
+def test_what_is_sent_answers_what_was_last_taken_of_its_receivers() -> None:
+    run = net()
+    sent = {(r["agent"], r["sequence"]): f"{r['agent']} {r['performative']}" for r in run.of("mail")}
+    answers = {
+        sent[r["agent"], r["sequence"]]: [sent[agent, number] for agent, number in r.get("answers", ())]
+        for r in run.of("mail")
+    }
+    assert answers == {
+        "desk cfp": [],
+        "carrier1 propose": ["desk cfp"],
+        "carrier2 refuse": ["desk cfp"],
+        "carrier3 propose": ["desk cfp"],
+        "desk accept_proposal": ["carrier3 propose"],
+        "desk reject_proposal": ["carrier1 propose"],
+        "carrier3 inform": ["desk accept_proposal"],
+    }
+
+
 def test_nobody_is_able() -> None:
     run = net(able="")
     assert said(run)[1:] == [f"1 carrier{n} refuse Task -> desk" for n in (1, 2, 3)]
@@ -219,6 +237,8 @@ def test_what_comes_too_late_is_answered_not_understood() -> None:
     ]
     assert unexpected(run)[0].startswith("ann inform Answer: ")
     assert len(unexpected(run)) == 2
+    late, answer = run.of("mail")[1:]
+    assert answer["answers"] == [["bob", late["sequence"]]]
     assert run.result.reason == "finished"
 
 

@@ -34,6 +34,13 @@ its payload; sender, receiver and channel are the sample's key. In another langu
       repeated uint64 missing = 23;     // and of those after it, these have not
       sfixed64 asked = 24;              // PONG: the time of the PING
       sfixed64 heard = 25;              // PONG: when that came
+      string in_reply_to = 26;          // of an agent message, this and what follows: as in FIPA SC00061
+      string reply_with = 27;           // empty: what follows from sender and sequence
+      sfixed64 reply_by = 28;           // in the sender's clock; 0: not said
+      repeated string reply_to = 29;    // empty: the sender
+      string language = 30;             // of the content, where it goes as text; empty: json
+      string encoding = 31;
+      string ontology = 32;             // empty: the system of the model
     }
     message Part { string participant = 1; repeated string agents = 2; }
 """
@@ -81,6 +88,13 @@ class Envelope:
     missing: tuple[int, ...] = ()
     asked: int = 0
     heard: int = 0
+    in_reply_to: str = ""
+    reply_with: str = ""
+    reply_by: int = 0
+    reply_to: tuple[str, ...] = ()
+    language: str = ""
+    encoding: str = ""
+    ontology: str = ""
 
 
 def written(
@@ -101,6 +115,8 @@ def written(
         proto.receivers.extend(envelope.receivers)
     if envelope.missing:
         proto.missing.extend(envelope.missing)
+    if envelope.reply_to:
+        proto.reply_to.extend(envelope.reply_to)
     data: bytes = proto.SerializeToString()
     return data
 
@@ -130,10 +146,12 @@ def read(data: bytes, payload: bytes) -> Envelope:
         values["receivers"] = tuple(proto.receivers)
     if proto.missing:
         values["missing"] = tuple(proto.missing)
+    if proto.reply_to:
+        values["reply_to"] = tuple(proto.reply_to)
     return Envelope(**values)
 
 
-_LISTS = ("parts", "receivers", "missing")
+_LISTS = ("parts", "receivers", "missing", "reply_to")
 _SIMPLE: tuple[tuple[str, Any], ...] = tuple(
     (field.name, None if field.name == "kind" else field.default)
     for field in fields(Envelope)
@@ -184,6 +202,13 @@ def _proto() -> Any:
         "missing": count,
         "asked": moment,
         "heard": moment,
+        "in_reply_to": text,
+        "reply_with": text,
+        "reply_by": moment,
+        "reply_to": text,
+        "language": text,
+        "encoding": text,
+        "ontology": text,
     }
     for number, (name, type_) in enumerate(types.items(), 1):
         repeated = name in _LISTS

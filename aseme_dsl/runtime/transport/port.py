@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.runtime.inputs import Identity
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.conversation import AclMessage
+    from aseme_dsl.runtime.acl import AclMessage
     from aseme_dsl.runtime.plan import ChannelInfo
     from aseme_dsl.runtime.team import Team
     from aseme_dsl.runtime.wire import Schema

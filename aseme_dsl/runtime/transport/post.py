@@ -27,8 +27,8 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from aseme_dsl.runtime.acl import JSON, AclMessage, name_of
 from aseme_dsl.runtime.clock import RealClock
-from aseme_dsl.runtime.conversation import AclMessage
 from aseme_dsl.runtime.inputs import Identity
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
@@ -265,6 +265,13 @@ class Post(Transport):
             to=message.to,
             parts=tuple((part, tuple(names)) for part, names in members.items()),
             receivers=message.receivers,
+            in_reply_to=message.in_reply_to,
+            reply_with=message.reply_with if message.reply_with != name_of(message.identity) else "",
+            reply_by=0 if message.reply_by is None else self._origin + message.reply_by,
+            reply_to=message.reply_to,
+            language=message.language if message.language != JSON else "",
+            encoding=message.encoding,
+            ontology=message.ontology if message.ontology != self._team.system else "",
         )
         sent = _Sent("mail", envelope, payload, sender, "mail")
         with self._lock:
@@ -603,6 +610,13 @@ class Post(Transport):
                     envelope.participant,
                     envelope.to,
                     identity,
+                    ontology=envelope.ontology or team.system,
+                    reply_with=envelope.reply_with or name_of(identity),
+                    in_reply_to=envelope.in_reply_to,
+                    reply_by=self._deadline(other, envelope),
+                    reply_to=envelope.reply_to,
+                    language=envelope.language or JSON,
+                    encoding=envelope.encoding,
                 )
                 team.conversations.arrived(agent, acl, dict(envelope.parts))
             else:
@@ -623,6 +637,13 @@ class Post(Transport):
             return min(now, envelope.time - self._origin)
         difference = self._difference(other)
         return now if difference is None else min(now, envelope.time + difference - self._origin)
+
+    def _deadline(self, other: _Other, envelope: Envelope) -> int | None:
+        """Until when an answer is wanted, in our run's time; None while the clocks cannot be compared."""
+        if not envelope.reply_by:
+            return None
+        difference = 0 if envelope.clock == self._clock else self._difference(other)
+        return None if difference is None else envelope.reply_by + difference - self._origin
 
     def _difference(self, other: _Other) -> int | None:
         """What is to be added to another machine's time; None while that is not known."""

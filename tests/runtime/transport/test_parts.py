@@ -400,6 +400,9 @@ def test_a_conversation_between_processes(net: Generated, links: Any) -> None:
     assert {r["agent"] for r in joined} == {"bob", "cat"}
     received = boss.of("received", performative="propose")
     assert received and received[0]["input"][0] in ("bob", "cat")
+    (asked,) = boss.of("mail", performative="cfp")
+    assert {r["in_reply_to"] for r in received} == {f"ann-{asked['sequence']}"}
+    assert [r["answers"] for r in workers.of("mail")] == [[["ann", asked["sequence"]]]] * 2
 
 
 def test_a_participant_that_is_gone_is_told(net: Generated) -> None:

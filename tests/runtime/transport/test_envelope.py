@@ -1,0 +1,38 @@
+"""The outside of what travels between robots."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+import pytest
+
+from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
+
+
+def test_every_member_travels() -> None:
+    lists = {"parts": (("asker", ("ann", "cat")),), "missing": (4, 6)}
+    given: dict[str, object] = {}
+    for number, item in enumerate(fields(Envelope), 1):
+        plain = number if item.type == "int" else f"text {number}"
+        given[item.name] = lists.get(item.name, (f"a {number}", "b") if "tuple" in str(item.type) else plain)
+    full = Envelope(**{**given, "kind": envelopes.MAIL})  # type: ignore[arg-type]
+    assert envelopes.read(envelopes.written(full, b"x"), b"x").reply_to == full.reply_to
+    sent = envelopes.written(full, b"x", addressee=full.addressee, place=full.place, sample=full.sample)
+    assert envelopes.read(sent, b"x") == full
+
+
+def test_numbers_of_members_never_change() -> None:
+    """A robot of last year reads them by number."""
+    numbers = {item.name: item.number for item in envelopes._proto().DESCRIPTOR.fields}
+    assert [name for name, _ in sorted(numbers.items(), key=lambda item: item[1])] == (
+        "format kind model incarnation addressee place sample sequence time clock channel host check "
+        "performative message protocol conversation participant to parts receivers upto missing asked heard "
+        "in_reply_to reply_with reply_by reply_to language encoding ontology"
+    ).split()
+    assert sorted(numbers.values()) == list(range(1, 33))
+
+
+def test_another_payload_is_refused() -> None:
+    with pytest.raises(EnvelopeError):
+        envelopes.read(envelopes.written(Envelope(envelopes.MAIL), b"x"), b"y")
