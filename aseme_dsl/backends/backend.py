@@ -11,6 +11,8 @@ from aseme_dsl.amola.system import System
 
 GROUP = "aseme_dsl.backends"
 """The entry point group under which a package offers its backend."""
+ACTIVITIES = "activities"
+"""Where a backend puts first versions of activities, in its own folder; a project may choose another."""
 
 
 @dataclass(frozen=True, slots=True)

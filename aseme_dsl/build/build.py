@@ -21,9 +21,6 @@ MODELS, DIAGRAMS, PROTO = "models", "diagrams", "proto"
 PARTS = (MODELS, DIAGRAMS, PROTO)
 """The parts of a build that are not a backend's; the name of each is that of its folder."""
 
-ACTIVITIES = "activities"
-"""Where a backend puts first versions of activities, in its own folder."""
-
 
 @dataclass(frozen=True, slots=True)
 class Choice:
@@ -135,6 +132,8 @@ def with_labels(system: System, labels: str) -> System:
 
 def activities_folder(folder: Path, choice: Choice, backend: str = "monas") -> Path:
     """Where a build into `folder` keeps the activities of a backend."""
+    from aseme_dsl.backends.backend import ACTIVITIES
+
     return choice.activities or folder / backend / ACTIVITIES
 
 
@@ -179,7 +178,7 @@ def _proto(system: System) -> Iterator[Planned]:
 
 def _code(system: System, name: str, folder: Path, choice: Choice) -> Iterator[Planned]:
     """What a backend generates, in a folder of its name; what is the user's goes among the activities."""
-    from aseme_dsl.backends.backend import BackendOptions, find_backend
+    from aseme_dsl.backends.backend import ACTIVITIES, BackendOptions, find_backend
 
     activities = activities_folder(folder, choice, name)
     for artefact in find_backend(name).generate(system, BackendOptions(choice.templates)):

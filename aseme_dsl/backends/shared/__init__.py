@@ -1,0 +1,1 @@
+"""What the backends for agents have in common: the same plans, step classes, messages and activities."""

@@ -1,0 +1,180 @@
+"""What every backend for agents writes: of a role its plan and its step class, and the user's activities."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path, PurePath
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.amola.expression import duration_text
+from aseme_dsl.amola.messages import Kind, Type
+from aseme_dsl.amola.srm import Activity, Module
+from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.system import System
+from aseme_dsl.backends.backend import ACTIVITIES, Artefact, BackendOptions
+from aseme_dsl.codegen.messages import generate_messages
+from aseme_dsl.codegen.place import in_docstring
+from aseme_dsl.codegen.plan import plan_sections
+from aseme_dsl.codegen.step import generate_step
+from aseme_dsl.runtime.naming import class_name, module_name, usable
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+
+@dataclass(frozen=True, slots=True)
+class Filled:
+    """The files of a role or a system, and the hash of what they were made from."""
+
+    files: tuple[Artefact, ...]
+    model: str
+
+
+def environment(options: BackendOptions, own: Path) -> Environment:
+    """Templates by name: those of the user, of the backend (in the folder `own`), or shared."""
+    from jinja2 import ChoiceLoader, Environment, FileSystemLoader, StrictUndefined
+
+    ours = [FileSystemLoader(own), FileSystemLoader(Path(__file__).parent / "templates")]
+    theirs = [FileSystemLoader(options.templates)] if options.templates else []
+    made = Environment(
+        loader=ChoiceLoader([*theirs, *ours]),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+    made.filters["quoted"] = repr
+    made.filters["in_docstring"] = in_docstring
+    made.filters["imports"] = imports
+    made.filters["python_type"] = _python_type
+    made.filters["duration"] = duration_text
+    made.filters["class_name"] = class_name
+    made.filters["module_name"] = module_name
+    made.filters["package"] = usable
+    return made
+
+
+def source_of(system: System) -> str:
+    """The name of the file that a system stands in."""
+    return PurePath(system.span.source.path).name if system.span else system.name
+
+
+def messages_file(system: System) -> Artefact:
+    """The messages of a system as Python classes."""
+    return Artefact(f"{system.name}/messages.py", generate_messages(system))
+
+
+def role_files(templates: Environment, system: System, chart: Statechart, messages: Artefact) -> Filled:
+    """The plan of a role, to read, and the class that runs it."""
+    folder = f"{system.name}/{usable(chart.name)}"
+    sections = plan_sections(system, chart)
+    model = _hash(repr((chart.name, system.name, sections)), messages.text)
+    known = {"system": system, "chart": chart, "source": source_of(system), "model": model}
+    constructors = sorted({item.partition("(")[0] for _, items in sections for item in items} - {""})
+    plan = templates.get_template("plan.py.j2").render(
+        known, sections=sections, constructors=["Plan", *constructors]
+    )
+    code = generate_step(system, chart, f"{class_name(chart.name)}Step")
+    step = templates.get_template("step.py.j2").render(known, step=code, uses=code.uses)
+    return Filled((Artefact(f"{folder}/plan.py", plan), Artefact(f"{folder}/step.py", tidy(step))), model)
+
+
+def rendered(
+    templates: Environment, name: str, path: str, known: Mapping[str, Any], *, kept: bool = False
+) -> Artefact:
+    """A template, filled, as a file."""
+    return Artefact(path, templates.get_template(name).render(known), kept)
+
+
+def system_file(templates: Environment, system: System, roles: Sequence[Filled]) -> Artefact:
+    """What every agent of a system carries: its team, and the classes that run its roles."""
+    known = {
+        "system": system,
+        "source": source_of(system),
+        "model": _hash(*(role.model for role in roles)),
+        "agents": [agent for team in system.teams for agent in team.agents],
+    }
+    return rendered(templates, "system.py.j2", f"{system.name}/__init__.py", known)
+
+
+def activity_files(templates: Environment, system: System) -> Iterator[Artefact]:
+    """First versions of the activities and of the modules whose code is found by their name."""
+    yield from _activities(templates, system)
+    yield from _modules(templates, system)
+
+
+def _activities(templates: Environment, system: System) -> Iterator[Artefact]:
+    users: dict[str, list[Statechart]] = {}
+    for chart in system.iacs:
+        for node in chart.nodes:
+            if node.type is NodeType.BASIC and node.activity is not None:
+                charts = users.setdefault(node.activity, [])
+                if chart not in charts:
+                    charts.append(chart)
+    for name in sorted(users):
+        known = {
+            "name": name,
+            "source": source_of(system),
+            "activity": system.activity(name),
+            "imports": _message_imports(system, system.activity(name)),
+            "roles": [chart.name for chart in users[name]],
+        }
+        yield rendered(templates, "activity.py.j2", f"{ACTIVITIES}/{module_name(name)}.py", known, kept=True)
+
+
+def _modules(templates: Environment, system: System) -> Iterator[Artefact]:
+    users: dict[str, list[tuple[str, Module]]] = {}
+    for chart in system.iacs:
+        for module in chart.modules:
+            if not module.target:
+                users.setdefault(module.name, []).append((chart.name, module))
+    for name, found in sorted(users.items()):
+        known = {
+            "module": found[0][1],
+            "said": found[0][1].statement,
+            "every": duration_text(found[0][1].statement.every or 0),
+            "source": source_of(system),
+            "roles": [role for role, _ in found],
+        }
+        yield rendered(templates, "module.py.j2", f"{ACTIVITIES}/{module_name(name)}.py", known, kept=True)
+
+
+_PYTHON = {"double": "float", "string": "str", "duration": "int"}
+
+
+def _python_type(kind: Type) -> str:
+    """A type as Python annotates it; a duration is in ns."""
+    return _PYTHON.get(str(kind), str(kind))
+
+
+def _message_imports(system: System, activity: Activity | None) -> list[str]:
+    """The line that brings the messages and enums that an activity is given."""
+    parameters = activity.parameters if activity is not None else ()
+    names = {item.type.name for item in parameters if item.type.kind in (Kind.ENUM, Kind.MESSAGE)}
+    line = imports(sorted(names), f"monas.{system.name}.messages")
+    return [line] if line else []
+
+
+def imports(names: Sequence[str], module: str) -> str:
+    """`from module import a, b`, over several lines where one is too short; nothing without names."""
+    if not names:
+        return ""
+    constants = sorted(name for name in names if name.isupper())
+    others = sorted((n for n in names if not n.isupper()), key=lambda n: (n[:1].islower(), n))
+    line = f"from {module} import {', '.join([*constants, *others])}"
+    if len(line) <= 88:
+        return line
+    return "\n".join([f"from {module} import (", *(f"    {name}," for name in [*constants, *others]), ")"])
+
+
+def _hash(*texts: str) -> str:
+    return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:16]
+
+
+def tidy(text: str) -> str:
+    """Two blank lines at the most, one newline at the end."""
+    return re.sub(r"\n{4,}", "\n\n\n", text).rstrip() + "\n"
