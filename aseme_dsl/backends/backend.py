@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.metadata import entry_points
 from pathlib import Path
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from aseme_dsl.amola.system import System
 
@@ -27,11 +28,50 @@ class Artefact:
     kept: bool = False
 
 
+_T = TypeVar("_T")
+
+
+class Known(Protocol):
+    """What was generated before: a backend that asks it does again only what has changed."""
+
+    def recall(self, function: Callable[..., _T], *inputs: object) -> _T:
+        """`function(*inputs)`, or what it was for the same objects; nobody may change the result.
+
+        The function must follow from its inputs alone, and must not recall anything itself.
+        """
+
+    def same(self, name: object, value: _T) -> _T:
+        """`value`, or the equal one that had this name before: an input that is the same object then."""
+
+    def whole(self, text: str) -> str:
+        """A text as it will be written; until then, lines of a source may have other numbers in it."""
+
+
+class NothingKnown:
+    """Everything is generated for the first time."""
+
+    def recall(self, function: Callable[..., _T], *inputs: object) -> _T:
+        return function(*inputs)
+
+    def same(self, name: object, value: _T) -> _T:
+        return value
+
+    def whole(self, text: str) -> str:
+        return text
+
+
+NOTHING_KNOWN = NothingKnown()
+
+
 @dataclass(frozen=True, slots=True)
 class BackendOptions:
-    """What a project may choose: a folder of templates that replace the backend's own, by name."""
+    """What a project may choose, and what is known from its builds before.
+
+    `templates` is a folder of templates that replace the backend's own, by name.
+    """
 
     templates: Path | None = None
+    known: Known = NOTHING_KNOWN
 
 
 class Backend(Protocol):

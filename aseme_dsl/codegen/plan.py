@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from aseme_dsl.amola import expression as e
@@ -19,6 +19,9 @@ from aseme_dsl.codegen.place import place
 from aseme_dsl.codegen.step import retention
 
 Term = tuple[Any, ...]
+
+Sections = list[tuple[str, list[str]]]
+"""The parts of a plan as (keyword of Plan, source lines of the items)."""
 
 
 def value_term(value: e.Value) -> Term:
@@ -258,8 +261,11 @@ def _participant(system: System, protocol: str, name: str) -> Participant | None
     return aip.participant(name) if aip else None
 
 
-def plan_sections(system: System, chart: Statechart) -> list[tuple[str, list[str]]]:
-    """The parts of the plan as (keyword of Plan, source lines of the items)."""
+def plan_sections(system: System, chart: Statechart, versions: Mapping[str, str] | None = None) -> Sections:
+    """The parts of the plan.
+
+    `versions` is `protocol_versions(system)`, for whoever makes the plans of many charts.
+    """
     flat = FlatChart(chart, system.activities)
     kept = retention(system, chart, flat)
     used = {node.activity for node in chart.nodes if node.activity}
@@ -317,7 +323,7 @@ def plan_sections(system: System, chart: Statechart) -> list[tuple[str, list[str
             "functions",
             [repr((key, functions[key].target, str(functions[key].result))) for key in sorted(functions)],
         ),
-        ("branches", [_branch(system, chart, node) for node in flat.branches]),
+        ("branches", _branches(system, chart, flat, versions)),
         ("settings", [repr(item) for item in _settings(system, chart)]),
         ("numbers", [repr(item) for item in _numbers(system, chart)]),
     ]
@@ -351,7 +357,15 @@ def _constant(system: System, literal: e.Literal) -> Any:
     return literal.value if enum is None else dict(enum.constants)[str(literal.value)]
 
 
-def _branch(system: System, chart: Statechart, node: Node) -> str:
+def _branches(
+    system: System, chart: Statechart, flat: FlatChart, versions: Mapping[str, str] | None
+) -> list[str]:
+    if versions is None:
+        versions = protocol_versions(system) if flat.branches else {}
+    return [_branch(system, chart, node, versions.get(node.origin.owner, "")) for node in flat.branches]
+
+
+def _branch(system: System, chart: Statechart, node: Node, version: str) -> str:
     participant = _participant(system, node.origin.owner, node.origin.name)
     sends = tuple((m.performative, m.message) for m in participant.sends) if participant else ()
     receives = tuple((m.performative, m.message) for m in participant.receives) if participant else ()
@@ -361,7 +375,7 @@ def _branch(system: System, chart: Statechart, node: Node) -> str:
         [
             ("sends", sends, ()),
             ("receives", receives, ()),
-            ("version", protocol_version(system, node.origin.owner), ""),
+            ("version", version, ""),
             ("loses", _lost_in(chart, node.label), ()),
         ],
     )
@@ -374,30 +388,44 @@ def _lost_in(chart: Statechart, branch: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(event.participant for event in events if isinstance(event, e.Lost)))
 
 
-def protocol_version(system: System, protocol: str) -> str:
-    """A hash of how a system plays a protocol: of every branch of it, in every role, and its messages.
+def protocol_versions(
+    system: System, branches: Iterable[Sequence[tuple[str, str]]] | None = None
+) -> dict[str, str]:
+    """A hash of how a system plays each protocol: of every branch of it, in every role, and its messages.
 
-    Two robots may take part in one run of the protocol if theirs is the same, whatever else differs: places
-    in the source and what is around a branch do not count, nor does the code of activities.
+    Two robots may take part in one run of a protocol if theirs is the same, whatever else differs: places
+    in the source and what is around a branch do not count, nor does the code of activities. `branches` are
+    the `branch_texts` of every role, in their order, for whoever has them.
     """
-    aip = next((item for item in system.aips if item.name == protocol), None)
-    parts: list[str] = []
-    named: set[str] = set()
-    for participant in aip.participants if aip is not None else ():
-        pairs = [(m.performative, m.message) for m in (*participant.sends, *participant.receives)]
-        parts.append(repr((participant.name, pairs)))
-        named.update(message for _, message in pairs)
-    parts += [
-        repr((item.name, [(f.name, f.label, str(f.type)) for f in item.fields]))
-        for item in system.messages
-        if item.name in named
-    ]
-    for chart in system.iacs:
-        flat = FlatChart(chart)
-        for branch in flat.branches:
-            if branch.origin.owner == protocol:
-                parts.append(_branch_text(system, chart, flat, branch))
-    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
+    if branches is None:
+        branches = [branch_texts(system, chart) for chart in system.iacs]
+    played: dict[str, list[str]] = {}
+    for texts in branches:
+        for protocol, text in texts:
+            played.setdefault(protocol, []).append(text)
+    messages = {item.name: item for item in system.messages}
+    order = {name: number for number, name in enumerate(messages)}
+    found: dict[str, str] = {}
+    aips = {aip.name: aip for aip in system.aips}
+    for protocol in dict.fromkeys((*aips, *played)):
+        parts: list[str] = []
+        named: set[str] = set()
+        for participant in aips[protocol].participants if protocol in aips else ():
+            pairs = [(m.performative, m.message) for m in (*participant.sends, *participant.receives)]
+            parts.append(repr((participant.name, pairs)))
+            named.update(message for _, message in pairs)
+        for name in sorted(named & messages.keys(), key=order.__getitem__):
+            fields = [(f.name, f.label, str(f.type)) for f in messages[name].fields]
+            parts.append(repr((name, fields)))
+        parts += played.get(protocol, ())
+        found[protocol] = hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
+    return found
+
+
+def branch_texts(system: System, chart: Statechart) -> list[tuple[str, str]]:
+    """The protocol of each branch of a role, and all that the branch is."""
+    flat = FlatChart(chart)
+    return [(branch.origin.owner, _branch_text(system, chart, flat, branch)) for branch in flat.branches]
 
 
 def _branch_text(system: System, chart: Statechart, flat: FlatChart, branch: Node) -> str:

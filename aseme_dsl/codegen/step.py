@@ -88,7 +88,7 @@ class StepCode:
     def uses(self, name: str) -> bool:
         """Whether the module's lines mention a name."""
         pattern = re.compile(rf"\b{name}\b")
-        return any(pattern.search(line) for line in (*self.body, *self.tables))
+        return any(name in line and pattern.search(line) for line in (*self.body, *self.tables))
 
 
 def generate_step(system: System, chart: Statechart, class_name: str) -> StepCode:

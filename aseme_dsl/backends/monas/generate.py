@@ -29,7 +29,7 @@ class MonasBackend:
         """The package of a system, and the activities under `activities/`."""
         templates = environment(options, Path(__file__).parent / "templates")
         messages = messages_file(system)
-        roles = [role_files(templates, system, chart, messages) for chart in system.iacs]
+        roles = role_files(templates, system, messages, options.known)
         artefacts = [system_file(templates, system, roles), messages]
         for chart, role in zip(system.iacs, roles, strict=True):
             path = f"{system.name}/{usable(chart.name)}/__init__.py"

@@ -14,11 +14,12 @@ from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
-from aseme_dsl.backends.backend import ACTIVITIES, Artefact, BackendOptions
+from aseme_dsl.backends.backend import ACTIVITIES, NOTHING_KNOWN, Artefact, BackendOptions, Known
 from aseme_dsl.codegen.messages import generate_messages
 from aseme_dsl.codegen.place import in_docstring
-from aseme_dsl.codegen.plan import plan_sections
-from aseme_dsl.codegen.step import generate_step
+from aseme_dsl.codegen.plan import Sections, branch_texts, plan_sections, protocol_versions
+from aseme_dsl.codegen.seen import seen_by_roles
+from aseme_dsl.codegen.step import StepCode, generate_step
 from aseme_dsl.runtime.naming import class_name, module_name, usable
 
 if TYPE_CHECKING:
@@ -68,19 +69,47 @@ def messages_file(system: System) -> Artefact:
     return Artefact(f"{system.name}/messages.py", generate_messages(system))
 
 
-def role_files(templates: Environment, system: System, chart: Statechart, messages: Artefact) -> Filled:
-    """The plan of a role, to read, and the class that runs it."""
-    folder = f"{system.name}/{usable(chart.name)}"
-    sections = plan_sections(system, chart)
-    model = _hash(repr((chart.name, system.name, sections)), messages.text)
-    known = {"system": system, "chart": chart, "source": source_of(system), "model": model}
-    constructors = sorted({item.partition("(")[0] for _, items in sections for item in items} - {""})
-    plan = templates.get_template("plan.py.j2").render(
-        known, sections=sections, constructors=["Plan", *constructors]
-    )
-    code = generate_step(system, chart, f"{class_name(chart.name)}Step")
-    step = templates.get_template("step.py.j2").render(known, step=code, uses=code.uses)
-    return Filled((Artefact(f"{folder}/plan.py", plan), Artefact(f"{folder}/step.py", tidy(step))), model)
+def role_files(
+    templates: Environment, system: System, messages: Artefact, known: Known = NOTHING_KNOWN
+) -> list[Filled]:
+    """The plan of each role, to read, and the class that runs it."""
+    roles = [known.same(("seen", item.iacs[0].name), item) for item in seen_by_roles(system)]
+    branches = [known.recall(_branches, item) for item in roles]
+    versions = protocol_versions(system, branches)
+    whole_messages = known.whole(messages.text)
+    found: list[Filled] = []
+    for seen, texts in zip(roles, branches, strict=True):
+        chart = seen.iacs[0]
+        folder = f"{system.name}/{usable(chart.name)}"
+        played = known.same(("versions", chart.name), {protocol: versions[protocol] for protocol, _ in texts})
+        sections, text = known.recall(_sections, seen, played)
+        model = _hash(known.whole(text), whole_messages)
+        given = {"system": system, "chart": chart, "source": source_of(system), "model": model}
+        constructors = sorted({item.partition("(")[0] for _, items in sections for item in items} - {""})
+        plan = templates.get_template("plan.py.j2").render(
+            given, sections=sections, constructors=["Plan", *constructors]
+        )
+        code = known.recall(_step, seen)
+        step = templates.get_template("step.py.j2").render(given, step=code, uses=code.uses)
+        files = (Artefact(f"{folder}/plan.py", plan), Artefact(f"{folder}/step.py", tidy(step)))
+        found.append(Filled(files, model))
+    return found
+
+
+def _branches(seen: System) -> list[tuple[str, str]]:
+    return branch_texts(seen, seen.iacs[0])
+
+
+def _sections(seen: System, versions: Mapping[str, str]) -> tuple[Sections, str]:
+    """The sections of a role's plan, and the text that its hash is of."""
+    chart = seen.iacs[0]
+    sections = plan_sections(seen, chart, versions)
+    return sections, repr((chart.name, seen.name, sections))
+
+
+def _step(seen: System) -> StepCode:
+    chart = seen.iacs[0]
+    return generate_step(seen, chart, f"{class_name(chart.name)}Step")
 
 
 def rendered(

@@ -1,0 +1,42 @@
+"""Seen: a system as far as the code of one role depends on it, so that no other change renews this code."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from aseme_dsl.amola.sag import Sag
+from aseme_dsl.amola.suc import Suc
+from aseme_dsl.amola.system import System
+
+
+def seen_by_roles(system: System) -> tuple[System, ...]:
+    """For each role the system without the other roles, and without what the code of a role never asks for.
+
+    Of activities and protocols those are left that its statechart has, of teams, topics and types all.
+    """
+    activities = {item.name: item for item in system.activities}
+    order = {name: number for number, name in enumerate(activities)}
+    aips = {item.name: item for item in system.aips}
+    found: list[System] = []
+    for chart in system.iacs:
+        used = {node.activity for node in chart.nodes if node.activity is not None} & order.keys()
+        played = {node.origin.owner for node in chart.nodes}
+        found.append(
+            replace(
+                system,
+                activities=tuple(activities[name] for name in sorted(used, key=order.__getitem__)),
+                sag=Sag(),
+                suc=Suc(),
+                aips=tuple(aip for name, aip in aips.items() if name in played),
+                srms=(),
+                eacs=(),
+                iacs=(chart,),
+                protos=(),
+                sources=(),
+                span=None,
+            )
+        )
+    return tuple(found)
+
+
+__all__ = ["seen_by_roles"]
