@@ -52,6 +52,8 @@ PERFORMATIVES = tuple(
     """.split()
 )
 """The 22 communicative acts of FIPA (SC00037J), with underscores."""
+NOT_UNDERSTOOD = "not_understood"
+"""The one with which the runtime answers a message that nobody expects."""
 
 COMM_TYPES = tuple(comm.value for comm in Comm)
 ACTIONS = ("read_messages", "write_messages")

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
 from aseme_dsl.amola import expression as amola
 from aseme_dsl.amola.expression import Fill, Value
 from aseme_dsl.amola.messages import AGENT, Kind, Type
-from aseme_dsl.compiler.builtins import PERFORMATIVES, reserved
+from aseme_dsl.compiler.builtins import NOT_UNDERSTOOD, PERFORMATIVES, reserved
 from aseme_dsl.compiler.calls import assignable
 from aseme_dsl.compiler.checker import Checker, a
 from aseme_dsl.compiler.names import listed, unknown, unknown_performative
@@ -252,9 +252,19 @@ def _is_exchanged(
         )
     peer = scope.parties[other.text]
     mine, theirs = ("sends", "receives") if sending else ("receives", "sends")
-    return _lists(checker, own, mine, performative, message) and _lists(
-        checker, peer, theirs, performative, message
-    )
+    if not _lists(checker, own, mine, performative, message):
+        return False
+    if not sending and is_answered(performative.text, message.text, [item.message for item in own.sends]):
+        return True
+    return _lists(checker, peer, theirs, performative, message)
+
+
+def is_answered(performative: str, message: str, sent: Collection[str]) -> bool:
+    """Whether this is the answer to a message nobody expects, which nobody has to list: the runtime gives it.
+
+    `sent` are the types of the messages that its receiver sends.
+    """
+    return performative == NOT_UNDERSTOOD and message in sent
 
 
 def _lists(checker: Checker, party: Party, verb: str, performative: tree.Name, message: tree.Name) -> bool:
@@ -296,4 +306,4 @@ def _somebody_receives(checker: Checker, performative: tree.Name, message: tree.
     return False
 
 
-__all__ = ["check_use", "fill", "lost", "received", "send", "taken_by"]
+__all__ = ["check_use", "fill", "is_answered", "lost", "received", "send", "taken_by"]

@@ -16,6 +16,7 @@ from aseme_dsl.amola.expression import (
 )
 from aseme_dsl.amola.messages import Channel
 from aseme_dsl.amola.statechart import Statechart, Transition
+from aseme_dsl.compiler.library import is_of_library
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.source import Span
 
@@ -72,7 +73,10 @@ def _timers(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diagnos
 
 
 def _variables(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diagnostic]:
-    """Variables of a played participant are one for every place where it is played."""
+    """Variables of a played participant are one for every place where it is played.
+
+    What a protocol of the standard library writes is for the activities of those who play it.
+    """
     written: dict[str, Span] = {}
     for transition in acting:
         for action in transition.expression.actions:
@@ -97,7 +101,7 @@ def _variables(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diag
             if isinstance(value, VariableValue) and not _counts_only(value, own.get(value.name)):
                 read.add(value.name.partition("@")[0])
     for name, span in written.items():
-        if name not in read:
+        if name not in read and not is_of_library(span.source):
             yield Diagnostic(
                 "N725",
                 f"no condition and no action reads the variable `{name}`",

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from pathlib import Path
 
+from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
 
 _DECLARED = re.compile(r"^(enum|message|topic|function|let|aip)\s+(\w+)(\s*\{[^}]*|[^\n]*)", re.MULTILINE)
@@ -35,6 +37,11 @@ def _declared() -> dict[str, tuple[tuple[str, str, str], ...]]:
         for kind, name, rest in _DECLARED.findall(path.read_text("utf-8")):
             found[name] = (*found.get(name, ()), (kind, path.stem, rest))
     return found
+
+
+def is_of_library(source: Source) -> bool:
+    """Whether a file is one of the standard library."""
+    return Path(source.path).resolve().parent == standard_library().resolve()
 
 
 def declared_by(library: str) -> frozenset[str]:

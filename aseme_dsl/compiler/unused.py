@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
 from aseme_dsl.compiler.blocks import participants_of
+from aseme_dsl.compiler.exchange import is_answered
 from aseme_dsl.compiler.library import declared_by
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic
@@ -99,12 +100,15 @@ def check_exchange(aips: Iterable[tree.Aip]) -> Iterator[Diagnostic]:
         sent = {(item.performative.text, item.message.text) for part in parts for item in part.sends}
         received = {(item.performative.text, item.message.text) for part in parts for item in part.receives}
         for part in parts:
+            own = [item.message.text for item in part.sends]
             for items, others, clause, other in (
                 (part.sends, received, "sends", "receives"),
                 (part.receives, sent, "receives", "sends"),
             ):
                 for item in items:
                     name = f"{item.performative} {item.message}"
+                    if clause == "receives" and is_answered(item.performative.text, item.message.text, own):
+                        continue
                     if (item.performative.text, item.message.text) not in others:
                         message = f"`{part.name}` {clause} `{name}`, and no participant {other} it"
                         hint = f"write `{other} {name}` of the participant that does, or leave it out here"

@@ -654,7 +654,8 @@ class Executions:
                 variable = self.agent.variable_of(name, execution.label)
                 if not _fits(variable.type, value):
                     raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
-                if name not in execution.info.variables:
+                # Those of a participant are there for its activities: the role need not say so again.
+                if variable.scope is None and name not in execution.info.variables:
                     self.undeclared(execution, f"writes variable {name}")
             case c.Send(performative, message, to):
                 self.agent.check_send(execution.branch, performative, type(message).__name__, to)

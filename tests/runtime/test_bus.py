@@ -261,6 +261,26 @@ def test_what_is_not_declared_is_noted_once() -> None:
     ]
 
 
+def test_the_variables_of_a_participant_need_not_be_declared_by_who_plays_it() -> None:
+    generated = generate("""
+    system S
+    aip p {
+      participant a { var x : int = 0  process = A . B }
+      participant b { process = C }
+      control a { enter B : [x == 2] }
+    }
+    srm R { plays p.a  liveness { R = a }  activities { B takes 1s } }
+    """)
+
+    class A:
+        def execute(self, context: Context) -> None:
+            context.set("x", 2)
+
+    run = play(generated, {"A": A})
+    assert run.order("start") == ["start A", "start B"]
+    assert run.of("fault") == []
+
+
 def test_what_means_nothing_is_an_error_of_the_activity() -> None:
     generated = generate("""
     system S

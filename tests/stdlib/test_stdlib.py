@@ -100,7 +100,8 @@ def test_protocols_are_played_as_they_are(protocol: str, first: str, second: str
     for participant, other in (played.participants, reversed(played.participants)):
         assert {item.performative for item in participant.sends} <= set(PERFORMATIVES)
         sent = {(item.performative, item.message) for item in participant.sends}
-        assert sent == {(item.performative, item.message) for item in other.receives}
+        received = {(item.performative, item.message) for item in other.receives}
+        assert sent == {kind for kind in received if kind[0] != "not_understood"}
 
 
 def test_all_protocols_may_be_played_by_one_role() -> None:

@@ -1,0 +1,464 @@
+"""Every protocol of the library, through each of its ends: what is said, to whom, and how it ended."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+import pytest
+
+from aseme_dsl.compiler import analyse
+from aseme_dsl.diagnostics import render_text
+from aseme_dsl.runtime import Context
+from aseme_dsl.source import Source
+from tests.conftest import Snapshot
+from tests.runtime.playing import SECOND, Played, play
+from tests.support.generated import Generated, generate
+
+LAST = {"LearnOutcome", "LearnAnswer", "EndSubscription", "CloseAuction", "LearnReply", "LearnResult"}
+"""The last activities of those who begin: they know how it ended."""
+LIMIT = 20 * 60 * SECOND
+"""No conversation of these is longer, whatever happens."""
+
+
+@dataclass(frozen=True)
+class Act:
+    """What an activity does: it lasts, writes variables, prepares a message, and may break down.
+
+    A value may be a mapping by agent, or a list of which each start takes the next.
+    """
+
+    takes: float | Mapping[str, float] = 0.0
+    sets: Mapping[str, Any] = field(default_factory=dict)
+    says: tuple[str, Mapping[str, Any]] | None = None
+    breaks: bool | Mapping[str, bool] = False
+
+
+def act(takes: Any = 0.0, says: Any = None, breaks: Any = False, **sets: Any) -> Act:
+    return Act(takes, sets, says, breaks)
+
+
+def _kind(generated: Generated, name: str, what: Act) -> type[Any]:
+    starts: dict[str, int] = {}
+
+    class Activity:
+        def execute(self, context: Context) -> None:
+            number = starts[context.agent] = starts.get(context.agent, -1) + 1
+
+            def of(value: Any) -> Any:
+                if isinstance(value, dict):
+                    value = value[context.agent]
+                return value[min(number, len(value) - 1)] if isinstance(value, list) else value
+
+            takes = of(what.takes)
+            if takes:
+                context.wait(takes)
+            if of(what.breaks):
+                raise RuntimeError("the arm is broken")
+            for variable, value in what.sets.items():
+                context.set(variable, of(value))
+            if what.says is not None:
+                message, members = what.says
+                context.prepare(
+                    generated.message(message, **{key: of(value) for key, value in members.items()})
+                )
+            if name in LAST:
+                context.log(f"ended {context.variable('ending').name}")
+
+    return Activity
+
+
+@dataclass(frozen=True)
+class Protocol:
+    """A protocol with those who play it, by agent, and what their activities do if all goes well."""
+
+    name: str
+    parts: Mapping[str, str]
+    acts: Mapping[str, Act]
+
+    def __str__(self) -> str:
+        return self.name
+
+    def text(self, named: Mapping[str, str] | None = None) -> str:
+        roles = dict.fromkeys(self.parts.values())
+        lines = [f"system {self.name.title().replace('_', '')}", "import protocols"]
+        lines += [
+            f"srm {part}_role {{\n  plays {self.name}.{part}\n  liveness {{ {part}_role = {part} }}\n}}"
+            for part in roles
+        ]
+        team = " ".join(f"{agent} : {part}_role" for agent, part in self.parts.items())
+        return "\n".join([*lines, f"team T {{ {team} }}", ""])
+
+
+@dataclass(frozen=True)
+class End:
+    """One end of a protocol: what goes otherwise, and how it has ended then."""
+
+    protocol: str
+    name: str
+    ends: str
+    acts: Mapping[str, Act] = field(default_factory=dict)
+
+    def __str__(self) -> str:
+        return f"{self.protocol}: {self.name}"
+
+
+PROTOCOLS = (
+    Protocol(
+        "request",
+        {"ann": "initiator", "bob": "responder"},
+        {
+            "PrepareOrder": act(says=("Order", {"id": "1", "what": "soup"})),
+            "AwaitOutcome": act(),
+            "LearnOutcome": act(),
+            "ConsiderOrder": act(0.1, willing=True),
+            "PerformOrder": act(3, succeeded=True),
+            "ReportOutcome": act(says=("Outcome", {"id": "1", "detail": "hot"})),
+            "StopOrder": act(),
+        },
+    ),
+    Protocol(
+        "query",
+        {"ann": "initiator", "bob": "responder"},
+        {
+            "PrepareQuestion": act(says=("Question", {"id": "1", "about": "the soup"})),
+            "AwaitAnswer": act(),
+            "LearnAnswer": act(),
+            "ConsiderQuestion": act(0.1, willing=True),
+            "FindAnswer": act(1, known=True),
+            "GiveAnswer": act(says=("Answer", {"id": "1", "holds": True, "value": "hot"})),
+            "DropQuestion": act(),
+        },
+    ),
+    Protocol(
+        "propose",
+        {"ann": "initiator", "bob": "responder"},
+        {
+            "PrepareIdea": act(says=("Idea", {"id": "1", "what": "I cook"})),
+            "AwaitReply": act(),
+            "LearnReply": act(),
+            "ConsiderIdea": act(1, wanted=True),
+        },
+    ),
+    Protocol(
+        "subscribe",
+        {"ann": "initiator", "bob": "responder"},
+        {
+            "PrepareSubscription": act(says=("Interest", {"id": "1", "about": "the soup"})),
+            "ReadNews": act(withdrawn=[False, False, True]),
+            "AwaitStop": act(),
+            "EndSubscription": act(),
+            "ConsiderSubscription": act(0.1, willing=True),
+            "WatchSource": act(2, says=("News", {"id": "1", "value": ["cold", "warm", "hot"]})),
+            "StopService": act(),
+        },
+    ),
+    Protocol(
+        "contract_net",
+        {"ann": "manager", "bob": "contractor", "cid": "contractor", "dan": "contractor"},
+        {
+            "AnnounceJob": act(says=("Job", {"id": "1", "what": "soup"})),
+            "CollectProposals": act(2),
+            "AwardContract": act(),
+            "AwaitOutcome": act(),
+            "LearnOutcome": act(),
+            "EvaluateJob": act(
+                {"bob": 0.1, "cid": 0.2, "dan": 0.3}, able={"bob": True, "cid": True, "dan": False}
+            ),
+            "MakeProposal": act(
+                says=("Proposal", {"job": "1", "cost": {"bob": 7.0, "cid": 5.0, "dan": 9.0}})
+            ),
+            "DeclineJob": act(),
+            "CarryOut": act(5, succeeded=True),
+            "ReportOutcome": act(says=("Outcome", {"id": "1", "detail": "hot"})),
+            "StopWork": act(),
+        },
+    ),
+    Protocol(
+        "iterated_contract_net",
+        {"ann": "manager", "bob": "contractor", "cid": "contractor", "dan": "contractor"},
+        {
+            "AnnounceJob": act(says=("Job", {"id": "1", "what": "soup"})),
+            "CollectProposals": act(2),
+            "DecideRound": act(again=[True, False], says=("Job", {"id": "1", "what": "cheaper"})),
+            "AwaitOutcome": act(),
+            "LearnOutcome": act(),
+            "EvaluateJob": act(
+                {"bob": 0.1, "cid": 0.2, "dan": 0.3}, able={"bob": True, "cid": True, "dan": False}
+            ),
+            "MakeProposal": act(
+                says=("Proposal", {"job": "1", "cost": {"bob": [7.0, 4.0], "cid": [5.0, 4.5], "dan": 9.0}})
+            ),
+            "CarryOut": act(5, succeeded=True),
+            "ReportOutcome": act(says=("Outcome", {"id": "1", "detail": "hot"})),
+            "StopWork": act(),
+        },
+    ),
+    Protocol(
+        "auction",
+        {"ann": "auctioneer", "bob": "bidder", "cid": "bidder"},
+        {
+            "OpenAuction": act(lot="a clock", price=10.0, step=5.0, reserve=12.0),
+            "CallPrice": act(0.1),
+            "CollectOffers": act(2),
+            "AwaitPayment": act(),
+            "CloseAuction": act(),
+            "ConsiderLot": act(),
+            "DecideOffer": act(
+                {"bob": 0.1, "cid": 0.2},
+                interested={"bob": [True, True, False], "cid": [True, True, True, False]},
+            ),
+            "Pay": act(1, solvent=True),
+        },
+    ),
+    Protocol(
+        "dutch_auction",
+        {"ann": "auctioneer", "bob": "bidder", "cid": "bidder"},
+        {
+            "OpenAuction": act(lot="fish", price=10.0, step=2.0, reserve=5.0),
+            "CallPrice": act(0.1),
+            "CollectOffers": act(2),
+            "AwaitPayment": act(),
+            "CloseAuction": act(),
+            "ConsiderLot": act(),
+            "DecideOffer": act(
+                {"bob": 0.1, "cid": 0.2}, interested={"bob": [False, True], "cid": [False, False, True]}
+            ),
+            "Pay": act(1, solvent=True),
+        },
+    ),
+    Protocol(
+        "brokering",
+        {"ann": "client", "bob": "broker", "cid": "provider", "dan": "provider"},
+        {
+            "PrepareErrand": act(says=("Errand", {"id": "1", "what": "soup", "wanted": "cook"})),
+            "AwaitResult": act(),
+            "LearnResult": act(),
+            "ConsiderErrand": act(0.1, willing=True),
+            "ChooseProvider": act(0.1, found=[True, True, False], chosen=["cid", "dan", "dan"]),
+            "AwaitProvider": act(),
+            "StopSearch": act(),
+            "WeighErrand": act(0.1, able=True),
+            "RunErrand": act(3, succeeded=True),
+            "ReportResult": act(says=("Outcome", {"id": "1", "detail": "hot"})),
+            "DropErrand": act(),
+        },
+    ),
+)
+
+NEVER = act(3600)
+"""So long that nobody waits for it."""
+
+ENDS = (
+    End("request", "done", "DONE"),
+    End(
+        "request",
+        "asked by name",
+        "DONE",
+        {"PrepareOrder": act(asked="bob", says=("Order", {"id": "1", "what": "soup"}))},
+    ),
+    End("request", "refused", "REFUSED", {"ConsiderOrder": act(willing=False)}),
+    End("request", "failed", "FAILED", {"PerformOrder": act(succeeded=False)}),
+    End("request", "no answer", "TIMED_OUT", {"ConsiderOrder": NEVER}),
+    End("request", "no outcome", "TIMED_OUT", {"PerformOrder": NEVER}),
+    End("request", "taken back", "CANCELLED", {"AwaitOutcome": act(1, withdrawn=True)}),
+    End(
+        "request",
+        "cannot be stopped",
+        "CANCELLED",
+        {"AwaitOutcome": act(1, withdrawn=True), "StopOrder": act(stopped=False)},
+    ),
+    End("request", "the other is lost", "LOST", {"PerformOrder": act(breaks=True)}),
+    End("request", "the one who asked is lost", "", {"AwaitOutcome": act(1, breaks=True)}),
+    End("query", "done", "DONE"),
+    End(
+        "query",
+        "whether it is so",
+        "DONE",
+        {"PrepareQuestion": act(yes_or_no=True, says=("Question", {"id": "1"}))},
+    ),
+    End("query", "refused", "REFUSED", {"ConsiderQuestion": act(willing=False)}),
+    End("query", "nobody knows", "FAILED", {"FindAnswer": act(known=False)}),
+    End("query", "no answer", "TIMED_OUT", {"ConsiderQuestion": NEVER}),
+    End("query", "taken back", "CANCELLED", {"FindAnswer": NEVER, "AwaitAnswer": act(1, withdrawn=True)}),
+    End("query", "the other is lost", "LOST", {"FindAnswer": act(breaks=True)}),
+    End("query", "the one who asked is lost", "", {"FindAnswer": NEVER, "AwaitAnswer": act(1, breaks=True)}),
+    End("propose", "accepted", "DONE"),
+    End("propose", "rejected", "REFUSED", {"ConsiderIdea": act(wanted=False)}),
+    End("propose", "no answer", "TIMED_OUT", {"ConsiderIdea": NEVER}),
+    End("propose", "taken back", "CANCELLED", {"AwaitReply": act(0.5, withdrawn=True)}),
+    End("propose", "the other is lost", "LOST", {"ConsiderIdea": act(breaks=True)}),
+    End(
+        "propose",
+        "the one who offered is lost",
+        "",
+        {"ConsiderIdea": NEVER, "AwaitReply": act(1, breaks=True)},
+    ),
+    End("subscribe", "enough", "CANCELLED"),
+    End("subscribe", "refused", "REFUSED", {"ConsiderSubscription": act(willing=False)}),
+    End(
+        "subscribe",
+        "the source fails",
+        "FAILED",
+        {"WatchSource": act(2, broken=[False, True], says=("News", {"value": "cold"}))},
+    ),
+    End("subscribe", "no answer", "TIMED_OUT", {"ConsiderSubscription": NEVER}),
+    End("subscribe", "the other is lost", "LOST", {"WatchSource": act(2, breaks=True)}),
+    End("subscribe", "the one who listens is lost", "", {"ReadNews": act(1, breaks=True)}),
+    End("contract_net", "done", "DONE"),
+    End("contract_net", "nobody can", "REFUSED", {"EvaluateJob": act(able=False)}),
+    End("contract_net", "nobody answers in time", "NOBODY", {"EvaluateJob": act(5, able=True)}),
+    End("contract_net", "failed", "FAILED", {"CarryOut": act(succeeded=False)}),
+    End("contract_net", "no outcome", "TIMED_OUT", {"CarryOut": NEVER}),
+    End("contract_net", "taken back", "CANCELLED", {"AwaitOutcome": act(1, withdrawn=True)}),
+    End("contract_net", "the contractor is lost", "LOST", {"CarryOut": act(breaks=True)}),
+    End("contract_net", "the manager is lost", "", {"AwaitOutcome": act(1, breaks=True)}),
+    End(
+        "contract_net",
+        "a late proposal",
+        "DONE",
+        {
+            "EvaluateJob": act(
+                {"bob": 0.1, "cid": 3, "dan": 0.1}, able={"bob": True, "cid": True, "dan": False}
+            )
+        },
+    ),
+    End("iterated_contract_net", "done", "DONE"),
+    End("iterated_contract_net", "nobody can", "REFUSED", {"EvaluateJob": act(able=False)}),
+    End("iterated_contract_net", "failed", "FAILED", {"CarryOut": act(succeeded=False)}),
+    End("iterated_contract_net", "no outcome", "TIMED_OUT", {"CarryOut": NEVER}),
+    End("iterated_contract_net", "taken back", "CANCELLED", {"AwaitOutcome": act(1, withdrawn=True)}),
+    End("iterated_contract_net", "the contractor is lost", "LOST", {"CarryOut": act(breaks=True)}),
+    End("iterated_contract_net", "the manager is lost", "", {"DecideRound": act(breaks=True)}),
+    End("auction", "sold", "DONE"),
+    End("auction", "nobody wants it", "NOBODY", {"DecideOffer": act(interested=False)}),
+    End(
+        "auction",
+        "below the reserve",
+        "NOBODY",
+        {"OpenAuction": act(lot="a clock", price=10.0, step=5.0, reserve=100.0)},
+    ),
+    End("auction", "not paid", "REFUSED", {"Pay": act(solvent=False)}),
+    End("auction", "no payment", "TIMED_OUT", {"Pay": NEVER}),
+    End("auction", "the winner is lost", "LOST", {"Pay": act(breaks=True)}),
+    End("auction", "the auctioneer is lost", "", {"CollectOffers": act(1, breaks=True)}),
+    End("dutch_auction", "sold", "DONE"),
+    End("dutch_auction", "nobody wants it", "NOBODY", {"DecideOffer": act(interested=False)}),
+    End("dutch_auction", "two at once", "DONE", {"DecideOffer": act(0.1, interested=True)}),
+    End("dutch_auction", "not paid", "REFUSED", {"Pay": act(solvent=False)}),
+    End("dutch_auction", "no payment", "TIMED_OUT", {"Pay": NEVER}),
+    End("dutch_auction", "the winner is lost", "LOST", {"Pay": act(breaks=True)}),
+    End("dutch_auction", "the auctioneer is lost", "", {"CollectOffers": act(1, breaks=True)}),
+    End("brokering", "done", "DONE"),
+    End("brokering", "refused", "REFUSED", {"ConsiderErrand": act(willing=False)}),
+    End("brokering", "the second one can", "DONE", {"WeighErrand": act(able={"cid": False, "dan": True})}),
+    End("brokering", "nobody known", "NOBODY", {"ChooseProvider": act(found=False)}),
+    End("brokering", "nobody can", "NOBODY", {"WeighErrand": act(able=False)}),
+    End("brokering", "all fail", "FAILED", {"RunErrand": act(succeeded=False)}),
+    End(
+        "brokering",
+        "the first one is lost",
+        "DONE",
+        {"RunErrand": act(1, breaks={"cid": True, "dan": False}, succeeded=True)},
+    ),
+    End("brokering", "taken back", "CANCELLED", {"AwaitResult": act(1, withdrawn=True)}),
+    End("brokering", "no answer", "TIMED_OUT", {"ConsiderErrand": NEVER}),
+    End("brokering", "no result", "NOBODY", {"RunErrand": NEVER}),
+    End("brokering", "the broker is lost", "LOST", {"AwaitProvider": act(1, breaks=True)}),
+    End("brokering", "the client is lost", "", {"AwaitResult": act(1, breaks=True)}),
+)
+
+
+def protocol(name: str) -> Protocol:
+    return next(item for item in PROTOCOLS if item.name == name)
+
+
+@cache
+def generated(name: str) -> Generated:
+    return generate(protocol(name).text())
+
+
+def played(end: End) -> Played:
+    item = protocol(end.protocol)
+    made = generated(item.name)
+    acts = {**item.acts, **end.acts}
+    assert set(acts) == set(item.acts), "an activity that the protocol does not have"
+    return play(made, {name: _kind(made, name, what) for name, what in acts.items()}, until=LIMIT)
+
+
+@pytest.mark.parametrize("item", PROTOCOLS, ids=str)
+def test_two_lines_are_a_role(item: Protocol) -> None:
+    """`plays X.y`, and its place in the formula."""
+    found = analyse(Source("team.aseme", item.text()))
+    assert found.diagnostics == (), render_text(found.diagnostics)
+    assert found.system is not None
+    used = {node.activity for chart in found.system.iacs for node in chart.nodes if node.activity}
+    assert used == set(item.acts)
+
+
+@pytest.mark.parametrize("end", ENDS, ids=str)
+def test_it_ends(end: End) -> None:
+    run = played(end)
+    logs = [record["text"] for record in run.of("log")]
+    assert logs == ([f"ended {end.ends}"] if end.ends else [])
+    broken = "lost" in end.name
+    assert bool(run.of("error")) == broken
+    left = [agent for agent in protocol(end.protocol).parts if not _is_over(run, agent)]
+    assert left == [], f"{left} still wait"
+
+
+def _is_over(run: Played, agent: str) -> bool:
+    """Whether an agent has ended, well or not, or was never asked."""
+    took_part = any(record["what"] in ("open", "join") for record in run.of("conversation", agent=agent))
+    ended = any(item.name == agent and (item.finished or item.failure) for item in run.result.agents)
+    return ended or not took_part
+
+
+@pytest.mark.parametrize("item", PROTOCOLS, ids=str)
+def test_what_is_said(item: Protocol, snapshot: Snapshot) -> None:
+    """All conversations of a protocol, message by message."""
+    lines: list[str] = []
+    for end in ENDS:
+        if end.protocol == item.name:
+            run = played(end)
+            lines += [f"{end.name}:", *(f"  {line}" for line in said(run)), ""]
+    snapshot("\n".join(lines), f"{item.name}.txt")
+
+
+def test_an_order_to_somebody_who_has_ended_is_not_understood() -> None:
+    item = protocol("request")
+    napping = """responder_role = Nap | responder }
+      activities { Nap takes 1s }
+      control responder_role { enter Nap : [true]  enter responder : else }"""
+    made = generate(item.text().replace("responder_role = responder }", napping))
+    acts = {**item.acts, "PrepareOrder": act(2, says=("Order", {"id": "1"}))}
+    run = play(made, {name: _kind(made, name, what) for name, what in acts.items()}, until=LIMIT)
+    assert said(run) == [
+        "2 s ann request Order (id 1) to bob",
+        "2 s bob did not expect request Order: bob has ended",
+        "2 s bob not_understood Order (id 1) to ann",
+        "2 s ann ended NOT_UNDERSTOOD",
+    ]
+
+
+def said(run: Played) -> list[str]:
+    """Who said what to whom, what came amiss, and how it ended."""
+    lines = []
+    for record in run.records:
+        moment = f"{record['time'] / SECOND:g} s"
+        match record["kind"]:
+            case "mail":
+                members = ", ".join(f"{key} {value}" for key, value in record["content"].items() if value)
+                what = f"{record['performative']} {record['message']}"
+                to = ", ".join(record["to"]) or "nobody"
+                lines.append(f"{moment} {record['agent']} {what} ({members}) to {to}")
+            case "unexpected":
+                what = f"{record['performative']} {record['message']}"
+                lines.append(f"{moment} {record['agent']} did not expect {what}: {record['reason']}")
+            case "fault" | "error":
+                lines.append(f"{moment} {record['agent']} {record['kind']}: {record['reason']}")
+            case "log":
+                lines.append(f"{moment} {record['agent']} {record['text']}")
+    return lines
