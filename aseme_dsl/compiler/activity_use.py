@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from aseme_dsl.amola.srm import Activity, Plays
 from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart
 from aseme_dsl.compiler.damage import Damaged
+from aseme_dsl.compiler.library import is_of_library
 from aseme_dsl.compiler.names import unknown
 from aseme_dsl.compiler.usecases import folded
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
@@ -66,14 +67,16 @@ def close_names(
     """W200 for an activity whose name is close to a formula's or another activity's: is it misspelt?
 
     `unused` are the participants that a role plays and no formula of it uses: there, less closeness will do.
-    A description that no formula has is E204, which says what it is close to.
+    A description that no formula has is E204, which says what it is close to. The protocols of the standard
+    library have their own names: what a system calls its activities is no slip of those.
 
     Close is: equal but for case and underscores, or one letter more, less, wrong or swapped in a name of five
     or more. Names that differ in a digit or a capital (`ScanA`, `ScanB`) are meant to differ.
     """
+    used = {name: node for name, node in used.items() if not is_of_library(node.span.source)}
     declared: dict[str, tuple[Span, str]] = {}
     for formula in formulas:
-        if formula.name.text != "process":
+        if formula.name.text != "process" and not is_of_library(formula.name.span.source):
             declared.setdefault(formula.name.text, (formula.name.span, "the formula"))
     for name, activity in described.items():
         if name not in used:

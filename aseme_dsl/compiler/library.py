@@ -41,7 +41,12 @@ def _declared() -> dict[str, tuple[tuple[str, str, str], ...]]:
 
 def is_of_library(source: Source) -> bool:
     """Whether a file is one of the standard library."""
-    return Path(source.path).resolve().parent == standard_library().resolve()
+    return _is_in_library(source.path)
+
+
+@cache
+def _is_in_library(path: str) -> bool:
+    return Path(path).resolve().parent == standard_library().resolve()
 
 
 def declared_by(library: str) -> frozenset[str]:

@@ -134,3 +134,27 @@ def test_nobody_is_known_at_first() -> None:
         validator = jsonschema.Draft202012Validator(schema(kind))
         assert list(validator.iter_errors(models_json(found)[name])) == []
     assert found.aips[0].participants[0].variables[0].text == "best : agent"
+
+
+ANSWERED = """system S
+message Note {{ string text }}
+message Other {{ string text }}
+aip p {{
+  participant a {{ sends cfp Note  receives not_understood {message}  process = A . [B] }}
+  participant b {{ receives cfp Note  process = X }}
+  control a {{
+    enter [B] : / send cfp Note to b
+    enter B   : not_understood {message} from b
+    skip  B   : after(1s)
+  }}
+  control b {{ enter X : cfp Note from a }}
+}}
+srm r {{ plays p.a  liveness {{ r = a }}  activities {{ A takes 1s  B takes 1s }} }}
+srm q {{ plays p.b  liveness {{ q = b }}  activities {{ X takes 1s }} }}
+"""
+
+
+def test_the_runtime_answers_what_is_not_understood() -> None:
+    """Of what a participant sends, and of nothing else: nobody has to list that it sends such an answer."""
+    assert codes(ANSWERED.format(message="Note")) == []
+    assert codes(ANSWERED.format(message="Other")) == ["E511"]
