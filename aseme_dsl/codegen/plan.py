@@ -377,8 +377,14 @@ def _branch(system: System, chart: Statechart, node: Node, version: str) -> str:
             ("receives", receives, ()),
             ("version", version, ""),
             ("loses", _lost_in(chart, node.label), ()),
+            ("participants", _sizes(system, node.origin.owner), ()),
         ],
     )
+
+
+def _sizes(system: System, protocol: str) -> tuple[tuple[str, int, int | None], ...]:
+    aip = next((aip for aip in system.aips if aip.name == protocol), None)
+    return () if aip is None else tuple((item.name, item.least, item.most) for item in aip.participants)
 
 
 def _lost_in(chart: Statechart, branch: str) -> tuple[str, ...]:

@@ -110,6 +110,7 @@ class Agent:
         self._prepared: dict[tuple[str | None, str], Any] = {}
         self._configuration: tuple[str, ...] = ()
         self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
+        self._info_of = {info.label: info for info in self.plan.branches}
         self._carried_out: dict[type[Any], Callable[[Any], None]] = {
             Start: self.executions.start,
             Cancel: self.executions.cancel,
@@ -406,6 +407,7 @@ class Agent:
         self.plan = chart.PLAN
         self.intake.queued = _queued(self.plan)
         self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
+        self._info_of = {info.label: info for info in self.plan.branches}
         self.recent.clear()
         self._configuration = chart.configuration() if chart.started and self.trace.active else ()
         if not self.driver.clock.virtual:
@@ -570,7 +572,7 @@ class Agent:
 
     def branch_info(self, label: str) -> BranchInfo:
         """What the plan says of a branch."""
-        return next(info for info in self._branches if info.label == label)
+        return self._info_of[label]
 
     def variable_of(self, name: str, label: str) -> Variable:
         """The variable that a state's activity means by a name: the innermost. Raises LookupError."""

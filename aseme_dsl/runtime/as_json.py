@@ -76,7 +76,10 @@ def _read(kind: Any, data: Any, place: str) -> Any:
     if kind is int and isinstance(data, int) and not isinstance(data, bool):
         return data
     if kind is float and isinstance(data, (int, float)) and not isinstance(data, bool):
-        return float(data)
+        try:
+            return float(data)
+        except OverflowError as error:
+            raise _misfit(place, "a number", "one that is too large") from error
     if kind is float and isinstance(data, str) and data in _WORDS:
         return _WORDS[data]
     if kind is str and isinstance(data, str):

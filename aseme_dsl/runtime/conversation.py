@@ -7,21 +7,34 @@ a free branch of the participant, or waits until one is entered or free, with `W
 branch that is left takes part no more. What a participant does not list as received, what comes when too many
 wait already, and what comes for a participation that is over, is unexpected: it is told in the trace and
 answered `not_understood`.
+
+Agents that are not of the team may take part, too: what they say is understood or not (`outsiders`), and then
+handed on like any other message. A message that was received before is told, and no more.
 """
 
 from __future__ import annotations
 
+import itertools
 import threading
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from aseme_dsl.runtime.acl import NOT_UNDERSTOOD, AclMessage, name_of
+from aseme_dsl.runtime import outsiders
+from aseme_dsl.runtime.acl import (
+    NOT_UNDERSTOOD,
+    AclMessage,
+    AgentIdentifier,
+    FipaMessage,
+    name_of,
+    performative_of,
+)
 from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.convert import Messages, mailed
 from aseme_dsl.runtime.inputs import LOST, Identity, Mail
+from aseme_dsl.runtime.invitations import Invitations, Part
 from aseme_dsl.runtime.plan import BranchInfo, Plan
 from aseme_dsl.runtime.trace import Trace
 from aseme_dsl.runtime.transport.port import LOCAL, Transport
@@ -34,7 +47,11 @@ if TYPE_CHECKING:
 WAITING = 1000
 """So many messages wait at the most, at one agent, for a participant to be entered."""
 REMEMBERED = 4096
-"""Of so many conversations that are over here is known who has left them, while others may not know it."""
+"""Of so many conversations that are over here is known who has left them, while others may not know it; and
+so many messages from elsewhere are known again."""
+
+Hears = Callable[[FipaMessage], None]
+"""What an agent in this process that is not of the team is told messages by."""
 
 
 @dataclass(slots=True)
@@ -43,12 +60,16 @@ class _Branch:
 
     info: BranchInfo
     conversation: str | None = None
-    waiting: list[Mail] = field(default_factory=list)
+    waiting: dict[Identity, Mail] = field(default_factory=dict)
     taken: dict[tuple[str, str, str], Mail] = field(default_factory=dict)
     """The last one taken of each kind and sender, the newest at the end."""
     answered: dict[str, Mail] = field(default_factory=dict)
     """The last one taken of each sender: what is sent to it next is an answer to that."""
     was_full: bool = False
+
+    @property
+    def part(self) -> Part:
+        return self.info.protocol, self.info.participant
 
 
 @dataclass(slots=True)
@@ -58,6 +79,36 @@ class _Conversation:
     protocol: str
     members: dict[str, list[str]] = field(default_factory=dict)
     past: set[tuple[str, str]] = field(default_factory=set)
+    places: dict[tuple[str, str], _Branch] = field(default_factory=dict)
+    """The branches here that take part, by agent and participant."""
+    invitations: int = 0
+    """How many of its messages wait here for a participant to be entered or free."""
+    outsiders: dict[str, tuple[AgentIdentifier, ...]] = field(default_factory=dict)
+    """Who is to get what is said to an agent that is not of the team."""
+
+
+@dataclass(slots=True)
+class _Desk:
+    """An agent here: its branches that are entered, those of them that are free, and what waits for one."""
+
+    branches: dict[str, _Branch] = field(default_factory=dict)
+    free: dict[Part, dict[str, _Branch]] = field(default_factory=dict)
+    invitations: Invitations = field(default_factory=Invitations)
+    heard: dict[tuple[Any, ...], None] = field(default_factory=dict)
+    """The messages from elsewhere that came last."""
+
+    def first_free(self, part: Part) -> _Branch | None:
+        """The branch of a participant that was free first."""
+        return next(iter(self.free.get(part, {}).values()), None)
+
+    def was_heard(self, message: tuple[Any, ...]) -> bool:
+        """Whether a message has come before; from now on it has."""
+        if message in self.heard:
+            return True
+        self.heard[message] = None
+        if len(self.heard) > REMEMBERED:
+            del self.heard[next(iter(self.heard))]
+        return False
 
 
 class Conversations:
@@ -78,8 +129,15 @@ class Conversations:
         """Who has left the conversations that are forgotten here but may go on elsewhere, the newest last."""
         self.links: Links | None = None
         """The simulated links between the agents, if they are not perfect."""
-        self._branches: dict[str, dict[str, _Branch]] = {}
-        self._queues: dict[str, list[tuple[AclMessage, BranchInfo]]] = {}
+        self._desks: dict[str, _Desk] = {}
+        self._playing: dict[Part, list[str]] = {}
+        """Who plays a participant, in the team's order, as far as somebody has asked."""
+        self._outside: dict[str, Hears] = {}
+        """The agents in this process that are not of the team."""
+        self._numbers = itertools.count(transport.behind + 1)
+        """Of what outsiders say."""
+        self._asked: dict[str, str] = {}
+        """The conversations of what was sent to outsiders, by what an answer calls it, the newest last."""
         self._conversations: dict[str, _Conversation] = {}
         self._opened: dict[tuple[str, str], int] = {}
         self._lock = threading.RLock()
@@ -87,20 +145,37 @@ class Conversations:
     def join(self, agent: Agent) -> None:
         """An agent can be talked to; the order in which they come is the team's."""
         self._agents[agent.name] = agent
-        self._branches[agent.name] = {}
-        self._queues[agent.name] = []
+        self._desks[agent.name] = _Desk()
         self.join_elsewhere(agent.name, agent.plan)
 
     def join_elsewhere(self, name: str, plan: Plan) -> None:
         """An agent of the team runs in another process, with this plan; it counts in the team's order."""
         self._plans[name] = plan
+        self._playing.clear()
+
+    def meet(self, name: str, hears: Hears) -> None:
+        """An agent that is not of the team runs in this process; it speaks by `arrived_from_outside`.
+
+        It is told messages while others wait: it only takes note of them, and answers later.
+
+        Raises:
+            ValueError: an agent of the team has that name.
+        """
+        if name in self._plans:
+            raise ValueError(f"an agent of the team is called {name}")
+        self._outside[name] = hears
 
     # ---- sending -----------------------------------------------------------------------------
 
     def check_receiver(self, agent: Agent, branch: str, to: str) -> None:
         """Raises LookupError if `to` is neither a participant of the branch's protocol nor an agent."""
         protocol = agent.branch_info(branch).protocol
-        if to not in self._plans and not self._players(protocol, to):
+        if to in self._plans or self._players(protocol, to):
+            return
+        place = self._desks[agent.name].branches.get(branch)
+        conversation = self._conversations.get(place.conversation or "") if place is not None else None
+        members = conversation.members if conversation is not None else {}
+        if not members.get(to) and not any(to in names for names in members.values()):
             raise LookupError(f"{to} is neither an agent nor a participant of {protocol} that somebody plays")
 
     def send(
@@ -120,12 +195,13 @@ class Conversations:
         with self._driver.holding(), self._lock:
             place = self._place_of(agent, branch, performative, message, content)
             if place is not None:
-                invited, part = self._receivers(agent, place, to)
+                invited, part, reason = self._receivers(agent, place, to)
+                if reason:
+                    text = f"{performative} {message} is not sent: {reason}"
+                    self._trace.fault(self._driver.clock.now(), agent.name, text)
+                    return
                 receivers = tuple(name for name in invited if name not in excepts)
                 self._send(agent, place, performative, message, content, receivers, part)
-                if not invited:
-                    text = f"{performative} {message} reaches nobody: no other agent plays {part}"
-                    self._trace.fault(self._driver.clock.now(), agent.name, text)
 
     def send_to_agent(
         self, agent: Agent, branch: str, performative: str, message: str, content: Any, to: str
@@ -141,7 +217,13 @@ class Conversations:
                 self._trace.fault(self._driver.clock.now(), agent.name, text)
                 return
             place = self._place_of(agent, branch, performative, message, content)
-            if place is not None:
+            if place is None:
+                return
+            reason = self._invite(place, to, part)
+            if reason:
+                text = f"{performative} {message} is not sent: {reason}"
+                self._trace.fault(self._driver.clock.now(), agent.name, text)
+            else:
                 self._send(agent, place, performative, message, content, (to,), part)
 
     def _part_of(self, agent: Agent, branch: str, performative: str, message: str, to: str) -> str | None:
@@ -153,16 +235,18 @@ class Conversations:
             for info in (plan.branches if plan is not None else ())
             if info.protocol == protocol and (performative, message) in info.receives
         ]
-        place = self._branches[agent.name].get(branch)
+        place = self._desks[agent.name].branches.get(branch)
         conversation = self._conversations.get((place.conversation or "") if place is not None else "")
         members = conversation.members if conversation is not None else {}
+        if plan is None:
+            return next((part for part, names in members.items() if to in names), None)
         return next((part for part in parts if to in members.get(part, ())), next(iter(parts), None))
 
     def _place_of(
         self, agent: Agent, branch: str, performative: str, message: str, content: Any
     ) -> _Branch | None:
         """The branch in a conversation, which is opened if there is none; None, told, if it was left."""
-        place = self._branches[agent.name].get(branch)
+        place = self._desks[agent.name].branches.get(branch)
         if place is None:
             info = agent.branch_info(branch)
             reason = "its participant was left"
@@ -216,49 +300,100 @@ class Conversations:
                 )
             return
         conversation = self._conversations.get(acl.conversation)
-        self._transport.carry(acl, name, conversation.members if conversation is not None else {})
+        if name in self._plans:
+            self._transport.carry(acl, name, conversation.members if conversation is not None else {})
+        else:
+            known = conversation.outsiders if conversation is not None else {}
+            to = known.get(name, (AgentIdentifier(name),))
+            self._carry_outside(acl.sender, outsiders.written(acl, to), to)
+
+    def _carry_outside(self, sender: str, message: FipaMessage, to: Iterable[AgentIdentifier]) -> None:
+        """Have a message carried to an agent that is not of the team; tell if there is no way to it."""
+        if message.conversation:
+            self._asked[message.reply_with] = message.conversation
+            if len(self._asked) > REMEMBERED:
+                del self._asked[next(iter(self._asked))]
+        for receiver in to:
+            hears = self._outside.get(receiver.name)
+            if hears is not None:
+                hears(message)
+            elif not self._transport.carry_outside(message, receiver):
+                text = f"{message.performative} cannot be sent: there is no way to {receiver.name}"
+                self._trace.fault(self._driver.clock.now(), sender, text)
 
     def _open(self, agent: Agent, place: _Branch) -> None:
         protocol = place.info.protocol
-        number = self._opened[protocol, agent.name] = self._opened.get((protocol, agent.name), 0) + 1
-        name = f"{protocol}-{agent.name}-{self._transport.life}{number}"
+        while True:
+            number = self._opened[protocol, agent.name] = self._opened.get((protocol, agent.name), 0) + 1
+            name = f"{protocol}-{agent.name}-{self._transport.life}{number}"
+            if name not in self._conversations and name not in self._over:  # an outsider may call its own so
+                break
         self._conversations[name] = _Conversation(protocol)
         self._take_part(agent, place, name, "open")
 
     def _take_part(self, agent: Agent, place: _Branch, name: str, what: str) -> None:
         place.conversation = name
-        members = self._conversations[name].members.setdefault(place.info.participant, [])
+        part = place.part
+        self._desks[agent.name].free.get(part, {}).pop(place.info.label, None)
+        conversation = self._conversations[name]
+        conversation.places[agent.name, part[1]] = place
+        members = conversation.members.setdefault(part[1], [])
         if agent.name not in members:
             members.append(agent.name)
         self._told(what, agent, place, name)
 
-    def _receivers(self, agent: Agent, place: _Branch, to: str) -> tuple[tuple[str, ...], str]:
-        """Who is addressed, and as which participant."""
+    def _receivers(self, agent: Agent, place: _Branch, to: str) -> tuple[tuple[str, ...], str, str]:
+        """Who is addressed, as which participant and, where it cannot be sent, why."""
         assert place.conversation is not None
         conversation = self._conversations[place.conversation]
         protocol = place.info.protocol
-        if to in self._plans and not self._players(protocol, to):
-            part = next((p for p, members in conversation.members.items() if to in members), None)
-            if part is None:
-                part = next((b.participant for b in self._plans[to].branches if b.protocol == protocol), "")
-            return (to,), part
         members = conversation.members.get(to)
-        if members is None:
-            members = conversation.members[to] = [n for n in self._players(protocol, to) if n != agent.name]
-        return tuple(members), to
+        if members is None and not self._players(protocol, to) and not place.info.knows(to):
+            part = next((p for p, names in conversation.members.items() if to in names), None)
+            if part is None:
+                plan = self._plans.get(to)
+                branches = plan.branches if plan is not None else ()
+                part = next((b.participant for b in branches if b.protocol == protocol), "")
+            return (to,), part, self._invite(place, to, part)
+        if not members:
+            players = [name for name in self._players(protocol, to) if name != agent.name]
+            least, most = place.info.size_of(to)
+            if not players or len(players) < least:
+                there = ", ".join(players) or "none"
+                return (), to, f"{protocol} takes {_at_least(least)} {to}, and there is {there}"
+            members = conversation.members[to] = players[:most]
+        return tuple(members), to, ""
+
+    def _invite(self, place: _Branch, name: str, part: str) -> str:
+        """An agent shall take part, if it does not yet; the reason why it cannot."""
+        members = self._conversations[place.conversation or ""].members.setdefault(part, [])
+        if name in members:
+            return ""
+        _, most = place.info.size_of(part)
+        if most is not None and len(members) >= most:
+            return f"{', '.join(members)} takes part as {part} already"
+        members.append(name)
+        return ""
 
     def _players(self, protocol: str, participant: str) -> list[str]:
-        return [
-            name
-            for name, plan in self._plans.items()
-            if any((b.protocol, b.participant) == (protocol, participant) for b in plan.branches)
-        ]
+        part = protocol, participant
+        found = self._playing.get(part)
+        if found is None:
+            found = self._playing[part] = [
+                name
+                for name, plan in self._plans.items()
+                if any((b.protocol, b.participant) == part for b in plan.branches)
+            ]
+        return found
 
     # ---- delivering --------------------------------------------------------------------------
 
     def arrived(self, agent: Agent, acl: AclMessage, members: Mapping[str, Sequence[str]]) -> None:
         """The transport has brought a message for an agent, with what its sender knows of who takes part."""
         with self._driver.holding(), self._lock:
+            if self._desks[agent.name].was_heard(acl.identity):
+                self._tell_unexpected(agent, acl, "it was received before")
+                return
             self._tell_received(agent, acl)
             played = (info.version for info in agent.plan.branches if info.protocol == acl.protocol)
             acl = replace(acl, version=next(played, ""))  # the transport brings only what is of our model
@@ -274,6 +409,110 @@ class Conversations:
             if acl.conversation in self._conversations:
                 self._close(acl.conversation)
 
+    def arrived_from_outside(self, to: str, message: FipaMessage) -> None:
+        """An agent that is not of the team has sent a message to one of ours. May be called from any thread.
+
+        It is handed on like any other if it is understood. Else it is told in the trace why it is not, and
+        answered `not_understood`.
+        """
+        with self._driver.holding(), self._lock:
+            agent = self._agents.get(to)
+            sender = message.sender.name if message.sender is not None else ""
+            identity = sender, next(self._numbers)
+            if agent is None:
+                self._not_understood(to, message, identity, f"there is no agent {to} here")
+            elif not sender:
+                self._not_understood(to, message, identity, "it does not say who has sent it")
+            elif sender in self._plans:
+                reason = f"an agent of the team is called {sender}, and this is none of its messages"
+                self._not_understood(to, message, identity, reason)
+            elif message.reply_with and self._desks[to].was_heard((sender, *_said_outside(message))):
+                self._not_understood(to, message, identity, "it was received before", answered=False)
+            else:
+                self._hear(agent, message, sender, identity)
+
+    def _hear(self, agent: Agent, message: FipaMessage, sender: str, identity: Identity) -> None:
+        """Hand on what an outsider says, if it is understood."""
+        name = message.conversation or self._asked.get(message.in_reply_to) or f"{sender}-{identity[1]}"
+        conversation = self._conversations.get(name)
+        protocol = conversation.protocol if conversation is not None else message.protocol
+        infos = [
+            info
+            for info in agent.plan.branches
+            if not protocol or info.protocol == protocol or outsiders.plays(info.protocol, protocol)
+        ]
+        if conversation is not None:
+            places = conversation.places
+            infos.sort(key=lambda info: (agent.name, info.participant) not in places)
+        try:
+            if conversation is not None and not outsiders.plays(protocol, message.protocol or protocol):
+                raise outsiders.NotUnderstood(f"the conversation is one of {protocol}")
+            if not infos:
+                raise outsiders.NotUnderstood(
+                    f"{agent.name} plays no part in {protocol[:100] or 'a protocol'}"
+                )
+            found = outsiders.understood(message, agent.plan, infos, agent.kinds)
+        except outsiders.NotUnderstood as problem:
+            self._not_understood(agent.name, message, identity, str(problem))
+            return
+        info = found.infos[0]
+        acl = AclMessage(
+            found.performative,
+            sender,
+            (agent.name,),
+            found.message,
+            found.content,
+            info.protocol,
+            name,
+            found.participant,
+            info.participant,
+            identity,
+            info.version,
+            message.ontology,
+            message.reply_with,
+            message.in_reply_to,
+        )
+        self._tell_received(agent, acl)
+        if conversation is None:
+            past = self._over.pop(name, set())
+            conversation = self._conversations[name] = _Conversation(info.protocol, past=past)
+        members = conversation.members.setdefault(found.participant, [])
+        _, most = info.size_of(found.participant)
+        if message.sender is not None:
+            conversation.outsiders[sender] = message.reply_to or (message.sender,)
+        if sender not in members and most is not None and len(members) >= most:
+            self._unexpected(agent, acl, f"{', '.join(members)} takes part as {found.participant} already")
+        else:
+            if sender not in members:
+                members.append(sender)
+            self._deliver(agent, acl)
+        self._close(name)
+
+    def _not_understood(
+        self, to: str, message: FipaMessage, identity: Identity, reason: str, *, answered: bool = True
+    ) -> None:
+        """Tell of a message of an outsider that nobody can be given, and answer it."""
+        content = message.content if isinstance(message.content, str) else None
+        self._trace.write(
+            "unexpected",
+            self._driver.clock.now(),
+            agent=to,
+            input=list(identity),
+            performative=performative_of(message.performative) or message.performative,
+            sender=identity[0],
+            conversation=message.conversation or None,
+            content=None if content is None else content[: outsiders.LONGEST],
+            reason=reason,
+        )
+        if (
+            answered
+            and message.sender is not None
+            and performative_of(message.performative) != NOT_UNDERSTOOD
+        ):
+            reply_with = name_of((to, next(self._numbers)))
+            answer = outsiders.answer(message, to, NOT_UNDERSTOOD, reason, reply_with)
+            self._carry_outside(to, answer, answer.receivers)
+
     def vanished(self, name: str) -> None:
         """An agent elsewhere is gone: tell it in each conversation here that counts on it."""
         with self._driver.holding(), self._lock:
@@ -285,7 +524,7 @@ class Conversations:
         A branch with a transition for it gets it as mail, once for each participant that the agent was.
         """
         for agent in self._agents.values():
-            for place in self._branches[agent.name].values() if agent.name != name else ():
+            for place in self._desks[agent.name].branches.values() if agent.name != name else ():
                 conversation = self._conversations.get(place.conversation or "")
                 if conversation is None:
                     continue
@@ -299,13 +538,14 @@ class Conversations:
                     identity = agent.identity()
                     mail = Mail(place.info.label, LOST, "", None, part, name, identity)
                     self._told("gone", agent, place, place.conversation or "", None, name, part, identity)
-                    place.waiting.append(mail)
+                    place.waiting[identity] = mail
                     agent.post(identity, mail, conversation=place.conversation)
                 if elsewhere and parts and not awaited:
                     self._told("gone", agent, place, place.conversation or "", peer=name)
 
     def _deliver(self, agent: Agent, acl: AclMessage) -> None:
-        place = self._place_in(agent, acl)
+        conversation = self._conversations.get(acl.conversation)
+        place = conversation.places.get((agent.name, acl.to)) if conversation is not None else None
         if place is not None:
             if not self._receives(place.info, acl):
                 self._unexpected(agent, acl, f"{acl.to} does not receive it")
@@ -314,7 +554,6 @@ class Conversations:
             else:
                 self._post(agent, place, acl)
             return
-        conversation = self._conversations.get(acl.conversation)
         if conversation is None:
             self._unexpected(agent, acl, "the conversation is closed")
             return
@@ -334,33 +573,19 @@ class Conversations:
             reason = f"{agent.name} has ended" if agent.over else f"{agent.role} does not receive it"
             self._unexpected(agent, acl, reason)
             return
-        queue = self._queues[agent.name]
-        if len(queue) >= WAITING:
+        desk = self._desks[agent.name]
+        invitations = desk.invitations
+        if invitations.size >= WAITING:
             self._unexpected(agent, acl, f"{WAITING} messages wait already for a participant to be entered")
             return
-        if not any(other.conversation == acl.conversation for other, _ in queue):
-            for place in self._branches[agent.name].values():
-                if self._is_free(place, acl):
-                    self._take_part(agent, place, acl.conversation, "join")
-                    self._post(agent, place, acl)
-                    return
-        queue.append((acl, info))
-
-    def _place_in(self, agent: Agent, acl: AclMessage) -> _Branch | None:
-        return next(
-            (
-                place
-                for place in self._branches[agent.name].values()
-                if place.conversation == acl.conversation and place.info.participant == acl.to
-            ),
-            None,
-        )
-
-    def _is_free(self, place: _Branch, acl: AclMessage) -> bool:
-        return place.conversation is None and (place.info.protocol, place.info.participant) == (
-            acl.protocol,
-            acl.to,
-        )
+        part = acl.protocol, acl.to
+        place = desk.first_free(part)
+        if place is not None and not invitations.has(part, acl.conversation):
+            self._take_part(agent, place, acl.conversation, "join")
+            self._post(agent, place, acl)
+            return
+        invitations.add(part, acl)
+        conversation.invitations += 1
 
     def _receives(self, info: BranchInfo, acl: AclMessage) -> bool:
         return (acl.performative, acl.message) in info.receives
@@ -376,7 +601,7 @@ class Conversations:
             acl.identity,
             acl.reply_with,
         )
-        place.waiting.append(mail)
+        place.waiting[acl.identity] = mail
         agent.post(acl.identity, mail, conversation=acl.conversation)
 
     def _refuse(self, agent: Agent, place: _Branch, acl: AclMessage) -> None:
@@ -389,6 +614,11 @@ class Conversations:
 
     def _unexpected(self, agent: Agent, acl: AclMessage, reason: str) -> None:
         """Tell of a message that nobody expects, and answer it, but never an answer to that."""
+        self._tell_unexpected(agent, acl, reason)
+        if acl.performative != NOT_UNDERSTOOD:
+            self._answer(agent, acl, reason)
+
+    def _tell_unexpected(self, agent: Agent, acl: AclMessage, reason: str) -> None:
         self._trace.write(
             "unexpected",
             self._driver.clock.now(),
@@ -400,8 +630,9 @@ class Conversations:
             conversation=acl.conversation,
             reason=reason,
         )
-        if acl.performative == NOT_UNDERSTOOD or acl.sender not in self._plans:
-            return
+
+    def _answer(self, agent: Agent, acl: AclMessage, reason: str) -> None:
+        """Answer a message that nobody expects."""
         identity = agent.identity()
         answer = AclMessage(
             NOT_UNDERSTOOD,
@@ -420,7 +651,13 @@ class Conversations:
             acl.reply_with,
         )
         self._tell_sent(answer, [acl.identity])
-        self._bring(acl.sender, answer)
+        if acl.sender in self._plans:
+            self._bring(acl.sender, answer)
+            return
+        conversation = self._conversations.get(acl.conversation)
+        known = conversation.outsiders if conversation is not None else {}
+        to = known.get(acl.sender, (AgentIdentifier(acl.sender),))
+        self._carry_outside(agent.name, outsiders.written(answer, to, reason), to)
 
     # ---- what the charts do ------------------------------------------------------------------
 
@@ -428,15 +665,16 @@ class Conversations:
         """A branch was entered: it is free, and takes the conversation that waits longest."""
         with self._driver.holding(), self._lock:
             place = _Branch(agent.branch_info(branch))
-            self._branches[agent.name][branch] = place
-            queue = self._queues[agent.name]
-            first = next((acl for acl, _ in queue if self._is_free(place, acl)), None)
-            if first is None:
+            desk = self._desks[agent.name]
+            desk.branches[branch] = place
+            waiting = desk.invitations.take(place.part)
+            if not waiting:
+                desk.free.setdefault(place.part, {})[branch] = place
                 return
-            self._take_part(agent, place, first.conversation, "join")
-            mine = [acl for acl, _ in queue if acl.conversation == first.conversation and acl.to == first.to]
-            queue[:] = [entry for entry in queue if entry[0] not in mine]
-            for acl in mine:
+            name = waiting[0].conversation
+            self._conversations[name].invitations -= len(waiting)
+            self._take_part(agent, place, name, "join")
+            for acl in waiting:
                 if self._receives(place.info, acl):
                     self._post(agent, place, acl)
                 else:
@@ -445,39 +683,41 @@ class Conversations:
     def left(self, agent: Agent, branch: str) -> None:
         """A branch was left: its part in the conversation is over, and what it did not take is given up."""
         with self._driver.holding(), self._lock:
-            place = self._branches[agent.name].pop(branch, None)
-            if place is None or place.conversation is None:
+            desk = self._desks[agent.name]
+            place = desk.branches.pop(branch, None)
+            if place is None:
+                return
+            if place.conversation is None:
+                desk.free[place.part].pop(branch)
                 return
             name = place.conversation
             conversation = self._conversations[name]
+            conversation.places.pop((agent.name, place.info.participant), None)
             conversation.past.add((agent.name, place.info.participant))
             self._told(
-                "leave", agent, place, name, untaken=[list(mail.identity) for mail in place.waiting] or None
+                "leave", agent, place, name, untaken=[list(identity) for identity in place.waiting] or None
             )
             self._close(name)
 
     def _close(self, name: str) -> None:
         """Forget a conversation in which nobody takes part or may still do so."""
-        places = (place for branches in self._branches.values() for place in branches.values())
-        invited = (acl for queue in self._queues.values() for acl, _ in queue)
-        if not any(place.conversation == name for place in places) and not any(
-            acl.conversation == name for acl in invited
-        ):
-            past = self._conversations.pop(name).past
-            if self._transport.networked:
-                self._over[name] = past
-                if len(self._over) > REMEMBERED:
-                    del self._over[next(iter(self._over))]
+        conversation = self._conversations.get(name)
+        if conversation is None or conversation.places or conversation.invitations:
+            return
+        del self._conversations[name]
+        if self._transport.networked or conversation.outsiders:
+            self._over[name] = conversation.past
+            if len(self._over) > REMEMBERED:
+                del self._over[next(iter(self._over))]
 
     def taken(self, agent: Agent, branch: str, identity: Identity) -> None:
         """A transition or an activity took a message."""
         with self._lock:
-            place = self._branches[agent.name].get(branch)
+            place = self._desks[agent.name].branches.get(branch)
             if place is None:
                 return
-            mail = next((item for item in place.waiting if item.identity == identity), None)
+            mail = place.waiting.pop(identity, None)
             if mail is not None:
-                place.waiting.remove(mail)
                 kind = (mail.performative, mail.message, mail.sender)
                 place.taken.pop(kind, None)
                 place.taken[kind] = mail
@@ -486,14 +726,14 @@ class Conversations:
     def taken_by(self, agent: Agent, branch: str) -> tuple[Mail, ...]:
         """What a participation has taken: the last of each kind and sender, the newest at the end."""
         with self._lock:
-            place = self._branches[agent.name].get(branch)
+            place = self._desks[agent.name].branches.get(branch)
             taken = () if place is None else place.taken.values()
             return tuple(mail for mail in taken if mail.performative != LOST)
 
     def arrives(self, agent: Agent, mail: Mail, conversation: str | None) -> bool:
         """Whether mail that was under way still finds its participant; tells and answers if it does not."""
         with self._driver.holding(), self._lock:
-            place = self._branches[agent.name].get(mail.branch)
+            place = self._desks[agent.name].branches.get(mail.branch)
             if conversation is None or (place is not None and place.conversation == conversation):
                 return True
             if mail.performative == LOST:
@@ -525,11 +765,13 @@ class Conversations:
     def gone(self, agent: Agent, reason: str = "") -> None:
         """An agent has ended or left its plan: it takes part in nothing, and what waited is answered."""
         with self._driver.holding(), self._lock:
-            for branch in list(self._branches[agent.name]):
+            desk = self._desks[agent.name]
+            for branch in list(desk.branches):
                 self.left(agent, branch)
-            queue, self._queues[agent.name] = self._queues[agent.name], []
-            for acl, _ in queue:
+            for acl in desk.invitations.clear():
                 self._unexpected(agent, acl, reason or f"{agent.name} has ended")
+                self._conversations[acl.conversation].invitations -= 1
+                self._close(acl.conversation)
 
     # ---- another plan ------------------------------------------------------------------------
 
@@ -537,6 +779,7 @@ class Conversations:
         """Agents follow these plans now."""
         with self._lock:
             self._plans.update(plans)
+            self._playing.clear()
 
     @contextmanager
     def still(self) -> Iterator[None]:
@@ -547,7 +790,7 @@ class Conversations:
     def inside(self, agent: Agent) -> list[tuple[BranchInfo, str]]:
         """The conversations that an agent takes part in, each with the branch that does."""
         with self._lock:
-            places = self._branches[agent.name].values()
+            places = self._desks[agent.name].branches.values()
             return [(place.info, place.conversation) for place in places if place.conversation is not None]
 
     def carry(self, agent: Agent, labels: Mapping[str, str], messages: Messages) -> None:
@@ -556,25 +799,32 @@ class Conversations:
         What it was invited to and now plays in another way is answered `not_understood`.
         """
         with self._driver.holding(), self._lock:
-            self._plans[agent.name] = agent.plan
+            self.renew({agent.name: agent.plan})
             infos = {info.label: info for info in agent.plan.branches}
-            places = self._branches[agent.name]
+            desk = self._desks[agent.name]
+            places = desk.branches
             for branch in [item for item in places if labels.get(item) not in infos]:
                 self.left(agent, branch)
             carried: dict[str, _Branch] = {}
             for branch, place in places.items():
                 label = labels[branch]
                 place.info = infos[label]
-                place.waiting = _mails(place.waiting, label, messages)
+                waiting = _mails(place.waiting.values(), label, messages)
+                place.waiting = {mail.identity: mail for mail in waiting}
                 place.taken = {
                     (mail.performative, mail.message, mail.sender): mail
                     for mail in _mails(place.taken.values(), label, messages)
                 }
                 carried[label] = place
-            self._branches[agent.name] = carried
-            queue, self._queues[agent.name] = self._queues[agent.name], []
-            for acl, _ in queue:
+            desk.branches = carried
+            desk.free.clear()
+            for label, place in carried.items():
+                if place.conversation is None:
+                    desk.free.setdefault(place.part, {})[label] = place
+            for acl in desk.invitations.clear():
+                self._conversations[acl.conversation].invitations -= 1
                 self._deliver(agent, replace(acl, content=agent.understood(acl.content)))
+                self._close(acl.conversation)
 
     # ---- the trace ---------------------------------------------------------------------------
 
@@ -648,6 +898,15 @@ class Conversations:
             peer=peer,
             played=played,
         )
+
+
+def _at_least(least: int) -> str:
+    return "one" if least <= 1 else f"{least} or more"
+
+
+def _said_outside(message: FipaMessage) -> tuple[Any, ...]:
+    """What tells one message of an outsider from the next."""
+    return message.reply_with, message.conversation, message.performative.lower(), message.content
 
 
 def _said(acl: AclMessage) -> dict[str, Any]:

@@ -147,6 +147,16 @@ class BranchInfo:
     """The hash of how the system plays the protocol: those who play the same may meet in one run of it."""
     loses: tuple[str, ...] = ()
     """The participants of which it waits to hear that an agent is gone."""
+    participants: tuple[tuple[str, int, int | None], ...] = ()
+    """All participants of the protocol: name, and how many agents of each take part at least and at most."""
+
+    def knows(self, participant: str) -> bool:
+        """Whether the protocol has a participant of that name."""
+        return any(name == participant for name, _, _ in self.participants)
+
+    def size_of(self, participant: str) -> tuple[int, int | None]:
+        """How many agents take part as a participant, at least and (None: any number) at most."""
+        return next(((low, high) for name, low, high in self.participants if name == participant), (1, None))
 
 
 @dataclass(frozen=True)

@@ -140,3 +140,8 @@ def test_a_script_for_nobody_is_an_error() -> None:
     silent = generate("system S message M { int n } topic t { state M } srm R { liveness { R = A } }")
     with pytest.raises(TeamError, match=r"nobody in the team reads t.state.M"):
         play(silent, script=[{"channel": "t.state.M"}])
+
+
+def test_a_number_that_is_too_large_is_said_to_be() -> None:
+    with pytest.raises(ValueError, match="a number is wanted, not 'one that is too large'"):
+        from_json(float, 10**400)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.runtime.inputs import Identity
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.acl import AclMessage
+    from aseme_dsl.runtime.acl import AclMessage, AgentIdentifier, FipaMessage
     from aseme_dsl.runtime.plan import ChannelInfo
     from aseme_dsl.runtime.team import Team
     from aseme_dsl.runtime.wire import Schema
@@ -88,6 +88,13 @@ class Transport:
 
         Does not wait.
         """
+
+    def carry_outside(self, message: FipaMessage, to: AgentIdentifier) -> bool:
+        """Carry a message to an agent that is not of the team; False if there is no way to it. Does not wait.
+
+        What such agents say is handed to `Conversations.arrived_from_outside`.
+        """
+        return False
 
     def peers(self) -> dict[str, Peer]:
         """Everybody of the team who runs elsewhere."""
