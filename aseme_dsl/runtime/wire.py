@@ -7,6 +7,7 @@ with messages of one name do not disturb each other. protobuf is imported with t
 from __future__ import annotations
 
 import base64
+import json
 import struct
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, is_dataclass
@@ -15,7 +16,7 @@ from functools import cached_property
 from types import NoneType
 from typing import TYPE_CHECKING, Any, TypeVar, get_args
 
-from aseme_dsl.runtime.as_json import member_types
+from aseme_dsl.runtime.as_json import from_json, member_types, to_json
 
 if TYPE_CHECKING:
     from google.protobuf.message import Message as ProtoMessage
@@ -78,6 +79,29 @@ class Schema:
         except DecodeError as problem:
             raise WireError(f"{len(data)} bytes are no {kind.__name__}: {problem}") from None
         return self._from_proto(kind, proto)
+
+    # ---- JSON ----------------------------------------------------------------------------------
+
+    def encode_json(self, message: object) -> bytes:
+        """The message as a JSON object in ASCII, with a member for each of its.
+
+        Raises:
+            WireError: as `encode`.
+        """
+        self._to_proto(message)  # holds it to the same rules
+        return json.dumps(to_json(message), separators=(",", ":")).encode()
+
+    def decode_json(self, kind: type[M], data: bytes) -> M:
+        """The message of class `kind` that this JSON object is; members that it lacks have their defaults.
+
+        Raises:
+            WireError: It is none.
+        """
+        try:
+            found: M = from_json(kind, json.loads(data))
+        except (ValueError, RecursionError) as problem:
+            raise WireError(f"{len(data)} bytes are no {kind.__name__}: {problem}") from None
+        return found
 
     @cached_property
     def _protos(self) -> dict[type[object], Any]:

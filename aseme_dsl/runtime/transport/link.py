@@ -3,14 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Protocol
+from typing import NamedTuple, Protocol
+
+from aseme_dsl.runtime.acl import FipaMessage
+from aseme_dsl.runtime.transport.envelope import Envelope
+
+Answer = tuple[Envelope, bytes]
+"""A piece of the answer to a question, with its payload."""
+
+
+class Stamp(NamedTuple):
+    """What an envelope is marked with for its way: see the fields of these names in `envelope`."""
+
+    addressee: int = 0
+    place: int = 0
+    sample: int = 0
 
 
 class Hears(Protocol):
     """Who is told what a link brings. May be called from any thread, for one receiver from one at a time."""
 
-    def arrived(self, to: str, sender: str, envelope: bytes, payload: bytes) -> None:
+    def arrived(self, to: str, sender: str, envelope: Envelope, payload: bytes) -> None:
         """Something has come for one of our agents."""
+        ...
+
+    def unreadable(self, to: str, sender: str, reason: str) -> None:
+        """Something has come for one of our agents that is no envelope, or not that of what came in it."""
+        ...
+
+    def outside(self, to: str, message: FipaMessage) -> None:
+        """Somebody who is not of the team has said something to one of our agents."""
         ...
 
     def appeared(self, agent: str, incarnation: int) -> None:
@@ -21,26 +43,50 @@ class Hears(Protocol):
         """An agent elsewhere is not there any more."""
         ...
 
-    def asked(self, to: str, what: str, question: bytes) -> Iterable[tuple[bytes, bytes]]:
-        """A question to one of our agents; the answers, as envelopes and payloads."""
+    def asked(self, to: str, what: str, question: bytes) -> Iterable[Answer]:
+        """A question to one of our agents; the answers."""
+        ...
+
+    def returned(self, agent: str, to: str, name: str, reason: str) -> None:
+        """What one of our agents said to an outsider was not delivered; `name` is its `reply-with`."""
+        ...
+
+    def remarked(self, agent: str, text: str) -> None:
+        """Something has happened to the connection of one of our agents that people should know of."""
         ...
 
 
 class Link(Protocol):
     """A connection to the processes in which the rest of the team runs."""
 
+    @property
+    def readable(self) -> bool:
+        """Whether payloads are JSON, for others to read, rather than Protocol Buffers."""
+        ...
+
+    @property
+    def largest(self) -> int | None:
+        """So many bytes a payload may have; None: as many as it likes."""
+        ...
+
     def open(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
         """Connect and say that these agents are here. Raises TransportError if that cannot be."""
         ...
 
-    def send(self, to: str, sender: str, way: str, envelope: bytes, payload: bytes, sure: bool) -> None:
+    def send(
+        self, to: str, sender: str, way: str, envelope: Envelope, stamp: Stamp, payload: bytes, sure: bool
+    ) -> None:
         """Send something; `way` says what for people and access rules (`vision/state/Ball`, `mail`).
 
         What is `sure` is sent before other things. Waits a millisecond at most; what cannot be sent is lost.
         """
         ...
 
-    def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[tuple[bytes, bytes]]:
+    def say(self, to: str, sender: str, message: FipaMessage) -> bool:
+        """Say something to somebody who is not of the team, at that address; False if there is no way."""
+        ...
+
+    def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[Answer]:
         """Put a question and wait for the answers, `timeout` seconds at most."""
         ...
 

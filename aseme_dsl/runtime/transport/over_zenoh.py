@@ -13,10 +13,13 @@ import threading
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
 from aseme_dsl.runtime.transport.port import TransportError
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.transport.link import Hears
+    from aseme_dsl.runtime.acl import FipaMessage
+    from aseme_dsl.runtime.transport.link import Answer, Hears, Stamp
     from aseme_dsl.runtime.transport.settings import Network
 
 MISSING = (
@@ -41,6 +44,9 @@ def import_zenoh() -> Any:
 
 class ZenohLink:
     """A Zenoh session of its own."""
+
+    readable = False
+    largest = None
 
     def __init__(self, system: str, network: Network) -> None:
         """Raises TransportError if zenoh is not installed, or the settings do not fit."""
@@ -78,9 +84,14 @@ class ZenohLink:
             _, _, _, to, *further = str(sample.key_expr).split("/")
             sender = further[0] if further else NOBODY
             attachment = sample.attachment
-            hears.arrived(
-                to, sender, b"" if attachment is None else attachment.to_bytes(), sample.payload.to_bytes()
-            )
+            data = b"" if attachment is None else attachment.to_bytes()
+            payload = sample.payload.to_bytes()
+            try:
+                envelope = envelopes.read(data, payload)
+            except EnvelopeError as problem:
+                hears.unreadable(to, sender, str(problem))
+            else:
+                hears.arrived(to, sender, envelope, payload)
 
         def lives(sample: Any) -> None:
             *_, agent, life = str(sample.key_expr).split("/")
@@ -94,7 +105,8 @@ class ZenohLink:
                 return  # a query for all that there is
             question = b"" if query.payload is None else query.payload.to_bytes()
             for envelope, payload in hears.asked(to, what, question):
-                query.reply(f"{self._root}/{what}/{to}", payload, attachment=envelope)
+                data = envelopes.written(envelope, payload)
+                query.reply(f"{self._root}/{what}/{to}", payload, attachment=data)
 
         for agent in agents:
             self._kept.append(session.declare_subscriber(f"{self._root}/to/{agent}/**", arrived))
@@ -105,15 +117,19 @@ class ZenohLink:
         for agent in agents:
             self._kept.append(liveliness.declare_token(f"{self._root}/here/{agent}/{incarnation:x}"))
 
-    def send(self, to: str, sender: str, way: str, envelope: bytes, payload: bytes, sure: bool) -> None:
+    def send(
+        self, to: str, sender: str, way: str, envelope: Envelope, stamp: Stamp, payload: bytes, sure: bool
+    ) -> None:
         """Send something; it is dropped where the peer takes no more, and never waited for."""
+        addressee, place, sample = stamp
+        data = envelopes.written(envelope, payload, addressee=addressee, place=place, sample=sample)
         key = f"{self._root}/to/{to}/{sender}/{way}"
         publisher = self._publishers.get(key)
         if publisher is None:
             publisher = self._publisher(key, sure)
         if publisher is not None:
             with contextlib.suppress(self._zenoh.ZError):  # the session is being closed
-                publisher.put(payload, attachment=envelope)
+                publisher.put(payload, attachment=data)
 
     def _publisher(self, key: str, sure: bool) -> Any:
         zenoh = self._zenoh
@@ -130,7 +146,11 @@ class ZenohLink:
             )
             return found
 
-    def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[tuple[bytes, bytes]]:
+    def say(self, to: str, sender: str, message: FipaMessage) -> bool:
+        """False: over Zenoh there is only the team."""
+        return False
+
+    def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[Answer]:
         """Put a question and wait for the answers."""
         zenoh = self._zenoh
         session = self._session
@@ -143,11 +163,15 @@ class ZenohLink:
             # Otherwise of several answers on one key only the last one is kept.
             consolidation=zenoh.ConsolidationMode.NONE,
         )
-        return [
-            (reply.ok.attachment.to_bytes(), reply.ok.payload.to_bytes())
-            for reply in replies
-            if reply.ok is not None and reply.ok.attachment is not None
-        ]
+        found: list[Answer] = []
+        for reply in replies:
+            if reply.ok is not None and reply.ok.attachment is not None:
+                payload = reply.ok.payload.to_bytes()
+                try:
+                    found.append((envelopes.read(reply.ok.attachment.to_bytes(), payload), payload))
+                except EnvelopeError as problem:
+                    raise TransportError(f"the answer of {to} cannot be read: {problem}") from problem
+        return found
 
     def close(self) -> None:
         """Disconnect."""

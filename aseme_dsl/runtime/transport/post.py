@@ -27,12 +27,12 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from aseme_dsl.runtime.acl import JSON, AclMessage, name_of
+from aseme_dsl.runtime.acl import JSON, AclMessage, AgentIdentifier, FipaMessage, name_of
 from aseme_dsl.runtime.clock import RealClock
 from aseme_dsl.runtime.inputs import Identity
 from aseme_dsl.runtime.transport import envelope as envelopes
-from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
-from aseme_dsl.runtime.transport.link import Link
+from aseme_dsl.runtime.transport.envelope import Envelope
+from aseme_dsl.runtime.transport.link import Link, Stamp
 from aseme_dsl.runtime.transport.port import Answer, Peer, Transport, TransportError
 from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing, Samples
 from aseme_dsl.runtime.wire import Schema, WireError
@@ -129,6 +129,7 @@ class Post(Transport):
         # In microseconds: no life has more identities than that, and they stay exact as JSON numbers.
         self.behind = self.incarnation // 1000
         self._link = link
+        self._readable = link.readable
         self._schema = schema
         self._clock = clock_identity()
         self._team: Team
@@ -281,6 +282,12 @@ class Post(Transport):
             self._lose(to, way.out.put(Letter(sent, len(payload))), "too many wait for it")
             self._pump(way, other)
 
+    def carry_outside(self, message: FipaMessage, to: AgentIdentifier) -> bool:
+        if self._closing or message.sender is None:
+            return False
+        addresses = (*to.addresses, to.name)
+        return any(self._link.say(address, message.sender.name, message) for address in addresses)
+
     def peers(self) -> dict[str, Peer]:
         # Without the lock: who listens to the trace may ask, while the trace waits for nobody.
         found: dict[str, Peer] = {}
@@ -314,15 +321,14 @@ class Post(Transport):
         question = json.dumps({"channel": channel, "since": since + shift, "until": until + shift})
         found: list[tuple[int, Any]] = []
         answers = self._link.ask(sender, "history", question.encode(), timeout)
-        for data, payload in answers:
+        for envelope, payload in answers:
+            if envelope.kind == envelopes.ACKNOWLEDGE:
+                continue
+            if envelope.model != self.model:
+                raise TransportError(f"{sender} has another model ({envelope.model})")
             try:
-                envelope = envelopes.read(data, payload)
-                if envelope.kind == envelopes.ACKNOWLEDGE:
-                    continue
-                if envelope.model != self.model:
-                    raise TransportError(f"{sender} has another model ({envelope.model})")
-                found.append((self._moment(other, envelope), self._schema.decode(kind, payload)))
-            except (EnvelopeError, WireError) as problem:
+                found.append((self._moment(other, envelope), self._read(kind, payload)))
+            except WireError as problem:
                 raise TransportError(f"the answer of {sender} cannot be read: {problem}") from problem
         if not answers:
             raise TransportError(f"{sender} does not answer")
@@ -351,11 +357,21 @@ class Post(Transport):
 
     def _encoded(self, sender: str, what: str, message: Any) -> bytes | None:
         try:
-            return self._schema.encode(message)
+            payload = self._schema.encode_json(message) if self._readable else self._schema.encode(message)
+            largest = self._link.largest
+            if largest is not None and len(payload) > largest:
+                raise WireError(f"it has {len(payload)} bytes, and at the most {largest} travel here")
         except WireError as problem:
             now = self._team.driver.clock.now()
             self._team.trace.fault(now, sender, f"{what} cannot be sent to other robots: {problem}")
             return None
+        return payload
+
+    def _read(self, kind: type[Any], payload: bytes) -> Any:
+        """The message that a payload is. Raises WireError."""
+        if self._readable:
+            return self._schema.decode_json(kind, payload)
+        return self._schema.decode(kind, payload)
 
     def _envelope(self, kind: int, sequence: int = 0, moment: int = 0, **members: Any) -> Envelope:
         return Envelope(
@@ -379,15 +395,13 @@ class Post(Transport):
 
     def _hand_over(self, other: _Other, sent: _Sent, place: int = 0, sample: int = 0) -> None:
         """Give something to the link."""
-        data = envelopes.written(
-            sent.envelope, sent.payload, addressee=other.life or 0, place=place, sample=sample
-        )
-        self._link.send(other.name, sent.sender, sent.way, data, sent.payload, place > 0)
+        stamp = Stamp(other.life or 0, place, sample)
+        self._link.send(other.name, sent.sender, sent.way, sent.envelope, stamp, sent.payload, place > 0)
 
     def _say(self, mine: str, name: str, way: str, envelope: Envelope) -> None:
         """Send something of the post's own."""
-        data = envelopes.written(envelope, b"", addressee=self._others[name].life or 0)
-        self._link.send(name, mine, way, data, b"", True)
+        stamp = Stamp(self._others[name].life or 0)
+        self._link.send(name, mine, way, envelope, stamp, b"", True)
 
     def _acknowledge(self, mine: str, name: str, way: _Way) -> None:
         way.owed = 0
@@ -471,25 +485,16 @@ class Post(Transport):
 
     # ---- hearing -----------------------------------------------------------------------------
 
-    def arrived(self, to: str, sender: str, envelope: bytes, payload: bytes) -> None:
+    def arrived(self, to: str, sender: str, envelope: Envelope, payload: bytes) -> None:
         """Something has come for one of our agents."""
         if not self._gate.is_set():
             self._gate.wait()
         came = time.monotonic_ns()
         with self._lock:
-            other = self._others.get(sender)
-            if self._closing or to not in self._here:
+            other = self._sender(to, sender)
+            if other is None or not self._is_current(other, envelope):
                 return
-            if other is None:
-                self._meet_stranger(sender)
-                return
-            try:
-                read = envelopes.read(envelope, payload)
-            except EnvelopeError as problem:
-                self._count(other, "unreadable", str(problem))
-                return
-            if not self._is_current(other, read):
-                return
+            read = envelope
             other.clock = read.clock
             way = self._ways[to, sender]
             if read.kind == envelopes.ACKNOWLEDGE:
@@ -508,6 +513,45 @@ class Post(Transport):
         for item in ready:
             if item is not None:
                 self._hand_on(to, other, *item)
+
+    def unreadable(self, to: str, sender: str, reason: str) -> None:
+        """Something has come for one of our agents that is no envelope, or not that of what came in it."""
+        self._gate.wait()
+        with self._lock:
+            other = self._sender(to, sender)
+            if other is not None:
+                self._count(other, "unreadable", reason)
+
+    def _sender(self, to: str, sender: str) -> _Other | None:
+        """Who has sent something to one of ours; None for a stranger, told. Called with the lock."""
+        if self._closing or to not in self._here:
+            return None
+        other = self._others.get(sender)
+        if other is None:
+            self._meet_stranger(sender)
+        return other
+
+    def outside(self, to: str, message: FipaMessage) -> None:
+        """Somebody who is not of the team has said something to one of our agents."""
+        self._gate.wait()
+        if self._closing or to not in self._here:
+            return
+        try:
+            self._team.conversations.arrived_from_outside(to, message)
+        except Exception as problem:  # the link's thread has nobody above who would tell
+            sender = message.sender.name if message.sender is not None else "somebody"
+            reason = f"what {sender} said could not be taken: {type(problem).__name__}: {problem}"
+            self._team.trace.fault(self._team.driver.clock.now(), to, reason)
+
+    def returned(self, agent: str, to: str, name: str, reason: str) -> None:
+        """What one of our agents said to an outsider was not delivered; `name` is its `reply-with`."""
+        text = f"{name or 'a message'} could not be brought to {to}: {reason}"
+        self._team.trace.fault(self._team.driver.clock.now(), agent, text)
+        self._team.conversations.vanished(to)
+
+    def remarked(self, agent: str, text: str) -> None:
+        """Something has happened to the connection of one of our agents that people should know of."""
+        self._team.trace.remark(self._team.driver.clock.now(), agent, text)
 
     def _is_current(self, other: _Other, envelope: Envelope) -> bool:
         """Whether an envelope is from the life that its sender leads, and for ours. Called with the lock."""
@@ -546,7 +590,7 @@ class Post(Transport):
             )
             return None
         try:
-            return envelope, self._schema.decode(kind, payload)
+            return envelope, self._read(kind, payload)
         except WireError as problem:
             self._count(other, "unreadable", f"{name}: {problem}", about=name)
             return None
@@ -755,8 +799,8 @@ class Post(Transport):
 
     # ---- questions ---------------------------------------------------------------------------
 
-    def asked(self, to: str, what: str, question: bytes) -> Iterable[tuple[bytes, bytes]]:
-        """A question to one of our agents; the answers, as envelopes and payloads."""
+    def asked(self, to: str, what: str, question: bytes) -> Iterable[tuple[Envelope, bytes]]:
+        """A question to one of our agents; the answers."""
         try:
             request = json.loads(question)
             if not isinstance(request, dict):
@@ -774,11 +818,10 @@ class Post(Transport):
             return self._history_of(to, request)
         return []
 
-    def _json_answer(self, answer: dict[str, Any]) -> tuple[bytes, bytes]:
-        payload = json.dumps(answer).encode()
-        return envelopes.written(self._envelope(envelopes.ACKNOWLEDGE), payload), payload
+    def _json_answer(self, answer: dict[str, Any]) -> tuple[Envelope, bytes]:
+        return self._envelope(envelopes.ACKNOWLEDGE), json.dumps(answer).encode()
 
-    def _history_of(self, mine: str, request: dict[str, Any]) -> list[tuple[bytes, bytes]]:
+    def _history_of(self, mine: str, request: dict[str, Any]) -> list[tuple[Envelope, bytes]]:
         channel, since, until = request.get("channel"), request.get("since"), request.get("until")
         answers = [self._json_answer({})]  # says that there is somebody, also if there is no data
         if not isinstance(channel, str) or not isinstance(since, int) or not isinstance(until, int):
@@ -788,7 +831,7 @@ class Post(Transport):
         for kept in samples:
             sent = kept.sent
             if since <= sent.envelope.time <= until:
-                answers.append((envelopes.written(sent.envelope, sent.payload), sent.payload))
+                answers.append((sent.envelope, sent.payload))
         return answers
 
 

@@ -87,6 +87,41 @@ class Network:
             yield "access_control", text
 
 
+ROBOT = "ROBOT"
+"""Stands for an agent's name in the names of its account and of its files."""
+
+
+@dataclass(frozen=True, slots=True)
+class Xmpp:
+    """The XMPP server of a team whose agents are SPADE agents, and their accounts there.
+
+    `password` is one text for all, or a file whose first line it is; ROBOT in the file's name, and in
+    `account`, stands for the agent's name. With `register` accounts that are not there are made.
+    """
+
+    host: str = "127.0.0.1"
+    port: int = 5222
+    domain: str = "localhost"
+    account: str = ROBOT
+    password: str | Path = ""
+    register: bool = False
+    verify: bool = True
+    """Whether the server must prove, by a certificate, that it is that of the domain."""
+    authority: Path | None = None
+    """The certificate of who has signed the server's; None: whom this machine trusts."""
+
+    def account_of(self, agent: str) -> str:
+        """The name of an agent's account."""
+        return self.account.replace(ROBOT, agent)
+
+    def password_of(self, agent: str) -> str:
+        """The password of its account. Raises TransportError if its file cannot be read."""
+        if isinstance(self.password, str):
+            return self.password
+        path = self.password.with_name(self.password.name.replace(ROBOT, agent))
+        return _readable(path).partition("\n")[0].strip()
+
+
 def _readable(path: Path) -> str:
     try:
         return path.read_text("utf-8")

@@ -11,12 +11,14 @@ import random
 import threading
 import time
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
+from aseme_dsl.runtime.acl import FipaMessage
 from aseme_dsl.runtime.team import RunResult, Team
 from aseme_dsl.runtime.trace import Record
-from aseme_dsl.runtime.transport.link import Hears, Link
+from aseme_dsl.runtime.transport.envelope import Envelope
+from aseme_dsl.runtime.transport.link import Answer, Hears, Link, Stamp
 from aseme_dsl.runtime.transport.post import Post
 from tests.runtime.playing import check_line, make
 from tests.support.generated import Generated
@@ -91,6 +93,9 @@ class Air:
 
 
 class _AirLink:
+    readable = False
+    largest = None
+
     def __init__(self, air: Air) -> None:
         self.air = air
         self.mine: _End | None = None
@@ -104,22 +109,28 @@ class _AirLink:
                 self.air.later(lambda e=end, a=agent: hears.appeared(a, e.incarnation), ordered=True)
         self.air.ends.append(self.mine)
 
-    def send(self, to: str, sender: str, way: str, envelope: bytes, payload: bytes, sure: bool) -> None:
+    def send(
+        self, to: str, sender: str, way: str, envelope: Envelope, stamp: Stamp, payload: bytes, sure: bool
+    ) -> None:
         air = self.air
+        stamped = replace(envelope, **stamp._asdict())
         with air.lock:
             lost = air.chance.random() < air.loss
             copies = 2 if air.chance.random() < air.doubling else 1
         for _ in range(0 if lost else copies):
-            air.later(lambda: self._arrive(to, sender, envelope, payload))
+            air.later(lambda: self._arrive(to, sender, stamped, payload))
 
-    def _arrive(self, to: str, sender: str, envelope: bytes, payload: bytes) -> None:
+    def _arrive(self, to: str, sender: str, envelope: Envelope, payload: bytes) -> None:
         if {to, sender} & self.air.cut:
             return
         for end in tuple(self.air.ends):
             if to in end.agents:
                 end.hears.arrived(to, sender, envelope, payload)
 
-    def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[tuple[bytes, bytes]]:
+    def say(self, to: str, sender: str, message: FipaMessage) -> bool:
+        return False
+
+    def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[Answer]:
         for end in tuple(self.air.ends):
             if to in end.agents:
                 return list(end.hears.asked(to, what, question))

@@ -14,10 +14,13 @@ from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.team import TeamError
 from aseme_dsl.runtime.transport import Network
 from aseme_dsl.runtime.transport import envelope as envelopes
-from aseme_dsl.runtime.transport.link import Link
+from aseme_dsl.runtime.transport.envelope import Envelope
+from aseme_dsl.runtime.transport.link import Link, Stamp
+from aseme_dsl.runtime.transport.over_platform import PlatformLink
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 from tests.runtime.playing import make
 from tests.runtime.transport.net import Air, Part, part, wait_until
+from tests.runtime.transport.square import Square
 from tests.support.generated import Generated, generate
 
 TEAM = """
@@ -88,11 +91,15 @@ def arrived(part_: Part, agent: str, channel: str) -> list[int]:
     return [r["message"]["n"] for r in part_.of("arrived", agent=agent, channel=channel)]
 
 
-@pytest.fixture(params=["air", "zenoh"])
+@pytest.fixture(params=["air", "platform", "zenoh"])
 def links(request: pytest.FixtureRequest) -> Any:
-    """Makes links between parts: through the air of a test, or over real sockets."""
+    """Makes links between parts: through the air of a test, over a platform, or over real sockets."""
     if request.param == "air":
         return Air().link
+    if request.param == "platform":
+        team = ("ann", "bob", "cat")
+        square = Square(team)
+        return lambda: PlatformLink(square.platform(), "Talk", team, lease=1.0)
     pytest.importorskip("zenoh")
     return lambda: ZenohLink("Talk", Network())
 
@@ -246,14 +253,12 @@ class OtherMachine:
     def __init__(self, link: Link) -> None:
         self.link = link
 
-    def send(self, to: str, sender: str, way: str, envelope: bytes, payload: bytes, sure: bool) -> None:
-        read = envelopes.read(envelope, payload)
-        heard = read.heard + self.SKEW if read.kind == envelopes.PONG else 0
-        ahead = replace(read, time=read.time + self.SKEW, clock=42, heard=heard)
-        data = envelopes.written(
-            ahead, payload, addressee=read.addressee, place=read.place, sample=read.sample
-        )
-        self.link.send(to, sender, way, data, payload, sure)
+    def send(
+        self, to: str, sender: str, way: str, envelope: Envelope, stamp: Stamp, payload: bytes, sure: bool
+    ) -> None:
+        heard = envelope.heard + self.SKEW if envelope.kind == envelopes.PONG else 0
+        ahead = replace(envelope, time=envelope.time + self.SKEW, clock=42, heard=heard)
+        self.link.send(to, sender, way, ahead, stamp, payload, sure)
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.link, name)

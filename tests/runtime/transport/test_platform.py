@@ -1,0 +1,148 @@
+"""A team on a platform with others: who is there, what outsiders say and hear, who pretends."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+
+from aseme_dsl.runtime.transport.over_platform import PlatformLink
+from tests.runtime.transport.net import part, wait_until
+from tests.runtime.transport.square import Square
+from tests.runtime.transport.test_parts import NET
+from tests.support.generated import Generated, generate
+
+TEAM = ("ann", "bob", "cat")
+ALICE = "alice@square/1"
+
+
+@pytest.fixture(scope="module")
+def net() -> Generated:
+    return generate(NET)
+
+
+@pytest.fixture
+def square() -> Square:
+    return Square(TEAM)
+
+
+def link(square: Square, lease: float = 1.0) -> PlatformLink:
+    return PlatformLink(square.platform(), "Net", TEAM, lease=lease)
+
+
+def said_to(square: Square, who: str) -> list[tuple[dict[str, str], Any]]:
+    return [
+        (headers, json.loads(body or "null"))
+        for _, to, headers, body in list(square.heard)
+        if to.startswith(who)
+    ]
+
+
+def test_an_outsider_takes_part_in_a_conversation(net: Generated, square: Square) -> None:
+    bob = part(net, ["bob"], {}, link(square)).start()
+    wait_until(lambda: square.sites)
+    cfp = {"performative": "cfp", "protocol": "net", "conversation-id": "c1", "reply-with": "q1"}
+    square.say(ALICE, "bob@square", cfp, '{"n": 3}')
+    wait_until(lambda: said_to(square, "alice"))
+    bob.stop()
+    ((headers, content),) = said_to(square, "alice")
+    assert content == {"cost": 0}
+    assert headers["performative"] == "propose"
+    assert (headers["conversation-id"], headers["protocol"], headers["in-reply-to"]) == ("c1", "net", "q1")
+    (received,) = bob.of("received")
+    assert received["input"][0] == "alice@square" and received["content"] == {"n": 3}
+
+
+@pytest.mark.parametrize(
+    ("headers", "body", "reason"),
+    [
+        ({"performative": "shout"}, "{}", "FIPA has no performative shout"),
+        ({}, "hello", "FIPA has no performative"),
+        ({"performative": "cfp", "protocol": "net"}, '{"n": "three"}', "n: a int is wanted"),
+        ({"performative": "cfp", "protocol": "net"}, "n = 3", "the content is no JSON"),
+        ({"performative": "inform", "protocol": "net"}, "{}", "worker receives no inform"),
+        ({"performative": "cfp", "protocol": "chess"}, "{}", "bob plays no part in chess"),
+    ],
+)
+def test_what_means_nothing_is_not_understood(
+    net: Generated, square: Square, headers: dict[str, str], body: str, reason: str
+) -> None:
+    bob = part(net, ["bob"], {}, link(square)).start()
+    wait_until(lambda: square.sites)
+    square.say(ALICE, "bob@square", {**headers, "reply-with": "q7"}, body)
+    wait_until(lambda: said_to(square, "alice"))
+    bob.stop()
+    ((answer, content),) = said_to(square, "alice")
+    assert answer["performative"] == "not-understood" and answer["in-reply-to"] == "q7"
+    assert reason in content["reason"]
+    (unexpected,) = bob.of("unexpected")
+    assert reason in unexpected["reason"]
+
+
+def test_a_stranger_that_speaks_as_if_of_the_team_is_refused_and_told(net: Generated, square: Square) -> None:
+    boss = part(net, ["ann"], {}, link(square)).start()
+    workers = part(net, ["bob"], {}, link(square)).start()
+    wait_until(lambda: boss.of("received", performative="propose"))
+    # Mallory has heard what is said on the square, and says it again from an address of his own.
+    envelope = {"kind": 1, "check": 0, "incarnation": 1}
+    copy = {"performative": "cfp", "reply-with": "ann-1", "aseme": json.dumps(envelope)}
+    square.say("mallory@square/1", "bob@square", copy, "{}")
+    square.say("mallory@square/1", "bob@square", {"aseme": json.dumps({"bye": 1})})
+    wait_until(lambda: said_to(square, "mallory"))
+    workers.stop()
+    boss.stop()
+    ((answer, _),) = said_to(square, "mallory")
+    assert answer["performative"] == "not-understood" and answer["in-reply-to"] == "ann-1"
+    assert "mallory@square stranger" in workers.news()
+    assert len(workers.of("received")) == 1
+
+
+def test_who_says_nothing_for_a_lease_is_gone_and_comes_back(net: Generated, square: Square) -> None:
+    bob = part(net, ["bob"], {}, link(square)).start()
+    cat = part(net, ["cat"], {}, link(square)).start()
+    wait_until(lambda: cat.team.transport.is_there("bob") and bob.team.transport.is_there("cat"))
+    square.silent = True
+    wait_until(lambda: not cat.team.transport.is_there("bob") and not bob.team.transport.is_there("cat"))
+    square.silent = False
+    wait_until(lambda: cat.team.transport.is_there("bob") and bob.team.transport.is_there("cat"))
+    bob.stop()
+    wait_until(lambda: not cat.team.transport.is_there("bob"))  # it has taken leave
+    cat.stop()
+    assert cat.news() == ["bob there", "bob gone", "bob back", "bob gone", "bob count"]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "[",
+        "{}",
+        '{"here": {"bob": 1}, "life": 1}',
+        '{"here": {"cat": "mallory@square/1"}, "life": 1}',
+        '{"here": [], "life": 1}',
+        '{"question": 1}',
+        '{"answer": "x"}',
+        '{"bye": []}',
+        '{"kind": 1}',
+        '{"here": {}, "life": "1"}',
+    ],
+)
+def test_nonsense_from_an_address_of_the_team_is_harmless(net: Generated, square: Square, said: str) -> None:
+    bob = part(net, ["bob"], {}, link(square)).start()
+    wait_until(lambda: square.sites)
+    square.say("cat@square/9", "bob@square", {"aseme": said})
+    cat = part(net, ["cat"], {}, link(square)).start()
+    wait_until(lambda: bob.team.transport.is_there("cat"))
+    cat.stop()
+    bob.stop()
+    assert bob.result is not None and not bob.result.failed
+
+
+def test_what_is_too_large_is_told_and_not_sent(square: Square) -> None:
+    long = "x" * 20_000
+    text = NET.replace("message Task { int n }", "message Task { string n }")
+    net = generate(text.replace("send cfp Task to", f'send cfp Task {{ n = "{long}" }} to'))
+    boss = part(net, ["ann"], {}, link(square)).start()
+    wait_until(lambda: boss.of("fault"))
+    boss.stop()
+    assert "at the most 10000 travel here" in str(boss.of("fault")[0])
