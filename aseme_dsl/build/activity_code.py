@@ -159,6 +159,8 @@ class _World:
     agents: frozenset[str]
     variables: Mapping[str, frozenset[str]]
     """Of each activity and module: those of the roles and participants that perform it."""
+    of_participants: Mapping[str, frozenset[str]]
+    """Of each activity: those of the participants in whose branches it stands, which it may set."""
     events: Mapping[str, Span]
     alone: bool
 
@@ -166,12 +168,18 @@ class _World:
     def of(cls, system: System, alone: bool) -> _World:
         channels = [rules.channel for topic in system.topics for rules in topic.channels]
         variables: dict[str, set[str]] = {}
+        of_participants: dict[str, set[str]] = {}
         events: dict[str, Span] = {}
         for chart in system.iacs:
             own = {item.name.partition("@")[0] for item in chart.variables}
             for node in chart.nodes:
                 if node.type is NodeType.BASIC and node.activity is not None:
                     variables.setdefault(node.activity, set()).update(own)
+                    of_participants.setdefault(node.activity, set()).update(
+                        item.name.partition("@")[0]
+                        for item in chart.variables
+                        if item.scope is not None and node.label.startswith(f"{item.scope}.")
+                    )
             for module in chart.modules:  # a participant's variables are not its own
                 mine = (item.name for item in chart.variables if "@" not in item.name)
                 variables.setdefault(module.name, set()).update(mine)
@@ -184,6 +192,7 @@ class _World:
             frozenset(topic.name for topic in system.topics),
             frozenset(agent.name for team in system.teams for agent in team.agents),
             {name: frozenset(found) for name, found in variables.items()},
+            {name: frozenset(found) for name, found in of_participants.items()},
             events,
             alone,
         )
@@ -333,7 +342,7 @@ def _of_piece(module: _Module, piece: _Piece, world: _World) -> Iterator[Diagnos
         problems = list(_unknown(call, activity, world))
         yield from problems
         if not problems:
-            lacks = _missing(call, activity) if _is_known(call, activity, world) else None
+            lacks = _missing(call, activity, world) if _is_known(call, activity, world) else None
             if lacks is not None:
                 undeclared.setdefault(lacks, call)
     for (clause, name), call in undeclared.items():
@@ -459,7 +468,7 @@ def _is_known(call: _Call, activity: Activity, world: _World) -> bool:
     return call.name in world.channels
 
 
-def _missing(call: _Call, activity: Activity) -> tuple[str, str] | None:
+def _missing(call: _Call, activity: Activity, world: _World) -> tuple[str, str] | None:
     """The clause and the name that the description of the activity lacks."""
     if call.method in _READS:
         own = [item for item in activity.reads if str(item.channel) == call.name]
@@ -470,7 +479,8 @@ def _missing(call: _Call, activity: Activity) -> tuple[str, str] | None:
     if call.method == "publish":
         return None if call.name in map(str, activity.writes) else ("writes", call.name)
     if call.method == "set":
-        return None if call.name in activity.writes_variables else ("writes", call.name)
+        mine = (*activity.writes_variables, *world.of_participants.get(activity.name, ()))
+        return None if call.name in mine else ("writes", call.name)
     return None
 
 

@@ -1,0 +1,8 @@
+"""AwardContract: the cheapest is taken, as the protocol has found out."""
+
+from aseme_dsl.runtime import Context
+
+
+class AwardContract:
+    def execute(self, context: Context) -> None:
+        context.log(f"{context.variable('job')} goes to {context.variable('best')}")

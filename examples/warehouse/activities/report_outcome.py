@@ -1,0 +1,8 @@
+"""ReportOutcome: how it went; Deliver has prepared it."""
+
+from aseme_dsl.runtime import Context
+
+
+class ReportOutcome:
+    def execute(self, context: Context) -> None:
+        context.log("done" if context.variable("succeeded") else "it did not work")
