@@ -81,6 +81,8 @@ class Played:
     summary: str
     seed: int
     trace: Path | None
+    world: object = None
+    """The world as it was left, if there was one here."""
 
 
 Tell = Callable[[str], None]
@@ -233,7 +235,7 @@ def play(
         summary = ""
         if project and project.summary and world is not None:
             summary = str(call(project.summary, world))
-    return Played(result, summary, seed, trace)
+    return Played(result, summary, seed, trace, world)
 
 
 def _play_robot(

@@ -34,6 +34,7 @@ COMMANDS = (
     "select",
     "swap",
     "trace",
+    "optimise",
     "scaffold",
     "import",
     "doctor",

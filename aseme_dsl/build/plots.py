@@ -1,0 +1,123 @@
+"""Plots of a study as SVG: the measure over what was varied, and what quicker activities would gain."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.build.findings import Row, Slower
+from aseme_dsl.build.variation import Knob
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_SETTINGS: dict[Any, object] = {
+    "svg.hashsalt": "aseme-dsl",  # the same study gives the same bytes
+    "svg.fonttype": "none",
+    "font.family": "sans-serif",
+    "font.size": 10,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#dddddd",
+    "axes.axisbelow": True,
+}
+_BLUE, _GREY, _RED = "#2a6fb0", "#9a9a9a", "#b0402a"
+
+
+class PlotsMissing(Exception):
+    """matplotlib, which draws, is not installed."""
+
+
+def measure_plot(knobs: Sequence[Knob], found: Sequence[Row], what: str, chosen: Row | None) -> bytes:
+    """The measure with its intervals, a line for each combination of all knobs but the last.
+
+    Raises:
+        PlotsMissing: there is nothing to draw with.
+    """
+    figure, axes = _figure()
+    last = knobs[-1]
+    lines: dict[tuple[str, ...], list[Row]] = {}
+    for row in found:
+        lines.setdefault(tuple(value for _, value in row.variant[:-1]), []).append(row)
+    places = _places(last)
+    for key, rows in lines.items():
+        seen = [(places[row.variant[-1][1]], row.measure) for row in rows if row.measure is not None]
+        label = ", ".join(f"{knob.name} = {value}" for knob, value in zip(knobs, key, strict=False))
+        (line,) = axes.plot(
+            [x for x, _ in seen],
+            [item.mean for _, item in seen],
+            marker="o",
+            label=label or None,
+            **({} if label else {"color": _BLUE}),
+        )
+        axes.fill_between(
+            [x for x, _ in seen],
+            [item.low for _, item in seen],
+            [item.high for _, item in seen],
+            alpha=0.2,
+            color=line.get_color(),
+            linewidth=0,
+        )
+    if chosen is not None and chosen.measure is not None:
+        x = places[chosen.variant[-1][1]]
+        axes.plot([x], [chosen.measure.mean], marker="o", markersize=11, fillstyle="none", color=_RED)
+    axes.set_xticks(list(places.values()), list(places))
+    axes.set_xlabel(last.name if not last.counts else f"agents of {last.name}")
+    axes.set_ylabel(what)
+    if all(row.measure is None or row.measure.low >= 0 for row in found):
+        axes.set_ylim(bottom=0)
+    if len(lines) > 1:
+        axes.legend(frameon=False)
+    return _svg(figure)
+
+
+def gains_plot(found: Sequence[Slower], times: float, what: str) -> bytes:
+    """A bar for each activity: what it would gain if it were so many times quicker.
+
+    Raises:
+        PlotsMissing: there is nothing to draw with.
+    """
+    figure, axes = _figure(height=1.2 + 0.35 * len(found))
+    names = [item.activity for item in found]
+    places = range(len(found))
+    colours = [
+        _RED if place == 0 and item.gain.is_told_from_none else _BLUE for place, item in enumerate(found)
+    ]
+    axes.barh(places, [100 * item.gain.mean for item in found], color=colours, height=0.6)
+    for place, item in enumerate(found):
+        axes.plot([100 * item.gain.low, 100 * item.gain.high], [place, place], color=_GREY, linewidth=2)
+    axes.set_yticks(list(places), names)
+    axes.invert_yaxis()
+    axes.axvline(0, color="#444444", linewidth=0.8)
+    axes.set_xlabel(f"gain of {what} in %, if it were {times:g} times as quick")
+    return _svg(figure)
+
+
+def _places(knob: Knob) -> dict[str, float]:
+    """Where a value stands: numbers at their place, others one after the other."""
+    try:
+        return {value: float(value) for value in knob.values}
+    except ValueError:
+        return {value: float(place) for place, value in enumerate(knob.values)}
+
+
+def _figure(height: float = 4.0) -> tuple[Figure, Any]:
+    try:
+        from matplotlib import rc_context
+        from matplotlib.figure import Figure
+    except ImportError as missing:
+        raise PlotsMissing("plots need matplotlib: pip install 'aseme-dsl[plot]'") from missing
+    with rc_context(_SETTINGS):
+        figure = Figure(figsize=(6.4, height), layout="constrained")
+        return figure, figure.subplots()
+
+
+def _svg(figure: Figure) -> bytes:
+    from matplotlib import rc_context
+
+    out = io.BytesIO()
+    with rc_context(_SETTINGS):
+        figure.savefig(out, format="svg", metadata={"Date": None, "Creator": "asemec optimise"})
+    return out.getvalue()

@@ -1,0 +1,257 @@
+"""Study: a team played in virtual time again and again, varied in its size, its settings and its speed.
+
+This is the optimization phase of ASEME (P2, section 3): what the model leaves open as numbers is decided by
+simulation. Every variant is played with the same seeds, so that two variants differ by what was varied and
+not by chance; runs are spread over processes.
+"""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from multiprocessing import get_context
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.build.configuration import Configuration
+from aseme_dsl.build.variation import Variant, quicker, varied
+
+if TYPE_CHECKING:
+    from aseme_dsl.amola.system import System
+    from aseme_dsl.build.build import Choice
+    from aseme_dsl.runtime.loading import Loaded
+
+TIME = "time"
+"""The measure that is how long it took until all agents had finished, in s."""
+
+
+class StudyError(Exception):
+    """The study cannot be made as it was asked for; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """How each run is played: for how long (ns), in which world, and what is measured.
+
+    The measure is `time`; or an activity, for how often it was done a minute, by all agents together; or a
+    Python function `module:name`, called with the world at the end, for the number that it gives.
+    """
+
+    measure: str
+    length: int
+    world: str | None = None
+    activities: Path = Path("activities")
+    configuration: Configuration = field(default_factory=lambda: Configuration(Path()))
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """What is played: a variant, with one activity that is quicker than the model says, or none."""
+
+    variant: Variant
+    quicker: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """How one run went. Times are in ns; `measure` is None where the run has none (it did not finish)."""
+
+    seed: int
+    measure: float | None
+    time: int
+    agents: int
+    done: Mapping[str, int]
+    """How often each activity ended."""
+    busy: Mapping[str, int]
+    """How long each activity was running, in all agents together."""
+    failures: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Played:
+    """A case and its runs, by seed."""
+
+    case: Case
+    runs: tuple[Run, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Job:
+    package: Path
+    seed: int
+    plan: Plan
+
+
+def play_all(
+    system: System,
+    cases: Sequence[Case],
+    seeds: Sequence[int],
+    plan: Plan,
+    folder: Path,
+    choice: Choice,
+    *,
+    times: float = 2.0,
+    processes: int,
+    told: Callable[[], None] = lambda: None,
+) -> tuple[Played, ...]:
+    """Play every case with every seed. `folder` is for what is generated; `told` is called after each run.
+
+    Raises:
+        StudyError: a run cannot be played, or has no measure of that name.
+    """
+    jobs = [
+        _Job(_generated(system, case, times, folder / str(number), choice), seed, plan)
+        for number, case in enumerate(cases)
+        for seed in seeds
+    ]
+    runs = iter(_play(jobs, processes, told))
+    return tuple(Played(case, tuple(next(runs) for _ in seeds)) for case in cases)
+
+
+def _generated(system: System, case: Case, times: float, folder: Path, choice: Choice) -> Path:
+    from aseme_dsl.build.operate import OperateError, generate_version
+
+    made = varied(system, case.variant)
+    if case.quicker is not None:
+        made = quicker(made, case.quicker, times)
+    try:
+        return generate_version(made, folder, choice)[0]
+    except OperateError as problem:
+        raise StudyError(str(problem)) from problem
+
+
+def _play(jobs: Sequence[_Job], processes: int, told: Callable[[], None]) -> list[Run]:
+    """The runs of the jobs, in their order."""
+    if processes == 1:
+        found = []
+        for job in jobs:
+            found.append(run(job.package, job.seed, job.plan))
+            told()
+        return found
+    # Spawned, not forked: a run leaves imported modules and threads behind.
+    pool = ProcessPoolExecutor(processes, mp_context=get_context("spawn"), initializer=_ignore_interrupts)
+    try:
+        futures = [pool.submit(run, job.package, job.seed, job.plan) for job in jobs]
+        for future in _as_they_end(futures):
+            future.result()
+            told()
+        return [future.result() for future in futures]
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _as_they_end(futures: Sequence[Future[Run]]) -> Iterator[Future[Run]]:
+    waiting = set(futures)
+    while waiting:
+        done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
+        yield from done
+
+
+def _ignore_interrupts() -> None:
+    """Ctrl-C is for the one who started the study; it ends the others."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+class _Clocks:
+    """How often activities ended and how long they ran, from the lines of a trace."""
+
+    def __init__(self) -> None:
+        self.done: dict[str, int] = {}
+        self.busy: dict[str, int] = {}
+        self._since: dict[tuple[str, str, int], tuple[str, int]] = {}
+
+    def wants(self, kind: str, what: str | None) -> bool:
+        return kind == "activity" and what in ("start", "end", "crash", "cancel")
+
+    def __call__(self, record: Mapping[str, Any]) -> None:
+        if record["kind"] != "activity":
+            return
+        execution = (record["agent"], record["label"], record["token"])
+        name, moment = record["activity"], record["time"]
+        if record["what"] == "start":
+            self._since[execution] = (name, moment)
+            return
+        if record["what"] == "end":
+            self.done[name] = self.done.get(name, 0) + 1
+        started = self._since.pop(execution, None)
+        if started is not None:
+            self.busy[name] = self.busy.get(name, 0) + moment - started[1]
+
+    def end(self, moment: int) -> None:
+        """What runs at the end was busy until then."""
+        for name, since in self._since.values():
+            self.busy[name] = self.busy.get(name, 0) + moment - since
+        self._since.clear()
+
+
+@lru_cache(maxsize=4)
+def _loaded(package: Path, configuration_folder: Path) -> Loaded:
+    from aseme_dsl.runtime.loading import load_system
+
+    return load_system(package, path=[configuration_folder.resolve()])
+
+
+def run(package: Path, seed: int, plan: Plan) -> Run:
+    """Play one run of a generated package.
+
+    Raises:
+        StudyError: it cannot be played, or cannot be measured so.
+    """
+    from aseme_dsl.build import play
+    from aseme_dsl.runtime.loading import LoadError
+
+    configuration = plan.configuration
+    project = configuration.run
+    if project is not None:  # a study leaves the project's own trace, states and talk alone
+        project = replace(project, trace=None, state=None, progress=None, summary=None)
+        configuration = replace(configuration, run=project)
+    clocks = _Clocks()
+    try:
+        loaded = _loaded(package, configuration.folder)
+        request = play.Request(duration=plan.length, seed=seed, world=plan.world)
+        played = play.play(
+            loaded,
+            plan.activities,
+            configuration,
+            request,
+            tell=lambda line: None,
+            listeners=(clocks,),
+        )
+    except (LoadError, play.PlayError) as problem:
+        raise StudyError(f"with seed {seed}: {problem}") from problem
+    result = played.result
+    clocks.end(result.time)
+    if played.world is not None:
+        _check_bodies(played.world, [name for name, _ in loaded.team])
+    failures = tuple(f"{agent.name}: {agent.failure}" for agent in result.agents if agent.failure)
+    measure = _measured(plan, result.time, result.reason == "finished", clocks, played.world)
+    return Run(seed, measure, result.time, len(loaded.team), clocks.done, clocks.busy, failures)
+
+
+def _check_bodies(world: Any, agents: Sequence[str]) -> None:
+    """A world that is made for a team of one size may have no place for more."""
+    bodies = getattr(world, "bodies", {})
+    without = [name for name in agents if name not in bodies]
+    if bodies and without and len(without) < len(agents):
+        raise StudyError(f"the world has no body for {without[0]}: it must make as many as there are agents")
+
+
+def _measured(plan: Plan, time: int, finished: bool, clocks: _Clocks, world: object) -> float | None:
+    from aseme_dsl.build.play import PlayError, call
+    from aseme_dsl.runtime.loading import importing
+
+    if plan.measure == TIME:
+        return time / 1e9 if finished else None
+    if ":" not in plan.measure:
+        return clocks.done.get(plan.measure, 0) * 60e9 / time if time else 0.0
+    try:
+        with importing([plan.configuration.folder.resolve()]):
+            value = call(plan.measure, world)
+    except PlayError as problem:
+        raise StudyError(str(problem)) from problem
+    if value is None or (isinstance(value, int | float) and value == value):
+        return None if value is None else float(value)
+    raise StudyError(f"{plan.measure} gave {value!r}, which is no number")

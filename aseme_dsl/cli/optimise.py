@@ -1,0 +1,216 @@
+"""`asemec optimise`: many runs of a team in virtual time, to see what its numbers should be."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from aseme_dsl.cli.playing import duration_option, refuse
+from aseme_dsl.cli.shared import (
+    FilePath,
+    activities_option,
+    colour_option,
+    diagnostics_json,
+    folder_option,
+    json_option,
+    one_system,
+    print_diagnostics,
+    print_json,
+)
+from aseme_dsl.diagnostics import has_errors
+
+if TYPE_CHECKING:
+    from aseme_dsl.build.study_report import Study
+    from aseme_dsl.build.variation import Knob
+
+
+def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str, ...]) -> tuple[Knob, ...]:
+    from aseme_dsl.build.variation import VariationError, knob
+
+    try:
+        knobs = tuple(knob(value) for value in values)
+    except VariationError as problem:
+        raise click.BadParameter(f"{problem}.") from problem
+    names = [item.name for item in knobs]
+    if len(set(names)) < len(names):
+        double = next(name for name in names if names.count(name) > 1)
+        raise click.BadParameter(f"{double} is varied twice.")
+    return knobs
+
+
+@click.command(
+    short_help="Find out how many agents are worth it, and what slows them.",
+    help="Play the team of TARGET in virtual time again and again, with more or fewer agents or other"
+    " settings, and say which are worth it and which activity is the bottleneck. Every variant is played with"
+    " the same seeds. The report, its data and its plots are left in the output folder.",
+    epilog="Example: asemec optimise warehouse.aseme --vary carrier=1..8 --measure Deliver --runs 20",
+)
+@click.argument("target", type=FilePath())
+@click.option(
+    "--vary",
+    "knobs",
+    multiple=True,
+    callback=_knobs,
+    metavar="NAME=VALUES",
+    help="What to vary: the agents of a range (carrier=1..8), or a variable of an agent, a range or a role"
+    " (keeper.limit=60,80). May be repeated: every combination is played.",
+)
+@click.option(
+    "--measure",
+    required=True,
+    metavar="WHAT",
+    help="What counts: an activity (how often it is done a minute), `time` (until all have finished), or"
+    " MODULE:FUNCTION, which is given the world at the end and gives a number.",
+)
+@click.option("--less", is_flag=True, help="Less is better, as always with `time`.")
+@click.option(
+    "--runs", type=click.IntRange(1, 100_000), default=20, show_default=True, help="Seeds of each variant."
+)
+@click.option("--seed", type=int, default=1, show_default=True, help="The first seed.")
+@duration_option("How long a run is at the most.  [default: the project's, else 60s]")
+@click.option(
+    "--worth",
+    type=click.FloatRange(0, min_open=False),
+    default=5.0,
+    show_default=True,
+    metavar="PERCENT",
+    help="What a further agent must gain.",
+)
+@click.option(
+    "--quicker",
+    type=click.FloatRange(1),
+    default=2.0,
+    show_default=True,
+    metavar="TIMES",
+    help="How much quicker each activity is tried, to find the bottleneck; 1: do not look for it.",
+)
+@click.option(
+    "-j",
+    "--jobs",
+    type=click.IntRange(1),
+    help="How many runs at once.  [default: as many as there are cores]",
+)
+@click.option("--world", metavar="MODULE:FUNCTION", help="Makes the simulated world to play in.")
+@folder_option("-o", "--output", text="Where the report goes.  [default: `optimise` in the project's output]")
+@activities_option
+@click.option("-q", "--quiet", is_flag=True, help="Show no progress.")
+@json_option
+@colour_option
+def command(
+    target: str,
+    knobs: tuple[Knob, ...],
+    measure: str,
+    less: bool,
+    runs: int,
+    seed: int,
+    duration: int | None,
+    worth: float,
+    quicker: float,
+    jobs: int | None,
+    world: str | None,
+    output: Path | None,
+    activities: Path | None,
+    quiet: bool,
+    as_json: bool,
+    colour: str,
+) -> int:
+    """Play and report; 1 if the file has errors or cannot be played so."""
+    from aseme_dsl.build.build import activities_folder, choose
+    from aseme_dsl.build.configuration import OUTPUT
+    from aseme_dsl.build.optimise import Question, optimise
+    from aseme_dsl.build.play import PLAY_NS
+    from aseme_dsl.build.study import TIME, Plan, StudyError
+    from aseme_dsl.build.variation import VariationError
+    from aseme_dsl.cli.playing import is_function
+    from aseme_dsl.diagnostics import Severity
+
+    if ":" in measure and not is_function(measure):
+        raise click.BadParameter(f"{measure!r} is not MODULE:FUNCTION.", param_hint="'--measure'")
+    compiled = one_system(target)
+    found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
+    if compiled.system is None:
+        return refuse(found, as_json, colour)
+    if not as_json:
+        print_diagnostics(found, colour)
+    configuration = compiled.configuration
+    home = configuration.output or Path(OUTPUT)
+    choice = choose(configuration, activities=activities)
+    length = duration or (configuration.run.duration if configuration.run else None) or PLAY_NS
+    plan = Plan(measure, length, world, activities_folder(home, choice), configuration)
+    question = Question(
+        knobs,
+        tuple(range(seed, seed + runs)),
+        less or measure == TIME,
+        worth / 100,
+        quicker,
+        min(jobs or os.cpu_count() or 1, runs),
+    )
+    progress = _Progress(quiet or as_json or not sys.stderr.isatty())
+    try:
+        study = optimise(compiled.system, question, plan, choice, total=progress.total, told=progress.told)
+    except (StudyError, VariationError) as problem:
+        if as_json:
+            print_json({"result": None, "problem": str(problem), **diagnostics_json(())})
+        raise click.ClickException(f"{problem}.") from problem
+    finally:
+        progress.end()
+    return _leave(study, output or home / "optimise", as_json, colour)
+
+
+class _Progress:
+    """How many of the runs are done, on one line that is written over."""
+
+    def __init__(self, silent: bool) -> None:
+        self._silent = silent
+        self._of = 0
+        self._done = 0
+
+    def total(self, runs: int) -> None:
+        self._of = runs
+
+    def told(self) -> None:
+        self._done += 1
+        if not self._silent:
+            click.echo(f"\r{self._done} of {self._of} runs", nl=False, err=True)
+
+    def end(self) -> None:
+        if self._done and not self._silent:
+            click.echo("\r\x1b[K", nl=False, err=True)
+
+
+def _leave(study: Study, folder: Path, as_json: bool, colour: str) -> int:
+    """Write the report, its data and its plots, and print it; the exit code."""
+    import json
+
+    from aseme_dsl.build.plots import PlotsMissing, gains_plot, measure_plot
+    from aseme_dsl.build.study_report import as_json as data_of
+    from aseme_dsl.build.study_report import markdown
+    from aseme_dsl.build.write import write_file
+
+    text, data = markdown(study), data_of(study)
+    files = {"report.md": text.encode(), "report.json": (json.dumps(data, indent=2) + "\n").encode()}
+    missing = ""
+    try:
+        if study.knobs:
+            files["measure.svg"] = measure_plot(study.knobs, study.rows, study.what, study.chosen)
+        if study.slowest:
+            files["bottleneck.svg"] = gains_plot(study.slowest, study.times, study.what)
+    except PlotsMissing as problem:
+        missing = str(problem)
+    for name, content in files.items():
+        problems = write_file(folder / name, content).diagnostics
+        if has_errors(problems):
+            return refuse(problems, as_json, colour)
+    if as_json:
+        result: dict[str, Any] = {**data, "folder": str(folder), "files": sorted(files)}
+        print_json({"result": result, **diagnostics_json(())})
+    else:
+        click.echo(text)
+        click.echo(f"{', '.join(sorted(files))} -> {folder}")
+    if missing:
+        click.echo(missing, err=True)
+    return 0

@@ -1,0 +1,229 @@
+"""`asemec optimise`: how many agents are worth it, which settings are best, and what slows them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import asemec
+
+FEED = """\
+system Feed
+
+message Want { int place }
+message Part { int number }
+
+aip feed {
+  participant carrier [1..*] {
+    engage   "Its hands are empty."
+    sends    request Want
+    receives agree Part
+    process  = Come . Wait . Carry
+  }
+  participant press {
+    engage   "A carrier wants a part."
+    sends    agree Part
+    receives request Want
+    process  = Press
+  }
+  outcome "A part has been carried away."
+  control carrier {
+    enter Wait  : / send request Want to press
+    enter Carry : agree Part from press
+  }
+  control press {
+    enter Press : request Want from carrier
+    leave Press : / send agree Part to carrier
+  }
+}
+
+srm robot {
+  plays feed.carrier
+  liveness { robot = carrier~ }
+  activities { Come takes 1s  Wait takes 1ms  Carry takes 3s }
+}
+srm machine {
+  plays feed.press
+  liveness { machine = press~ }
+  activities { Press takes 1s }
+}
+
+team Feed {
+  maker         : machine
+  carrier[1..4] : robot
+}
+"""
+"""A press that makes a part a second, and carriers that are away with one for four."""
+
+TRIPS = """\
+system Trips
+srm walker {
+  var trips : int = 2
+  var done  : int = 0
+  liveness { walker = Rest . Walk+ }
+  activities { Rest takes 1s  Walk takes 2s }
+  control walker {
+    enter  Walk : / done = done + 1
+    repeat Walk : [done < trips] / done = done + 1
+    leave  Walk : else
+  }
+}
+team Trips { one : walker  others[1..2] : walker with trips = 1 }
+"""
+
+
+@pytest.fixture
+def feed(tmp_path: Path) -> Path:
+    path = tmp_path / "feed.aseme"
+    path.write_text(FEED, "utf-8")
+    return path
+
+
+@pytest.fixture
+def trips(tmp_path: Path) -> Path:
+    path = tmp_path / "trips.aseme"
+    path.write_text(TRIPS, "utf-8")
+    return path
+
+
+def test_as_many_carriers_are_worth_it_as_keep_the_press_busy(feed: Path) -> None:
+    done = asemec(
+        *("optimise", feed, "--vary", "carrier=4..7", "--measure", "Carry", "--runs", "1", "--for", "2min"),
+        *("-o", feed.parent / "found"),
+    )
+    assert done.code == 0, done.err
+    assert "**Worth it: 5 carrier.** Going on to 6 gains +0.0 %" in done.out
+    assert "**The bottleneck is Press.**" in done.out
+    files = sorted(path.name for path in (feed.parent / "found").iterdir())
+    assert files == ["bottleneck.svg", "measure.svg", "report.json", "report.md"]
+    assert (feed.parent / "found" / "report.md").read_text("utf-8") in done.out
+
+
+def test_a_study_is_the_same_in_one_process_and_in_two(feed: Path) -> None:
+    texts = []
+    for jobs in ("1", "2"):
+        out = feed.parent / jobs
+        arguments = ("--vary", "carrier=2,3", "--measure", "Carry", "--runs", "2", "--for", "20s", "-q")
+        done = asemec("optimise", feed, *arguments, "-j", jobs, "-o", out)
+        assert done.code == 0, done.err
+        texts.append([path.read_bytes() for path in sorted(out.iterdir())])
+    assert texts[0] == texts[1]
+
+
+def test_nothing_is_left_among_the_files_of_the_user(feed: Path) -> None:
+    done = asemec(
+        "optimise", feed, "--measure", "Carry", "--runs", "1", "--for", "5s", "-o", feed.parent / "o"
+    )
+    assert done.code == 0, done.err
+    assert sorted(path.name for path in feed.parent.iterdir()) == ["feed.aseme", "o"]
+
+
+def test_settings_are_varied_and_less_time_is_better(trips: Path) -> None:
+    done = asemec(
+        *("optimise", trips, "--vary", "one.trips=3,2,5", "--measure", "time", "--runs", "2", "--json"),
+        *("-o", trips.parent / "found"),
+    )
+    assert done.code == 0, done.err
+    result = done.json["result"]
+    assert [row["measure"]["mean"] for row in result["rows"]] == [7.0, 5.0, 11.0]
+    assert result["chosen"] == {"one.trips": "2"}
+    assert [gain["activity"] for gain in result["quicker"]["gains"]] == ["Walk", "Rest"]
+
+
+def test_a_setting_of_a_role_is_for_all_agents_that_a_size_gives(trips: Path) -> None:
+    done = asemec(
+        *("optimise", trips, "--vary", "walker.trips=4", "--vary", "others=3", "--measure", "Walk"),
+        *("--runs", "1", "--for", "9s", "--json", "-o", trips.parent / "found"),
+    )
+    assert done.code == 0, done.err
+    (run,) = [run for run in done.json["result"]["runs"] if run["quicker"] is None]
+    assert run["agents"] == 4
+    assert run["done"] == {"Rest": 4, "Walk": 16}
+
+
+def test_what_does_not_finish_has_no_time(trips: Path) -> None:
+    done = asemec(
+        *("optimise", trips, "--vary", "one.trips=1,9", "--measure", "time", "--runs", "1", "--for", "8s"),
+        *("--quicker", "1", "-o", trips.parent / "found"),
+    )
+    assert done.code == 0, done.err
+    assert "- 1 run of one.trips = 9 gave no measure: it did not finish in time." in done.out
+    assert "**Best: one.trips = 1** with 3." in done.out
+
+
+def test_a_function_of_the_project_measures_its_world(tmp_path: Path) -> None:
+    (tmp_path / "trips.aseme").write_text(TRIPS, "utf-8")
+    (tmp_path / "place.py").write_text(
+        "class Place:\n"
+        "    bodies, step_ns, now_ns = {}, 10**8, 0\n"
+        "    def advance(self, until_ns):\n"
+        "        self.now_ns = until_ns // self.step_ns * self.step_ns\n"
+        "def make(seed):\n"
+        "    place = Place()\n"
+        "    place.seed = seed\n"
+        "    return place\n"
+        "def measure(world):\n"
+        "    return world.seed * 10\n"
+        "def word(world):\n"
+        "    return 'much'\n",
+        "utf-8",
+    )
+    base = ("optimise", "trips.aseme", "--runs", "3", "--for", "1s", "--quicker", "1", "--json")
+    done = asemec(*base, "--world", "place:make", "--measure", "place:measure", cwd=tmp_path)
+    assert done.code == 0, done.err
+    assert done.json["result"]["rows"][0]["measure"]["mean"] == 20
+    wrong = asemec(*base, "--world", "place:make", "--measure", "place:word", cwd=tmp_path)
+    assert wrong.code == 1
+    assert "place:word gave 'much', which is no number" in wrong.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        (
+            ["--vary", "carier=1..3", "--measure", "Carry"],
+            "no range of the team called carier; did you mean carrier?",
+        ),
+        (
+            ["--vary", "maker=1..3", "--measure", "Carry"],
+            "no range of the team called maker; there are carrier",
+        ),
+        (["--vary", "maker.speed=1", "--measure", "Carry"], "no variable of machine called speed"),
+        (
+            ["--vary", "make.speed=1", "--measure", "Carry"],
+            "no agent, range or role called make; did you mean maker?",
+        ),
+        (["--measure", "Cary"], "no agent of the team does Cary; did you mean Carry?"),
+    ],
+)
+def test_what_is_not_there_is_said_before_anything_is_played(
+    feed: Path, arguments: list[str], text: str
+) -> None:
+    done = asemec("optimise", feed, *arguments)
+    assert done.code == 1
+    assert text in done.err
+    assert done.out == ""
+
+
+@pytest.mark.parametrize(
+    ("vary", "text"),
+    [
+        ("carrier", "is not written carrier=1..8"),
+        ("carrier=8..1", "8..1 is no range"),
+        ("carrier=0..2", "a number from 1 on"),
+        ("carrier=1,1", "has the value 1 twice"),
+        ("carrier=1,,2", "lacks a value"),
+        ("a.b.c=1", "is not written"),
+    ],
+)
+def test_a_knob_that_is_written_wrongly_is_wrong_use(feed: Path, vary: str, text: str) -> None:
+    done = asemec("optimise", feed, "--vary", vary, "--measure", "Carry")
+    assert done.code == 2
+    assert text in done.err
+
+
+def test_a_value_of_another_type_is_refused(trips: Path) -> None:
+    done = asemec("optimise", trips, "--vary", "one.trips=many", "--measure", "Walk")
+    assert done.code == 1
+    assert "'many' is no int, which trips of walker is" in done.err
