@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from importlib.metadata import entry_points
+from importlib import import_module
+from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Protocol, TypeVar
 
 from aseme_dsl.amola.system import System
 
 GROUP = "aseme_dsl.backends"
-"""The entry point group under which a package offers its backend."""
+"""The entry point group under which another package offers its backend."""
+OWN = {"monas": "aseme_dsl.backends.monas", "jade_like": "aseme_dsl.backends.jade_like"}
+"""Our own backends, with the module whose `BACKEND` each is."""
+AGENTS = ("monas", "jade_like")
+"""The backends whose output is played: what they generate are agents that `aseme_dsl.runtime` runs."""
 ACTIVITIES = "activities"
 """Where a backend puts first versions of activities, in its own folder; a project may choose another."""
 
@@ -95,7 +100,13 @@ class UnknownBackend(LookupError):
 
 def backend_names() -> tuple[str, ...]:
     """The names of all installed backends."""
-    return tuple(sorted({point.name for point in entry_points(group=GROUP)}))
+    return tuple(sorted({*OWN, *(point.name for point in foreign_backends())}))
+
+
+def foreign_backends() -> tuple[EntryPoint, ...]:
+    """The backends that other packages offer, by name; none of them is called like one of ours."""
+    points = (point for point in entry_points(group=GROUP) if point.name not in OWN)
+    return tuple(sorted(points, key=lambda point: point.name))
 
 
 def find_backend(name: str) -> Backend:
@@ -104,7 +115,9 @@ def find_backend(name: str) -> Backend:
     Raises:
         UnknownBackend: nothing installed offers it.
     """
-    for point in entry_points(group=GROUP):
+    if name in OWN:
+        return import_module(OWN[name]).BACKEND  # type: ignore[no-any-return]
+    for point in foreign_backends():
         if point.name == name:
             return point.load()  # type: ignore[no-any-return]
     raise UnknownBackend(name, backend_names())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
@@ -32,6 +32,9 @@ class Choice:
 
     only: frozenset[str] = frozenset()
     backends: tuple[str, ...] = ("monas",)
+    """The first that makes agents is the one whose agents are played."""
+    roles: Mapping[str, str] = field(default_factory=dict)
+    """The backend of a role, where it is not that one."""
     activities: Path | None = None
     templates: Path | None = None
     expressions: str = "numbered"
@@ -40,6 +43,27 @@ class Choice:
     force: bool = False
     policy: Policy = NO_POLICY
     """How bad the project finds each kind of problem."""
+
+    @property
+    def agents(self) -> Agents:
+        """Which of the agents that are generated are played."""
+        from aseme_dsl.backends.backend import AGENTS
+
+        usual = next((name for name in self.backends if name in AGENTS), AGENTS[0])
+        return Agents(usual, self.roles)
+
+    @property
+    def generated(self) -> tuple[str, ...]:
+        """All backends that are to generate something."""
+        return tuple(dict.fromkeys((*self.backends, *self.roles.values())))
+
+
+@dataclass(frozen=True, slots=True)
+class Agents:
+    """From which backend's package agents are taken: from `usual`, those of some `roles` from others."""
+
+    usual: str = "monas"
+    roles: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +89,7 @@ def build(system: System, folder: Path, choice: Choice, disk: Disk = DISK) -> Re
         UnknownBackend: a backend is asked for that is not installed.
     """
     system = with_labels(system, choice.labels)
-    backends = [name for name in choice.backends if not choice.only or name in choice.only]
+    backends = [name for name in choice.generated if not choice.only or name in choice.only]
     backends += sorted(name for name in choice.only if name not in (*PARTS, *backends))
     parts = [part for part in PARTS if not choice.only or part in choice.only]
     files: list[Planned] = []
@@ -78,7 +102,8 @@ def build(system: System, folder: Path, choice: Choice, disk: Disk = DISK) -> Re
     if PROTO in parts:
         files += _proto(system)
     for name in backends:
-        files += _code(system, name, folder, choice)
+        homes = {file.home for file in files if file.home is not None}
+        files += (file for file in _code(system, name, folder, choice) if file.home not in homes)
     problems = choice.policy.apply(diagnostics)
     if has_errors(problems):
         return Report(system.name, folder, notes=tuple(notes), diagnostics=in_order(problems))
@@ -107,10 +132,19 @@ def choose(
     labels: str | None = None,
     force: bool = False,
 ) -> Choice:
-    """What is asked for on the command line, else by the project's configuration, else the usual."""
+    """What is asked for on the command line, else by the project's configuration, else the usual.
+
+    Of the `backends`, those that are `ROLE=NAME` are for a role; one for all makes what the project says of
+    its roles void.
+    """
+    given = tuple(dict.fromkeys(backends))
+    plain = tuple(name for name in given if "=" not in name)
+    roles = {} if plain else dict(configuration.roles)
+    roles |= dict(name.split("=", 1) for name in given if "=" in name)
     return Choice(
         frozenset(only),
-        tuple(dict.fromkeys(backends)) or configuration.backends or ("monas",),
+        plain or configuration.backends or ("monas",),
+        roles,
         activities or configuration.activities,
         templates or configuration.templates,
         configuration.expressions or "numbered",
@@ -131,10 +165,10 @@ def with_labels(system: System, labels: str) -> System:
 
 
 def activities_folder(folder: Path, choice: Choice, backend: str = "monas") -> Path:
-    """Where a build into `folder` keeps the activities of a backend."""
-    from aseme_dsl.backends.backend import ACTIVITIES
+    """Where a build into `folder` keeps the activities of a backend; agents of all backends have the same."""
+    from aseme_dsl.backends.backend import ACTIVITIES, AGENTS
 
-    return choice.activities or folder / backend / ACTIVITIES
+    return choice.activities or folder / (AGENTS[0] if backend in AGENTS else backend) / ACTIVITIES
 
 
 def _models(system: System) -> Iterator[Planned]:
@@ -178,15 +212,17 @@ def _proto(system: System) -> Iterator[Planned]:
 
 def _code(system: System, name: str, folder: Path, choice: Choice) -> Iterator[Planned]:
     """What a backend generates, in a folder of its name; what is the user's goes among the activities."""
-    from aseme_dsl.backends.backend import ACTIVITIES, BackendOptions, find_backend
+    from aseme_dsl.backends.backend import ACTIVITIES, AGENTS, BackendOptions, find_backend
 
     activities = activities_folder(folder, choice, name)
+    owner = AGENTS[0] if name in AGENTS else name
     for artefact in find_backend(name).generate(system, BackendOptions(choice.templates)):
         home = None
         if artefact.kept:
             first, _, rest = artefact.path.partition("/")
             home = activities / rest if first == ACTIVITIES else folder / name / artefact.path
-        yield Planned(f"{name}/{artefact.path}", _bytes(artefact.text), name, home)
+        known = owner if artefact.kept and first == ACTIVITIES else name
+        yield Planned(f"{known}/{artefact.path}", _bytes(artefact.text), name, home)
 
 
 def _count(system: System, code: Sequence[Planned], written: Written) -> Count:

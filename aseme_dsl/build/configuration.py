@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -65,6 +65,8 @@ class Configuration:
     output: Path | None = None
     """Where a build goes: with a `[tool.asemec]` that does not say, `out` beside the pyproject.toml."""
     backends: tuple[str, ...] | None = None
+    roles: Mapping[str, str] = field(default_factory=dict)
+    """The backend of a role, where it is not the first of `backends`."""
     activities: Path | None = None
     templates: Path | None = None
     max_states: int | None = None
@@ -165,6 +167,7 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
         "files": paths,
         "output": path,
         "backends": _names,
+        "roles": _roles,
         "activities": path,
         "templates": path,
         "max_states": _count,
@@ -212,6 +215,31 @@ def _names(value: Any) -> tuple[str, ...]:
     if not isinstance(value, list) or not value or not all(isinstance(item, str) and item for item in value):
         raise _Wrong('a list of names, such as ["monas"]')
     return tuple(value)
+
+
+def _roles(value: Any) -> dict[str, str]:
+    if not isinstance(value, dict) or not all(isinstance(name, str) and name for name in value.values()):
+        raise _Wrong('a table of backends by role, such as { dispatcher = "jade_like" }')
+    return dict(value)
+
+
+def unknown_roles(configuration: Configuration, roles: Iterable[str]) -> tuple[Diagnostic, ...]:
+    """What the project says of roles that its system does not have (`roles`)."""
+    known = list(roles)
+    strangers = [name for name in configuration.roles if name not in known]
+    if not strangers or configuration.path is None:
+        return ()
+    try:
+        source = Source(str(configuration.path), configuration.path.read_text("utf-8").replace("\r\n", "\n"))
+    except (OSError, UnicodeDecodeError):
+        return ()
+    found = []
+    for name in strangers:
+        near = closest(name, known)
+        hint = f"did you mean `{near}`?" if near else f"the roles are {', '.join(known) or 'none'}"
+        message = f"[{TABLE}.roles] names a role `{name}`, which the system does not have"
+        found.append(Diagnostic("E010", message, _place(source, f"{TABLE}.roles", name), hint=hint))
+    return tuple(found)
 
 
 def _count(value: Any) -> int:

@@ -58,14 +58,15 @@ def others(loaded: Loaded, activities: Path, configuration: Configuration) -> Se
     Raises:
         LoadError: one cannot be imported.
     """
-    from aseme_dsl.runtime.loading import activities_in, load_beside
+    from aseme_dsl.runtime.loading import Mixture, activities_in, load_beside
     from aseme_dsl.runtime.swap import version_of
 
     assert loaded.folder is not None
     found = sorted(path.parent for path in loaded.folder.parent.glob("*/messages.py"))
     project = [configuration.folder.resolve()]
+    names = Mixture(names=loaded.mixture.names)
     return [
-        version_of(load_beside(folder, {}, project), activities_in(activities))
+        version_of(load_beside(folder, {}, project, names), activities_in(activities))
         for folder in found
         if folder.name != loaded.folder.name and (folder / "__init__.py").is_file()
     ]

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.build.build import Choice
-from aseme_dsl.build.play import BACKEND
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
@@ -88,23 +87,25 @@ def select(output: Path, agent: str, plan: str) -> Reply:
 
 
 def generate_version(system: System, output: Path, choice: Choice) -> tuple[Path, str]:
-    """Write the package of a system beside those that run; gives its folder and the hash of its models.
+    """Write the packages of a system beside those that run, for agents of every backend; gives the folder of
+    one of them and the hash of its models.
 
     Raises:
         OperateError: it cannot be written.
     """
-    from aseme_dsl.backends.backend import BackendOptions, find_backend
+    from aseme_dsl.backends.backend import AGENTS, BackendOptions, find_backend
     from aseme_dsl.build.build import with_labels
 
     labelled = with_labels(system, choice.labels)
-    artefacts = find_backend(BACKEND).generate(labelled, BackendOptions(choice.templates))
-    package = next(item.text for item in artefacts if item.path == f"{system.name}/__init__.py")
+    options = BackendOptions(choice.templates)
+    artefacts = [(name, item) for name in AGENTS for item in find_backend(name).generate(labelled, options)]
+    package = next(item.text for _, item in artefacts if item.path == f"{system.name}/__init__.py")
     model = next(line for line in package.splitlines() if line.startswith("MODEL = ")).split("'")[1]
-    home = output / VERSIONS / model / BACKEND
-    for item in artefacts:
+    home = output / VERSIONS / model
+    for name, item in artefacts:
         if item.kept:
             continue
-        path = home / item.path
+        path = home / name / item.path
         content = item.text.encode("utf-8", "backslashreplace")
         try:
             if path.is_file() and path.read_bytes() == content:
@@ -115,7 +116,7 @@ def generate_version(system: System, output: Path, choice: Choice) -> tuple[Path
             part.replace(path)
         except OSError as problem:
             raise OperateError(f"{path} cannot be written: {problem.strerror or problem}") from problem
-    return home / system.name, model
+    return home / AGENTS[0] / system.name, model
 
 
 def swap(

@@ -15,17 +15,15 @@ from aseme_dsl.diagnostics import closest
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from aseme_dsl.build.build import Agents, Choice
     from aseme_dsl.runtime.control import Changed
-    from aseme_dsl.runtime.loading import Loaded
+    from aseme_dsl.runtime.loading import Loaded, Mixture
     from aseme_dsl.runtime.plan import State
     from aseme_dsl.runtime.real_time import RealTime
     from aseme_dsl.runtime.scripted import Scripted
     from aseme_dsl.runtime.shared_world import FarBody
     from aseme_dsl.runtime.team import RunResult, Team
     from aseme_dsl.runtime.trace import Listener
-
-BACKEND = "monas"
-"""The backend whose output is played here."""
 
 LOOK_NS = 100_000_000
 """How often the project is asked what there is to tell, in the run's own time."""
@@ -88,41 +86,60 @@ class Played:
 Tell = Callable[[str], None]
 
 
-def carried(folder: Path, configuration: Configuration) -> tuple[Loaded, ...]:
+def carried(folder: Path, configuration: Configuration, choice: Choice) -> tuple[Loaded, ...]:
     """Every system whose generated package is in a build's output folder: what a robot carries.
 
     Raises:
         PlayError: there is none, or one cannot be imported.
     """
-    packages = _packages(folder)
-    if not packages:
+    systems = _systems(folder)
+    if not systems:
         raise PlayError(f"there is nothing generated in {folder}: build something into it first")
-    return tuple(load(folder, path.name, configuration) for path in packages)
+    return tuple(load(folder, name, configuration, choice) for name in systems)
 
 
 def is_output(folder: Path) -> bool:
     """Whether a folder is the output of a build rather than a folder with sources."""
-    return bool(_packages(folder)) and not any(folder.glob("*.aseme"))
+    return bool(_systems(folder)) and not any(folder.glob("*.aseme"))
 
 
-def _packages(folder: Path) -> list[Path]:
-    inside = folder / BACKEND
-    found = [path.parent for path in sorted(inside.glob("*/messages.py"))] if inside.is_dir() else []
-    return [path for path in found if (path / "__init__.py").is_file()]
+def _systems(folder: Path) -> list[str]:
+    """The systems of whose agents something is generated in an output folder."""
+    from aseme_dsl.backends.backend import AGENTS
+
+    found = [path.parent for backend in AGENTS for path in (folder / backend).glob("*/messages.py")]
+    return sorted({path.name for path in found if (path / "__init__.py").is_file()})
 
 
-def load(folder: Path, system: str, configuration: Configuration) -> Loaded:
+def load(folder: Path, system: str, configuration: Configuration, choice: Choice) -> Loaded:
     """Import what a build into `folder` has generated; functions are looked for in the project, too.
+
+    The agents are those of the backends that are chosen; where the usual one has generated nothing, those of
+    another that has.
 
     Raises:
         PlayError: it is not there, or cannot be imported.
     """
+    from aseme_dsl.backends.backend import AGENTS
     from aseme_dsl.runtime.loading import LoadError, load_system
 
+    usual = choice.agents.usual
+    there = [name for name in (usual, *AGENTS) if (folder / name / system / "__init__.py").is_file()]
+    package = folder / (there or [usual])[0] / system
     try:
-        return load_system(folder / BACKEND / system, path=[configuration.folder.resolve()])
+        return load_system(
+            package, path=[configuration.folder.resolve()], mixture=mixture_of(choice.agents, package)
+        )
     except LoadError as problem:
         raise PlayError(str(problem)) from problem
+
+
+def mixture_of(agents: Agents, package: Path) -> Mixture:
+    """From which packages the agents are taken whose package is not this one; the roles are its system's."""
+    from aseme_dsl.backends.backend import AGENTS
+    from aseme_dsl.runtime.loading import Mixture
+
+    return Mixture({role: name for role, name in agents.roles.items() if name != package.parent.name}, AGENTS)
 
 
 def in_version(loaded: Loaded, package: Path, configuration: Configuration) -> Loaded:
@@ -131,10 +148,11 @@ def in_version(loaded: Loaded, package: Path, configuration: Configuration) -> L
     Raises:
         PlayError: it is not there, cannot be imported, or lacks a plan of the team.
     """
-    from aseme_dsl.runtime.loading import LoadError, load_system
+    from aseme_dsl.runtime.loading import LoadError, load_system, package_like
 
     try:
-        found = load_system(package, path=[configuration.folder.resolve()])
+        package = package_like(package, loaded.folder)
+        found = load_system(package, path=[configuration.folder.resolve()], mixture=loaded.mixture)
     except LoadError as problem:
         raise PlayError(str(problem)) from problem
     missing = [role for _, role in loaded.team if role not in found.charts]

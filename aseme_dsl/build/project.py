@@ -8,7 +8,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from aseme_dsl.build.configuration import FILE, OUTPUT, Configuration, find_configuration, read_configuration
+from aseme_dsl.build.configuration import (
+    FILE,
+    OUTPUT,
+    Configuration,
+    find_configuration,
+    read_configuration,
+    unknown_roles,
+)
 from aseme_dsl.build.inputs import Inputs, find_inputs
 from aseme_dsl.compiler import Options, analyse
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
@@ -95,6 +102,9 @@ def compile_root(
     analysis = analyse(root, sources, options_of(configuration, max_states))
     diagnostics = in_order((*problems, *analysis.diagnostics))
     system = None if has_errors(diagnostics) else analysis.system
+    if system is not None and len(configuration.files) < 2:  # else a role may be of another system
+        diagnostics = in_order((*diagnostics, *unknown_roles(configuration, [c.name for c in system.iacs])))
+        system = None if has_errors(diagnostics) else system
     suppressed = analysis.suppressed
     if system is not None:
         problems, allowed = code_problems(system, configuration, activities)

@@ -124,10 +124,11 @@ def _said_version(path: str) -> str:
 
 
 def _backends() -> tuple[Tool, ...]:
-    from aseme_dsl.backends.backend import GROUP
+    from aseme_dsl.backends.backend import OWN, foreign_backends
 
-    found = []
-    for point in sorted(metadata.entry_points(group=GROUP), key=lambda item: item.name):
+    ours = f"aseme-dsl {_version('aseme-dsl') or ''}".rstrip()
+    found = [Tool(f"backend {name}", ours, "generates code") for name in sorted(OWN)]
+    for point in foreign_backends():
         try:
             point.load()
             state = f"{point.dist.name} {point.dist.version}" if point.dist is not None else "there"
@@ -138,7 +139,7 @@ def _backends() -> tuple[Tool, ...]:
             found.append(Tool(f"backend {point.name}", state, "generates code"))
         else:
             found.append(Tool(f"backend {point.name}", None, "generates code", advice=f"broken: {problem}"))
-    return tuple(found) or (Tool("backends", None, "generate code", True, "reinstall aseme-dsl"),)
+    return tuple(found)
 
 
 def _version(distribution: str) -> str | None:

@@ -12,7 +12,9 @@ from aseme_dsl.cli.shared import (
     FILES_HELP,
     FilePath,
     activities_option,
+    backend_option,
     check_backends,
+    check_choice,
     colour_option,
     count_lines,
     diagnostics_json,
@@ -44,12 +46,9 @@ if TYPE_CHECKING:
     metavar="PART",
     help="Renew only models, diagrams, proto or a backend's code. May be repeated.",
 )
-@click.option(
-    "--backend",
-    "backends",
-    multiple=True,
-    metavar="NAME",
-    help="The backend to generate code with. May be repeated.  [default: the project's, else monas]",
+@backend_option(
+    "The backend to generate code with, for all or also for a role. May be repeated."
+    "  [default: the project's, else monas]"
 )
 @activities_option
 @folder_option("--templates", text="A folder of templates that replace the backend's own, by name.")
@@ -82,7 +81,6 @@ def command(
 
     form = form_of(form, as_json, report)
     check_backends((item for item in only if item not in PARTS), PARTS)
-    check_backends(backends)
     inputs = inputs_of(files, standard_input)
     compiled = [compile_root(root, activities=activities) for root in inputs.roots]
     found = [*inputs.diagnostics, *(problem for item in compiled for problem in item.diagnostics)]
@@ -99,7 +97,9 @@ def command(
                 labels=labels,
                 force=force,
             )
-            check_backends(choice.backends)
+            check_choice(
+                choice, backends, [c.name for one in compiled if one.system for c in one.system.iacs]
+            )
             folder = output or item.configuration.output or Path(OUTPUT)
             folder = folder / item.system.name if len(compiled) > 1 else folder
             built.append(build(item.system, folder, choice))

@@ -29,9 +29,11 @@ from aseme_dsl.cli.playing import (
 from aseme_dsl.cli.shared import (
     FilePath,
     activities_option,
+    check_choice,
     colour_option,
     folder_option,
     leave_at_once,
+    play_backend_option,
     wants_colour,
 )
 from aseme_dsl.diagnostics import has_errors
@@ -65,6 +67,7 @@ GRACE = 2.0
 @trace_option("Where the trace goes.  [default: OUTPUT/trace.ROBOT.jsonl]")
 @state_option
 @activities_option
+@play_backend_option
 @body_option("Makes the robot's body.")
 @telling_options
 @click.option("--project", type=FilePath(path_type=Path), hidden=True)
@@ -84,6 +87,7 @@ def command(
     trace: Path | None,
     state: Path | None,
     activities: Path | None,
+    backends: tuple[str, ...],
     bodies: dict[str, str],
     quiet: bool,
     verbose: bool,
@@ -116,19 +120,21 @@ def command(
             configuration, problems = read_configuration(project) if project else find_configuration(folder)
             if has_errors(problems):
                 return refuse(problems, False, colour)
-            systems = [item for item in carried(folder, configuration) if system in (None, item.name)]
-            choice = choose(configuration, activities=activities)
+            choice = choose(configuration, backends=backends, activities=activities)
+            there = carried(folder, configuration, choice)
+            check_choice(choice, backends, [role for item in there for role in item.charts])
+            systems = [item for item in there if system in (None, item.name)]
             if len(systems) != 1:
-                known = ", ".join(item.name for item in carried(folder, configuration))
+                known = ", ".join(item.name for item in there)
                 raise NoSuchPlan(f"choose one system with --system; there are {known}")
             loaded = systems[0] if version is None else in_version(systems[0], version, configuration)
         else:
-            built = build_target(target, output, activities, None, False, False, colour)
+            built = build_target(target, output, activities, None, False, False, colour, backends)
             if isinstance(built, int):
                 return built
             report, configuration, choice = built
             folder = report.folder
-            loaded = load(folder, report.system, configuration)
+            loaded = load(folder, report.system, configuration, choice)
         telling = Telling(
             loaded,
             alone=None,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ import click
 from aseme_dsl.cli.shared import (
     CommandT,
     FilePath,
-    check_backends,
+    check_choice,
     diagnostics_json,
     folder_option,
     one_system,
@@ -112,6 +112,7 @@ def build_target(
     force: bool,
     as_json: bool,
     colour: str,
+    backends: Sequence[str] = (),
 ) -> tuple[Report, Configuration, Choice] | int:
     """Build the one system that the target means; or the exit code, after saying what is wrong."""
     from aseme_dsl.build.build import build, choose
@@ -125,8 +126,10 @@ def build_target(
         return refuse(found, as_json, colour)
     if not as_json:
         print_diagnostics(found, colour)
-    choice = choose(compiled.configuration, activities=activities, templates=templates, force=force)
-    check_backends(choice.backends)
+    choice = choose(
+        compiled.configuration, backends=backends, activities=activities, templates=templates, force=force
+    )
+    check_choice(choice, backends, [chart.name for chart in compiled.system.iacs])
     report = build(compiled.system, output or compiled.configuration.output or Path(OUTPUT), choice)
     if has_errors(report.diagnostics):
         return refuse(report.diagnostics, as_json, colour)

@@ -24,12 +24,14 @@ from aseme_dsl.cli.playing import (
 from aseme_dsl.cli.shared import (
     FilePath,
     activities_option,
+    check_choice,
     colour_option,
     count_lines,
     diagnostics_json,
     folder_option,
     json_option,
     leave_at_once,
+    play_backend_option,
     print_json,
     wants_colour,
 )
@@ -82,6 +84,7 @@ def _world(context: click.Context, parameter: click.Parameter, value: str | None
 @click.option(
     "--world", metavar="MODULE:FUNCTION", callback=_world, help="Makes the simulated world to play in."
 )
+@play_backend_option
 @body_option("Makes the body of an agent, or of all. May be repeated.")
 @click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
 @telling_options
@@ -104,6 +107,7 @@ def command(
     activities: Path | None,
     templates: Path | None,
     world: str | None,
+    backends: tuple[str, ...],
     bodies: dict[str, str],
     force: bool,
     quiet: bool,
@@ -126,22 +130,23 @@ def command(
             configuration, problems = find_configuration(folder)
             if has_errors(problems):
                 return refuse(problems, as_json, colour)
-            systems = carried(folder, configuration)
-            choice = choose(configuration, activities=activities)
+            choice = choose(configuration, backends=backends, activities=activities)
+            systems = carried(folder, configuration, choice)
+            check_choice(choice, backends, [role for item in systems for role in item.charts])
         else:
-            built = build_target(target, output, activities, templates, force, as_json, colour)
+            built = build_target(target, output, activities, templates, force, as_json, colour, backends)
             if isinstance(built, int):
                 return built
             report, configuration, choice = built
             folder = report.folder
-            systems = (load(folder, report.system, configuration),)
+            systems = (load(folder, report.system, configuration, choice),)
         if list_:
             return _list(systems, as_json)
         loaded, plan = select(systems, plan)
         if process_per_robot:
             request = Request(duration=duration, seed=seed, trace=trace, world=world, bodies=bodies)
             options = _options_of_robots(
-                configuration, duration, seed, script, state, bodies, quiet, verbose, colour
+                configuration, duration, seed, script, state, backends, bodies, quiet, verbose, colour
             )
             place = activities_folder(folder, choice)
             return _supervise(loaded, folder, place, configuration, request, options, quiet, as_json)
@@ -187,6 +192,7 @@ def _options_of_robots(
     seed: int | None,
     script: Path | None,
     state: Path | None,
+    backends: tuple[str, ...],
     bodies: dict[str, str],
     quiet: bool,
     verbose: bool,
@@ -202,6 +208,8 @@ def _options_of_robots(
         options += ["--input", str(script.absolute())]
     if state is not None:
         options += ["--state", str(state.absolute())]
+    for backend in backends:
+        options += ["--backend", backend]
     for agent, function in bodies.items():
         options += ["--body", f"{agent}={function}" if agent else function]
     return options + ["-q"] * quiet + ["-v"] * verbose

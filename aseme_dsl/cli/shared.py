@@ -22,6 +22,7 @@ from aseme_dsl.diagnostics import (
 )
 
 if TYPE_CHECKING:
+    from aseme_dsl.build.build import Choice
     from aseme_dsl.build.counting import Count
     from aseme_dsl.build.project import Compiled
     from aseme_dsl.build.write import Written
@@ -213,6 +214,37 @@ def running_option(command: CommandT) -> CommandT:
         callback=default,
         help="The output folder that it runs from.  [default: the project's, else out]",
     )(command)
+
+
+def backend_option(text: str) -> Callable[[CommandT], CommandT]:
+    """`--backend [ROLE=]NAME`, which may be repeated."""
+    return click.option("--backend", "backends", multiple=True, metavar="[ROLE=]NAME", help=text)
+
+
+def play_backend_option(command: CommandT) -> CommandT:
+    """`--backend` of what plays agents."""
+    text = (
+        "Whose agents to play, all or those of a role. May be repeated.  [default: the project's, else monas]"
+    )
+    return backend_option(text)(command)
+
+
+def check_choice(choice: Choice, asked: Iterable[str], roles: Iterable[str]) -> None:
+    """Refuse, as wrong use, backends that there are not, or that make no agents for a role, and roles that
+    were `asked` for (`ROLE=NAME`) and are not in the system."""
+    from aseme_dsl.backends.backend import AGENTS
+
+    check_backends(choice.generated)
+    for role, name in choice.roles.items():
+        if name not in AGENTS:
+            raise click.UsageError(f"{name} makes no agents: {role} can have one of {', '.join(AGENTS)}.")
+    known = list(roles)
+    for item in asked:
+        role = item.partition("=")[0]
+        if "=" in item and role not in known:
+            near = closest(role, known)
+            hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(known) or 'none'}."
+            raise click.UsageError(f"There is no role {role!r}. {hint}")
 
 
 def check_backends(names: Iterable[str], others: Iterable[str] = ()) -> None:

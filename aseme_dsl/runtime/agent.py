@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.runtime import context as c
 from aseme_dsl.runtime.activities import ActivityFinder
 from aseme_dsl.runtime.as_json import to_json
+from aseme_dsl.runtime.behaviours import JadeLikeAgent, agent_class
 from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.body import Body
 from aseme_dsl.runtime.bus import SELECT, Bus
@@ -111,6 +112,8 @@ class Agent:
         self._configuration: tuple[str, ...] = ()
         self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
         self._info_of = {info.label: info for info in self.plan.branches}
+        self.shown: JadeLikeAgent | None = None
+        """The agent with its behaviours, if it is shown so; made before the first step."""
         self._carried_out: dict[type[Any], Callable[[Any], None]] = {
             Start: self.executions.start,
             Cancel: self.executions.cancel,
@@ -216,6 +219,8 @@ class Agent:
         chart = self.chart
         now = self.driver.clock.now()
         self.steps += 1
+        if not chart.started:
+            self._show()
         ahead: list[Arrived] = []
         if not self.driver.clock.virtual:
             chart.pending = lambda: self._ahead(ahead)
@@ -241,6 +246,8 @@ class Agent:
             outcome,
             configuration if changed else None,
         )
+        if self.shown is not None:
+            self.shown.follow(outcome)
         stop = _stop(outcome) if outcome.failure is not None else -1
         for place, effect in enumerate(outcome.effects):
             if place == stop:
@@ -256,6 +263,15 @@ class Agent:
         if outcome.again:
             self.errand(self._want)
         self._sleep(now)
+
+    def _show(self, labels: Mapping[str, str] | None = None) -> None:
+        """Show the chart with its behaviours, if it is to be shown so. One that goes on where another stood,
+        by `labels`, is shown as it stands."""
+        before = self.shown
+        kind = agent_class(type(self.chart), self.executions.find)
+        self.shown = kind(self) if kind is not None else None
+        if self.shown is not None and labels is not None:
+            self.shown.go_on(before, labels)
 
     def _ahead(self, seen: list[Arrived]) -> Iterable[Arrived]:
         found = self._pending()
@@ -315,6 +331,8 @@ class Agent:
         if self._due is not None:
             self._due.cancel()
             self._due = None
+        if self.shown is not None:
+            self.shown.over(left=self.chart.finished or self.chart.failure is not None)
         self.overload.end(self.intake)
         self.executions.cancel_all()
         self.modules.stop()
@@ -333,6 +351,8 @@ class Agent:
         self.messages = messages
         labels = carried.labels
         self.executions.carry(labels, find)
+        if carried.chart.started:
+            self._show(labels)
         self._prepared = {
             (branch if branch is None else labels.get(branch, ""), name): self.understood(content)
             for (branch, name), content in self._prepared.items()
@@ -364,6 +384,9 @@ class Agent:
             self.conversations.lost(self)
             for effect in effects:
                 self._carried_out[type(effect)](effect)
+            if self.shown is not None and not dead:
+                self.shown.over(left=True)
+            self.shown = None
         with self.conversations.still():
             self.conversations.gone(self, f"{self.name} has left its plan")
             items = [item for item in self.take() if _is_for_any_plan(item)]

@@ -111,6 +111,8 @@ class Chart:
     )
 
     PLAN: ClassVar[Plan]
+    AGENT: ClassVar[type[Any] | None] = None
+    """What shows the chart as an agent with behaviours (`behaviours.py`), if it is to be shown so."""
     MESSAGES: ClassVar[Mapping[str, Any]] = {}
     """The message class of each channel that the chart publishes, and of each message it sends."""
     READERS: ClassVar[Mapping[str, tuple[int, ...]]] = {}

@@ -37,7 +37,7 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any
 
-from aseme_dsl.runtime.loading import LoadError, activities_in, load_beside
+from aseme_dsl.runtime.loading import LoadError, activities_in, load_beside, package_like
 from aseme_dsl.runtime.swap import Swap, Version, version_of
 
 if TYPE_CHECKING:
@@ -188,8 +188,10 @@ class Control:
         version = self._versions.get((folder, activities))
         if version is None:
             try:
-                project = [entry for entry in self._team.version.path if entry != _root(self._team.version)]
-                loaded = load_beside(folder, self._team.version.modules, project)
+                running = self._team.version
+                project = [entry for entry in running.path if entry != _root(running)]
+                package = package_like(folder, running.folder)
+                loaded = load_beside(package, running.modules, project, running.mixture)
             except LoadError as problem:
                 raise Refused(str(problem)) from problem
             find = activities_in(activities) if activities is not None else lambda name: None

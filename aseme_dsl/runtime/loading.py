@@ -1,7 +1,9 @@
 """Loading: a generated package and the activities of a project, imported from where they are.
 
 A generated package is imported as `FOLDER.SYSTEM` (`monas.Kouretes`), so that activities may import its
-messages: `from monas.Kouretes.messages import Ball`. What functions and activities import besides is looked
+messages: `from monas.Kouretes.messages import Ball`. Packages that different backends have generated from one
+system have the same messages, under each of their names, and the roles of a team may be taken from several of
+them (`Mixture`). What functions and activities import besides is looked
 for in the folders given as `path`. These folders are on `sys.path` only inside `importing`.
 """
 
@@ -13,7 +15,9 @@ import itertools
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, is_dataclass
+from dataclasses import dataclass, field, is_dataclass, replace
+from importlib.abc import Loader, MetaPathFinder
+from importlib.machinery import ModuleSpec, PathFinder
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -34,6 +38,26 @@ class LoadError(Exception):
 
 
 @dataclass(frozen=True, slots=True)
+class Mixture:
+    """What a team has of packages that stand beside the one that is loaded, in folders of other names.
+
+    `roles` are taken from the folder that is their value, instead; `names` are those of further folders under
+    which activities may import the messages, whether there is such a folder or not.
+    """
+
+    roles: Mapping[str, str] = field(default_factory=dict)
+    names: tuple[str, ...] = ()
+
+    def folders(self, own: str) -> tuple[str, ...]:
+        """The names of the folders beside `own` from which something is loaded."""
+        return tuple(sorted({*self.roles.values()} - {own}))
+
+
+PURE = Mixture()
+"""All roles are of one package."""
+
+
+@dataclass(frozen=True, slots=True)
 class Loaded:
     """A generated system: its roles' charts by name, its team as (agent, role), its messages by name."""
 
@@ -47,7 +71,8 @@ class Loaded:
     folder: Path | None = None
     path: tuple[Path, ...] = ()
     modules: Modules = field(default_factory=dict, repr=False, compare=False)
-    """The modules of its package, by the names under which they import each other."""
+    """The modules of its packages, by the names under which they import each other."""
+    mixture: Mixture = PURE
 
     @property
     def plans(self) -> tuple[Plan, ...]:
@@ -86,7 +111,7 @@ def importing(folders: Sequence[Path]) -> Iterator[None]:
                 sys.path.remove(entry)
 
 
-def load_beside(folder: Path, running: Modules, path: Sequence[Path] = ()) -> Loaded:
+def load_beside(folder: Path, running: Modules, path: Sequence[Path] = (), mixture: Mixture = PURE) -> Loaded:
     """Import another version of a system that is running with these modules, and leave them in their place.
 
     If the messages of both are the same, they are the same classes in both, so that activities of the one
@@ -95,14 +120,17 @@ def load_beside(folder: Path, running: Modules, path: Sequence[Path] = ()) -> Lo
     Raises:
         LoadError: as `load_system`.
     """
-    names = (folder.parent.name, f"{folder.parent.name}.{folder.name}")
+    own = folder.parent.name
+    parents = (own, *mixture.folders(own), *mixture.names)
+    names = (*parents, *(f"{parent}.{folder.name}" for parent in parents))
     before = {name: module for name, module in sys.modules.items() if _is_inside(name, names)}
     same: Modules = {}
-    module = running.get(f"{names[1]}.messages")
+    messages = f"{own}.{folder.name}.messages"
+    module = running.get(messages)
     if module is not None and _code(Path(module.__file__ or "")) == _code(folder / "messages.py"):
-        same[f"{names[1]}.messages"] = module
+        same[messages] = module
     try:
-        return load_system(folder, path, same)
+        return load_system(folder, path, same, mixture)
     finally:
         for name in [name for name in sys.modules if _is_inside(name, names)]:
             del sys.modules[name]
@@ -150,14 +178,87 @@ def put_in_place(modules: Modules) -> None:
     sys.modules.update(modules)
 
 
-def load_system(folder: Path, path: Sequence[Path] = (), same: Modules | None = None) -> Loaded:
-    """Import the generated package in `folder` (`build/monas/Kouretes`), afresh each time.
+def load_system(
+    folder: Path, path: Sequence[Path] = (), same: Modules | None = None, mixture: Mixture = PURE
+) -> Loaded:
+    """Import the generated package in `folder` (`build/monas/Kouretes`), afresh each time; of the packages
+    beside it, those of `mixture`.
 
     `same` are modules of it that need not be imported again.
 
     Raises:
-        LoadError: it is not there, cannot be imported, or is not a generated package.
+        LoadError: one is not there, cannot be imported, or is not a generated package; or a package beside it
+            was generated from another model.
     """
+    found = _load_package(folder, path, same)
+    own = folder.resolve().parent.name
+    modules, charts = dict(found.modules), dict(found.charts)
+    system = folder.name
+    messages = modules[f"{own}.{system}.messages"]
+    # What is said of roles may be of another system's, too.
+    roles = {role: kind for role, kind in mixture.roles.items() if role in charts}
+    mixture = replace(mixture, roles=roles)
+    for name in mixture.folders(own):
+        beside = folder.resolve().parent.parent / name / system
+        other = _load_package(beside, path, {f"{name}.{system}.messages": messages})
+        if other.model != found.model:
+            raise LoadError(f"{folder} and {beside} are of different models: build both")
+        charts |= {role: other.charts[role] for role, kind in roles.items() if kind == name}
+        modules |= other.modules
+    for name in mixture.names:
+        if name != own and name not in mixture.folders(own):
+            modules[name] = modules[own]
+            modules[f"{name}.{system}"] = modules[f"{own}.{system}"]
+            modules[f"{name}.{system}.messages"] = messages
+    sys.modules.update(modules)
+    return replace(found, charts=charts, modules=modules, mixture=mixture)
+
+
+def package_like(folder: Path, running: Path | None) -> Path:
+    """Of a version's packages, of which one is in `folder`, that of the backend of what is running."""
+    if running is None:
+        return folder
+    other = folder.parent.parent / running.parent.name / folder.name
+    return other if other.is_dir() else folder
+
+
+def other_names(modules: Modules) -> dict[str, str]:
+    """The folders whose messages are really those of another one, by which these are imported."""
+    found: dict[str, str] = {}
+    for key, module in modules.items():
+        if key.endswith(".messages") and key != module.__name__ and key.count(".") == 2:
+            found[key.partition(".")[0]] = module.__name__.partition(".")[0]
+    return found
+
+
+class _Renamed(MetaPathFinder, Loader):
+    """Finds the messages of systems under other names of the folders in which their packages are."""
+
+    def __init__(self, names: Mapping[str, str]) -> None:
+        self._names = names
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        folder, _, rest = fullname.partition(".")
+        if folder not in self._names:
+            return None
+        if rest.endswith(".messages") and rest.count(".") == 1:
+            return ModuleSpec(fullname, self)
+        there = rest.count(".") == 0 and PathFinder.find_spec(fullname, path) is None
+        return ModuleSpec(fullname, None, is_package=True) if there else None
+
+    def exec_module(self, module: ModuleType) -> None:
+        folder, _, rest = module.__name__.partition(".")
+        sys.modules[module.__name__] = importlib.import_module(f"{self._names[folder]}.{rest}")
+
+
+def know_as(names: Mapping[str, str]) -> None:
+    """From now on, messages of packages in the folder that is a value are also found under the key's name."""
+    sys.meta_path.insert(0, _Renamed(names))
+
+
+def _load_package(folder: Path, path: Sequence[Path], same: Modules | None = None) -> Loaded:
     folder = folder.resolve()
     if not (folder / "__init__.py").is_file():
         raise LoadError(f"there is no generated package in {folder}: build it first")

@@ -189,7 +189,26 @@ class Plan:
 
     def children(self, label: str) -> tuple[State, ...]:
         """The states directly inside `label`, in document order."""
-        return tuple(state for state in self.states if state.parent == label)
+        return self.inside.get(label, ())
+
+    @cached_property
+    def inside(self) -> dict[str, tuple[State, ...]]:
+        """The states directly inside each composite, in document order."""
+        found: dict[str, list[State]] = {}
+        for state in self.states:
+            if state.parent is not None:
+                found.setdefault(state.parent, []).append(state)
+        return {label: tuple(states) for label, states in found.items()}
+
+    @cached_property
+    def resumed(self) -> tuple[str, ...]:
+        """The labels of the states that some transition resumes."""
+        return tuple(dict.fromkeys(item.target for item in self.transitions if item.resume))
+
+    @cached_property
+    def branch_labels(self) -> frozenset[str]:
+        """The labels of the states that are the branch of a participant."""
+        return frozenset(info.label for info in self.branches)
 
     def at_once(self, counted: frozenset[str]) -> int:
         """How many of these states, given by their labels, can be active at once."""

@@ -14,7 +14,7 @@ import subprocess
 import sys
 import threading
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from queue import SimpleQueue
 from typing import IO, TYPE_CHECKING, Any
@@ -166,9 +166,8 @@ class _Process:
         found = [*map(str, self.pool.path), *(entry or str(Path.cwd()) for entry in sys.path)]
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(dict.fromkeys(found))}
         self.listens = False
-        command = [sys.executable, "-m", "aseme_dsl.runtime.worker"]
-        if self.pool.memory is not None:
-            command.append(str(self.pool.memory))
+        command = [sys.executable, "-m", "aseme_dsl.runtime.worker", str(self.pool.memory or 0)]
+        command += [f"{name}={other}" for name, other in self.pool.names.items()]
         self.child = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment)
         return self.child
 
@@ -218,9 +217,11 @@ class Processes:
         memory: int | None,
         ended: Callable[[Execution], None],
         complain: Callable[..., None],
+        names: Mapping[str, str] | None = None,
     ) -> None:
-        """`memory` is the address space that each may use, in bytes."""
+        """`memory` is the address space that each may use, in bytes; `names` are other names of packages."""
         self.path = tuple(path)
+        self.names = dict(names or {})
         self.memory = memory
         self.ended = ended
         self._maximum = maximum
@@ -318,10 +319,11 @@ class Processes:
         process.kill(reason)
         return True
 
-    def renew(self, path: Sequence[Path]) -> None:
+    def renew(self, path: Sequence[Path], names: Mapping[str, str]) -> None:
         """From now on workers import from here: those that there are end when they have done what they do."""
         with self._lock:
             self.path = tuple(path)
+            self.names = dict(names)
             self._retired += [*self._all, *self._kept.values()]
             idle = [process for process in self._retired if process.execution is None]
             self._all.clear()

@@ -11,7 +11,7 @@ from __future__ import annotations
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
@@ -52,9 +52,14 @@ class RealDriver:
     """Drives a team in real time."""
 
     def __init__(
-        self, path: Sequence[Path] = (), options: RealTime | None = None, origin: int | None = None
+        self,
+        path: Sequence[Path] = (),
+        options: RealTime | None = None,
+        origin: int | None = None,
+        names: Mapping[str, str] | None = None,
     ) -> None:
-        """`path` are the folders where worker processes find what they import; `origin` is the clock's."""
+        """`path` are the folders where worker processes find what they import, `names` are other names of
+        packages there (`runtime.loading.other_names`); `origin` is the clock's."""
         self.clock = RealClock(origin)
         self.options = options or RealTime()
         self.agents: Sequence[Agent] = ()
@@ -71,6 +76,7 @@ class RealDriver:
         self.left: tuple[str, ...] = ()
         """Activities, agents and threads of activities that had not ended when the run was over."""
         self._path = tuple(path)
+        self._names = dict(names or {})
         self._live: dict[Execution, Timer | None] = {}
         self._timekeeper = Timekeeper(self.clock, self._fail)
         self._condition = threading.Condition()
@@ -168,12 +174,13 @@ class RealDriver:
         if agent.intake:
             self.wake(agent)
 
-    def renew(self, path: Sequence[Path]) -> None:
+    def renew(self, path: Sequence[Path], names: Mapping[str, str]) -> None:
         """Activities of another version begin now: their processes import what they need from here."""
         with self._making:
             self._path = tuple(path)
+            self._names = dict(names)
             if self._processes is not None:
-                self._processes.renew(self._path)
+                self._processes.renew(self._path, self._names)
 
     def have_threads(self) -> None:
         """Have the threads that the agents' plans can need: none is made in the midst of the run."""
@@ -233,7 +240,12 @@ class RealDriver:
             if self._processes is None:
                 options = self.options
                 self._processes = Processes(
-                    self._path, options.processes, options.process_memory, self.ended, self._complain
+                    self._path,
+                    options.processes,
+                    options.process_memory,
+                    self.ended,
+                    self._complain,
+                    self._names,
                 )
             return self._processes
 

@@ -16,11 +16,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.activities import ActivityError, ActivityFinder, has_code, kind_of
+from aseme_dsl.runtime.behaviours import agent_class
 from aseme_dsl.runtime.carry import CannotCarry, Carried, carry, same_states
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.clock import SECOND, shown
 from aseme_dsl.runtime.convert import Messages
-from aseme_dsl.runtime.loading import Loaded, Modules, importing, put_in_place, standing_in
+from aseme_dsl.runtime.loading import PURE, Loaded, Mixture, Modules, importing, put_in_place, standing_in
 from aseme_dsl.runtime.modules import code_of
 from aseme_dsl.runtime.plan import Plan
 from aseme_dsl.runtime.wire import Schema
@@ -50,6 +51,9 @@ class Version:
     modules: Modules = field(default_factory=dict)
     team: tuple[tuple[str, str], ...] = ()
     """The agents of the system's own team with their roles."""
+    folder: Path | None = None
+    """Where its package is."""
+    mixture: Mixture = PURE
 
 
 def version_of(loaded: Loaded, find: ActivityFinder) -> Version:
@@ -64,6 +68,8 @@ def version_of(loaded: Loaded, find: ActivityFinder) -> Version:
         loaded.path,
         loaded.modules,
         loaded.team,
+        loaded.folder,
+        loaded.mixture,
     )
 
 
@@ -264,6 +270,10 @@ def activity_errors(charts: Iterable[type[Chart]], find: ActivityFinder) -> Sequ
                         kind_of(found, kinds.get(state.activity, "thread"))
                 except ActivityError as error:
                     errors.append(str(error))
+        try:
+            agent_class(chart, find)
+        except ActivityError as error:
+            errors.append(str(error))
         for module in chart.PLAN.modules:
             try:
                 code_of(module, find)

@@ -21,7 +21,7 @@ from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.clock import shown
 from aseme_dsl.runtime.conversation import Conversations
 from aseme_dsl.runtime.faults import Faults, Links
-from aseme_dsl.runtime.loading import Loaded, importing, put_in_place, standing_in
+from aseme_dsl.runtime.loading import Loaded, importing, other_names, put_in_place, standing_in
 from aseme_dsl.runtime.plan import Plan
 from aseme_dsl.runtime.radio import Radio
 from aseme_dsl.runtime.real import RealDriver
@@ -228,7 +228,7 @@ class Team:
         if clock == "virtual":
             driver: VirtualDriver | RealDriver = VirtualDriver()
         else:
-            driver = RealDriver(self._path, real_time, origin)
+            driver = RealDriver(self._path, real_time, origin, other_names(self.version.modules))
             driver.watch = self._stop is not None
         driver.until = self._until
         return driver
@@ -394,7 +394,7 @@ class Team:
         """The whole team, here and elsewhere, is of this version now."""
         same = version.messages.items() == self.version.messages.items()
         if isinstance(self.driver, RealDriver) and not same:
-            self.driver.renew(version.path)
+            self.driver.renew(version.path, other_names(version.modules))
         self.version = version
         for name, plan in self.elsewhere.items():
             if plan.name in version.charts:

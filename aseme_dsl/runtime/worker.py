@@ -19,6 +19,7 @@ from typing import IO, Any
 from aseme_dsl.runtime.clock import SECOND
 from aseme_dsl.runtime.context import Cancelled, Context
 from aseme_dsl.runtime.execution import as_outcome, frames_of, reason_of
+from aseme_dsl.runtime.loading import know_as
 from aseme_dsl.runtime.processes import get, put
 from aseme_dsl.runtime.snapshot import Snapshot, SnapshotPort, Told
 
@@ -119,14 +120,18 @@ def _loaded(module: str, file: str) -> ModuleType:
 def main() -> None:
     """Serve the process at the other end of standard input and output; what is printed goes to its errors.
 
-    The first argument, if there is one, is how many bytes of address space there are.
+    The first argument is how many bytes of address space there are, if it is not 0; the others are other
+    names of packages with messages (`monas=jade_like`).
     """
     for number in (signal.SIGINT, signal.SIGTERM):  # the team is told, and tells us
         signal.signal(number, signal.SIG_IGN)
-    if len(sys.argv) > 1:
+    memory, *names = sys.argv[1:]
+    if int(memory):
         import resource
 
-        resource.setrlimit(resource.RLIMIT_AS, (int(sys.argv[1]), int(sys.argv[1])))
+        resource.setrlimit(resource.RLIMIT_AS, (int(memory), int(memory)))
+    if names:
+        know_as(dict(name.split("=", 1) for name in names))
     requests = os.fdopen(os.dup(0), "rb")
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)

@@ -15,7 +15,7 @@ from types import ModuleType
 from typing import Any
 
 from aseme_dsl.amola.system import System
-from aseme_dsl.backends.backend import BackendOptions
+from aseme_dsl.backends.backend import Backend, BackendOptions
 from aseme_dsl.backends.monas import BACKEND
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import has_errors, render_text
@@ -61,17 +61,17 @@ def system_of(text: str, sources: Mapping[str, str] | None = None) -> System:
     return analysis.system
 
 
-def generate(text: str, sources: Mapping[str, str] | None = None) -> Generated:
+def generate(text: str, sources: Mapping[str, str] | None = None, backend: Backend = BACKEND) -> Generated:
     """Compile a text, write its package into a temporary folder and import it."""
-    return imported(system_of(text, sources))
+    return imported(system_of(text, sources), backend)
 
 
-def imported(system: System) -> Generated:
+def imported(system: System, backend: Backend = BACKEND) -> Generated:
     """Write the package of a system into a temporary folder and import it under a name of its own."""
     root = Path(tempfile.mkdtemp(prefix="aseme-test-"))
     atexit.register(shutil.rmtree, root, ignore_errors=True)
     name = f"generated_{next(_numbers)}"
-    for artefact in BACKEND.generate(system, BackendOptions()):
+    for artefact in backend.generate(system, BackendOptions()):
         top, _, rest = artefact.path.partition("/")
         folder = name if top == system.name else top
         path = root / folder / rest

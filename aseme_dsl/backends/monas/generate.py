@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions
@@ -27,13 +26,13 @@ class MonasBackend:
 
     def generate(self, system: System, options: BackendOptions) -> tuple[Artefact, ...]:
         """The package of a system, and the activities under `activities/`."""
-        templates = environment(options, Path(__file__).parent / "templates")
+        templates = environment(options)
         messages = messages_file(system)
         roles = role_files(templates, system, messages, options.known)
         artefacts = [system_file(templates, system, roles), messages]
         for chart, role in zip(system.iacs, roles, strict=True):
             path = f"{system.name}/{usable(chart.name)}/__init__.py"
-            known = {"system": system, "chart": chart, "source": source_of(system)}
+            known = {"system": system, "chart": chart, "source": source_of(system), "shown": False}
             artefacts += [rendered(templates, "role.py.j2", path, known), *role.files]
         return (*artefacts, *activity_files(templates, system))
 

@@ -34,14 +34,13 @@ class Filled:
     model: str
 
 
-def environment(options: BackendOptions, own: Path) -> Environment:
+def environment(options: BackendOptions, own: Path | None = None) -> Environment:
     """Templates by name: those of the user, of the backend (in the folder `own`), or shared."""
     from jinja2 import ChoiceLoader, Environment, FileSystemLoader, StrictUndefined
 
-    ours = [FileSystemLoader(own), FileSystemLoader(Path(__file__).parent / "templates")]
-    theirs = [FileSystemLoader(options.templates)] if options.templates else []
+    folders = [options.templates, own, Path(__file__).parent / "templates"]
     made = Environment(
-        loader=ChoiceLoader([*theirs, *ours]),
+        loader=ChoiceLoader([FileSystemLoader(folder) for folder in folders if folder is not None]),
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -119,12 +118,16 @@ def rendered(
     return Artefact(path, templates.get_template(name).render(known), kept)
 
 
-def system_file(templates: Environment, system: System, roles: Sequence[Filled]) -> Artefact:
-    """What every agent of a system carries: its team, and the classes that run its roles."""
+def system_file(
+    templates: Environment, system: System, roles: Sequence[Filled], *, shown: bool = False
+) -> Artefact:
+    """What every agent of a system carries: its team, and the classes that run its roles; if the roles are
+    shown as agents with behaviours, the classes of these, too."""
     known = {
         "system": system,
         "source": source_of(system),
         "model": _hash(*(role.model for role in roles)),
+        "shown": shown,
         "agents": [agent for team in system.teams for agent in team.agents],
     }
     return rendered(templates, "system.py.j2", f"{system.name}/__init__.py", known)
