@@ -1,0 +1,1 @@
+"""Behaviours described once, as data, for every engine that the benchmarks compare."""

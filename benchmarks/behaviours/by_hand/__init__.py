@@ -1,0 +1,6 @@
+"""The behaviours as a careful engineer writes them by hand in Python: what everything else is compared with.
+
+Each module has a class with `__slots__`, a method `start`, a method `send(event)` of if and elif, one number
+for each region in which more than one state can be active, and a dictionary as its blackboard: the caller
+sets the flags in it, the counters are in it. `leaves` says which basic states are active, for the check.
+"""

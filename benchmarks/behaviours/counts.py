@@ -1,0 +1,69 @@
+"""What a behaviour has to do, by the reference interpreter: entries and exits of each state, and the end."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from aseme_dsl.runtime.inputs import Happened, Written
+from benchmarks.behaviours.aseme import labels, text_of
+from benchmarks.behaviours.description import Behaviour
+from tests.oracle.interpreter import Reference
+from tests.support.generated import generate
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """What came of some steps."""
+
+    entries: dict[str, int]
+    exits: dict[str, int]
+    counters: dict[str, int]
+    flags: dict[str, bool]
+    leaves: tuple[tuple[str, ...], ...]
+    """The active basic states after the start and after each step, in document order."""
+
+
+class Counting(Reference):
+    """The reference interpreter, with a count of what is entered and left."""
+
+    def __init__(self, *arguments: Any) -> None:
+        super().__init__(*arguments)
+        self.entries_of: dict[str, int] = {}
+        self.exits_of: dict[str, int] = {}
+
+    def enter(self, label: str, *further: Any) -> None:
+        self.entries_of[label] = self.entries_of.get(label, 0) + 1
+        super().enter(label, *further)
+
+    def leave(self, label: str) -> None:
+        self.exits_of[label] = self.exits_of.get(label, 0) + 1
+        super().leave(label)
+
+
+def course_of(behaviour: Behaviour, steps: int) -> Course:
+    """Interpret the text of the behaviour for so many steps."""
+    made = generate(text_of(behaviour))
+    reference = Counting(made.plan(behaviour.name), "agent", {})
+    names = {label: name for name, label in labels(behaviour).items()}
+    basic = {state.name for state in behaviour.states if state.kind == "basic"}
+
+    def active() -> tuple[str, ...]:
+        return tuple(names[label] for label in reference.configuration() if names.get(label) in basic)
+
+    reference.step(0, [])
+    leaves = [active()]
+    for number in range(steps):
+        event, change = behaviour.steps[number % len(behaviour.steps)]
+        written = [Written(flag, value) for flag, value in change]
+        reference.step(number + 1, [*written, Happened(event)])
+        leaves.append(active())
+    below = [state.name for state in behaviour.states[1:]]
+    label = labels(behaviour)
+    return Course(
+        {name: reference.entries_of.get(label[name], 0) for name in below},
+        {name: reference.exits_of.get(label[name], 0) for name in below},
+        {counter: reference.variable(counter) for counter in behaviour.counters},
+        {flag: reference.variable(flag) for flag in behaviour.flags},
+        tuple(leaves),
+    )

@@ -1,0 +1,164 @@
+"""How fast generated statecharts are: `python -m benchmarks.peers`, with a report and a plot at the end.
+
+Every contender has to reproduce the entries and exits of the reference interpreter before it is timed. The
+peers are installed into an environment of their own below `build/peers`, where the report is written, too.
+
+    python -m benchmarks.peers                  all that is measured (about six minutes)
+    python -m benchmarks.peers --without-peers  ours and the code by hand
+    python -m benchmarks.peers --only player idle
+"""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import sys
+import tempfile
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
+from benchmarks.peers.compiling import compiled_into
+from benchmarks.peers.single import single_figures
+
+from benchmarks.behaviours.catalogue import BEHAVIOURS
+from benchmarks.behaviours.counts import Course, course_of
+from benchmarks.behaviours.description import Behaviour, as_json
+from benchmarks.peers.contenders import BY_HAND, OURS, PEERS, SEND, Contender, Failed, Process
+from benchmarks.peers.environment import CACHE, Environment, prepare
+from benchmarks.peers.measuring import Results, check_all, time_in_rounds
+from benchmarks.peers.report import missed, written
+
+CHECKED = 600
+"""Steps that are compared with the reference interpreter: more than one turn."""
+
+CHECKED_LARGE = 64
+"""The same for the largest behaviour, with which the interpreter is very slow."""
+
+GENERATIONS = 3
+"""How often the processes of ours are started anew: where things lie in memory is luck."""
+
+INSTANCES = 10_000
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Measure, write the report, and say what misses its target; 1 if something does."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.peers", description=__doc__.splitlines()[0])
+    parser.add_argument("--without-peers", action="store_true", help="ours and the code by hand")
+    parser.add_argument("--only", nargs="+", choices=list(BEHAVIOURS), help="these behaviours")
+    parser.add_argument(
+        "--rounds", type=int, default=10, help="rounds of ours in each generation of processes"
+    )
+    parser.add_argument("--peer-rounds", type=int, default=7, help="rounds with the peers")
+    parser.add_argument("--into", type=Path, default=CACHE, help="the folder of the report")
+    options = parser.parse_args(arguments)
+
+    chosen = [behaviour for name, behaviour in BEHAVIOURS.items() if not options.only or name in options.only]
+    results = Results()
+    say("what the reference interpreter does")
+    courses = {behaviour.name: course_of(behaviour, steps_checked(behaviour)) for behaviour in chosen}
+    folder = Path(tempfile.mkdtemp(prefix="aseme-peers-"))
+    try:
+        say("compiling the behaviours")
+        compiled_into(folder, chosen)
+        contenders = [replace(item, how=(*item.how, ("folder", str(folder)))) for item in OURS]
+        for generation in range(GENERATIONS):
+            say(f"ours, generation {generation + 1} of {GENERATIONS}")
+            measure_ours(contenders, chosen, courses, options.rounds, generation == 0, results)
+        single_figures(folder, chosen, results)
+        if not options.without_peers:
+            environment = prepare()
+            for name, reason in environment.missing.items():
+                say(f"not installed: {name} ({reason})")
+            send = next(item for item in contenders if item.key == SEND.key)
+            measure_peers(send, environment, chosen, courses, options.peer_rounds, results)
+            results.missing = sorted(environment.missing)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+    report = written(results, options.into)
+    say(report.read_text("utf-8"))
+    say(f"report: {report}")
+    found = missed(results)
+    for line in found:
+        say(f"missed: {line}")
+    return 1 if found else 0
+
+
+def steps_checked(behaviour: Behaviour) -> int:
+    """How many steps of a behaviour are compared."""
+    return CHECKED if len(behaviour.states) < 1000 else CHECKED_LARGE
+
+
+def measure_ours(
+    contenders: Sequence[Contender],
+    behaviours: Sequence[Behaviour],
+    courses: dict[str, Course],
+    rounds: int,
+    is_first: bool,
+    results: Results,
+) -> None:
+    """Time ours and the code by hand, in processes that are started for this."""
+    processes = [Process(contender, Environment()) for contender in (BY_HAND, *contenders)]
+    try:
+        for behaviour in behaviours:
+            if is_first:
+                check_all(processes, behaviour, courses[behaviour.name], steps_checked(behaviour), results)
+            time_in_rounds("ours", processes, behaviour, rounds, results)
+            say(f"  {behaviour.name}")
+        if is_first and "switch" in courses:
+            measure_memory(processes, results)
+    finally:
+        for process in processes:
+            process.end()
+
+
+def measure_peers(
+    send: Contender,
+    environment: Environment,
+    behaviours: Sequence[Behaviour],
+    courses: dict[str, Course],
+    rounds: int,
+    results: Results,
+) -> None:
+    """Time the peers that could be installed, beside our runtime and the code by hand."""
+    there = [peer for peer in PEERS if peer.distribution not in environment.missing]
+    processes = [Process(contender, environment) for contender in (BY_HAND, send, *there)]
+    try:
+        for process in processes[2:]:
+            said = process.ask("version")
+            results.versions[process.contender.key] = said["version"]
+            results.runtimes[process.contender.key] = said["runtime"]
+        say("the peers")
+        for behaviour in behaviours:
+            check_all(processes[2:], behaviour, courses[behaviour.name], steps_checked(behaviour), results)
+            time_in_rounds("peers", processes, behaviour, rounds, results)
+            say(f"  {behaviour.name}")
+        if "switch" in courses:
+            measure_memory(processes[2:], results)
+    finally:
+        for process in processes:
+            process.end()
+
+
+def measure_memory(processes: Sequence[Process], results: Results) -> None:
+    """What one of many instances of the small machine costs."""
+    behaviour = BEHAVIOURS["switch"]
+    for process in processes:
+        # A library that needs long for one is asked for fewer.
+        instances = INSTANCES if process.contender.group != "peer" else INSTANCES // 10
+        try:
+            found = process.ask("memory", behaviour=as_json(behaviour), instances=instances)
+        except Failed:
+            continue
+        results.memory[process.contender.key] = found["bytes"], found["seconds"]
+
+
+def say(text: str) -> None:
+    """Print at once."""
+    print(text, flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

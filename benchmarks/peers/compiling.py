@@ -1,0 +1,42 @@
+"""The behaviours compiled by this project, in all forms that are measured, for the processes that run them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from aseme_dsl.amola.system import System
+from aseme_dsl.backends.backend import Artefact, BackendOptions
+from aseme_dsl.backends.monas import BACKEND as MONAS
+from aseme_dsl.compiler import analyse
+from aseme_dsl.diagnostics import has_errors, render_text
+from aseme_dsl.source import Source
+from benchmarks.behaviours.aseme import text_of
+from benchmarks.behaviours.description import Behaviour
+
+
+def compiled_into(folder: Path, behaviours: Iterable[Behaviour]) -> None:
+    """Write the generated code of each behaviour into a folder of its own: `FOLDER/player/agent/Player/…`."""
+    for behaviour in behaviours:
+        system = system_of(behaviour)
+        write(folder / behaviour.name / "agent", MONAS.generate(system, BackendOptions()))
+
+
+def system_of(behaviour: Behaviour) -> System:
+    """The system of a behaviour's text.
+
+    Raises:
+        ValueError: it does not compile, which the text of a behaviour always should.
+    """
+    analysis = analyse(Source(f"{behaviour.name}.aseme", text_of(behaviour)))
+    if has_errors(analysis.diagnostics) or analysis.system is None:
+        raise ValueError(render_text(analysis.diagnostics))
+    return analysis.system
+
+
+def write(folder: Path, artefacts: Iterable[Artefact]) -> None:
+    """Write generated files."""
+    for artefact in artefacts:
+        path = folder / artefact.path
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(artefact.text, encoding="utf-8")

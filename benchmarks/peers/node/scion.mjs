@@ -1,0 +1,32 @@
+// SCION: its core, which interprets SCXML's semantics, on a model of states as objects.
+
+import { actionFunction, guardFunction } from "./code.mjs";
+
+export default function adapter(require) {
+  const { Statechart } = require("@scion-scxml/core");
+
+  function start(behaviour, bb) {
+    const definition = (state) => {
+      const found = { id: state.name };
+      if (state.entry.length) found.onEntry = actionFunction(state.entry, bb);
+      if (state.exit.length) found.onExit = actionFunction(state.exit, bb);
+      if (state.kind === "and") found.$type = "parallel";
+      if (state.children.length) found.states = state.children.map(definition);
+      if (state.transitions.length) {
+        found.transitions = state.transitions.map(({ event, target, guard }) => {
+          const item = { event, target };
+          if (guard.length) item.cond = guardFunction(guard, bb);
+          return item;
+        });
+      }
+      return found;
+    };
+    // A model that is not made by a function is copied as JSON, without its functions.
+    const chart = new Statechart(() => definition(behaviour.root));
+    chart.start();
+    const events = Object.fromEntries(behaviour.steps.map(([event]) => [event, { name: event }]));
+    return (event) => chart.gen(events[event]);
+  }
+
+  return { start, distribution: "@scion-scxml/core" };
+}

@@ -1,0 +1,94 @@
+// Runs a peer on Node for the benchmark: a JSON line of what to do in, a JSON line of what came of it out.
+//
+//     node --expose-gc worker.mjs FOLDER ADAPTER      (FOLDER: where node_modules is)
+
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+
+const [folder, adapter] = process.argv.slice(2);
+const require = createRequire(join(folder, "package.json"));
+const { start, distribution } = (await import(`./${adapter}.mjs`)).default(require);
+
+const machines = new Map();
+
+/** A blackboard with all flags false and all counters 0. */
+function blackboard(behaviour) {
+  const bb = {};
+  for (const flag of behaviour.flags) bb[flag] = false;
+  for (const counter of behaviour.counters) bb[counter] = 0;
+  return bb;
+}
+
+/** What is set before an event, as a function; undefined if it is nothing. */
+function changes(change) {
+  if (change.length === 0) return undefined;
+  return new Function("bb", change.map(([flag, value]) => `bb.${flag} = ${value};`).join(""));
+}
+
+/** A running machine with what drives it through its steps once. */
+function prepare(behaviour) {
+  const bb = blackboard(behaviour);
+  const send = start(behaviour, bb);
+  const steps = behaviour.steps.map(([event, change]) => [event, changes(change)]);
+  const drive = (many) => {
+    for (let n = 0; n < many; n++) {
+      const [event, change] = steps[n % steps.length];
+      if (change) change(bb);
+      send(event);
+    }
+  };
+  return { bb, drive };
+}
+
+function cpu() {
+  const { user, system } = process.cpuUsage();
+  return (user + system) / 1e6;
+}
+
+function answer(order) {
+  switch (order.do) {
+    case "version":
+      return { version: require(`${distribution}/package.json`).version, runtime: `Node ${process.versions.node}` };
+    case "check": {
+      const { bb, drive } = prepare(order.behaviour);
+      drive(order.steps);
+      return { counters: Object.fromEntries(order.behaviour.counters.map((counter) => [counter, bb[counter]])) };
+    }
+    case "load": {
+      const begun = cpu();
+      machines.set(order.behaviour.name, prepare(order.behaviour));
+      return { seconds: cpu() - begun };
+    }
+    case "time": {
+      const { drive } = machines.get(order.name);
+      const begun = cpu();
+      drive(order.steps);
+      return { seconds: cpu() - begun };
+    }
+    case "memory": {
+      start(order.behaviour, blackboard(order.behaviour));
+      const boards = Array.from({ length: order.instances }, () => blackboard(order.behaviour));
+      const kept = [];
+      globalThis.gc();
+      const before = process.memoryUsage().heapUsed;
+      const begun = cpu();
+      for (const bb of boards) kept.push(start(order.behaviour, bb));
+      const seconds = cpu() - begun;
+      globalThis.gc();
+      const bytes = process.memoryUsage().heapUsed - before;
+      return { bytes: bytes / kept.length, seconds: seconds / kept.length };
+    }
+  }
+  throw new Error(`unknown order ${order.do}`);
+}
+
+for await (const line of createInterface({ input: process.stdin })) {
+  let found;
+  try {
+    found = answer(JSON.parse(line));
+  } catch (error) {
+    found = { error: String(error) };
+  }
+  process.stdout.write(JSON.stringify(found) + "\n");
+}

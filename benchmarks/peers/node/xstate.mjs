@@ -1,0 +1,32 @@
+// XState 5: a machine from its configuration, and an actor of it.
+
+import { actionFunction, guardFunction } from "./code.mjs";
+
+export default function adapter(require) {
+  const { createActor, createMachine } = require("xstate");
+
+  function start(behaviour, bb) {
+    const definition = (state) => {
+      const found = { id: state.name };
+      if (state.entry.length) found.entry = actionFunction(state.entry, bb);
+      if (state.exit.length) found.exit = actionFunction(state.exit, bb);
+      if (state.kind === "and") found.type = "parallel";
+      if (state.kind === "or") found.initial = state.children[0].name;
+      if (state.children.length) {
+        found.states = Object.fromEntries(state.children.map((child) => [child.name, definition(child)]));
+      }
+      for (const { event, target, guard } of state.transitions) {
+        const item = { target: `#${target}`, reenter: true };
+        if (guard.length) item.guard = guardFunction(guard, bb);
+        found.on ??= {};
+        (found.on[event] ??= []).push(item);
+      }
+      return found;
+    };
+    const actor = createActor(createMachine(definition(behaviour.root))).start();
+    const events = Object.fromEntries(behaviour.steps.map(([event]) => [event, { type: event }]));
+    return (event) => actor.send(events[event]);
+  }
+
+  return { start, distribution: "xstate" };
+}

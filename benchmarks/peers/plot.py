@@ -1,0 +1,116 @@
+"""The plot: a field for each behaviour, a bar for each contender, as long as the logarithm of its time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from html import escape
+
+from benchmarks.behaviours.catalogue import BEHAVIOURS
+from benchmarks.peers.contenders import BY_HAND, CORE_DICT, CORE_TYPED, NATIVE, PEERS, POST, SEND, Contender
+from benchmarks.peers.measuring import Results, Run, Series
+from benchmarks.peers.targets import MEASURED, number
+
+SHOWN: tuple[tuple[Run, Contender], ...] = (
+    ("ours", BY_HAND),
+    ("ours", CORE_TYPED),
+    ("ours", CORE_DICT),
+    ("ours", SEND),
+    ("ours", POST),
+    ("ours", NATIVE),
+    *(("peers", peer) for peer in PEERS),
+)
+SHORT = {
+    CORE_TYPED.key: "core, typed blackboard",
+    CORE_DICT.key: "core, dictionary",
+    SEND.key: "complete runtime",
+    POST.key: "thread-safe post",
+    NATIVE.key: "native build",
+}
+COLOURS = {"hand": "#444444", "ours": "#1b7f5c", "peer": "#8fa3b8"}
+COLUMNS = 2
+WIDTH, LABELS, BAR, ROW, HEAD, GAP = 470, 150, 190, 17, 30, 24
+"""Pixels: a field, what stands left of the bars, the longest bar, a row, the head, between fields."""
+
+
+def plot_of(results: Results) -> str:
+    """The picture as SVG."""
+    behaviours = [
+        name for name in (*MEASURED, "ring_100", "ring_1000") if any(b == name for _, b, _ in results.series)
+    ]
+    timed = {(run, key) for run, _, key in results.series}
+    shown = [(run, item) for run, item in SHOWN if (run, item.key) in timed]
+    largest = max((series.nanoseconds for series in results.series.values()), default=1.0)
+    least = min((series.nanoseconds for series in results.series.values()), default=1.0)
+    low, high = math.floor(math.log10(least)), math.ceil(math.log10(largest))
+    height = HEAD + ROW * len(shown) + 22
+    total_width = COLUMNS * WIDTH + (COLUMNS - 1) * GAP + 20
+    field_rows = math.ceil(len(behaviours) / COLUMNS)
+    total_height = 40 + field_rows * (height + GAP)
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{total_width}" height="{total_height}" '
+        f'viewBox="0 0 {total_width} {total_height}" font-family="Helvetica, sans-serif" font-size="11">',
+        "<title>Time of a step, by behaviour and contender</title>",
+        f'<rect width="{total_width}" height="{total_height}" fill="#ffffff"/>',
+        '<text x="10" y="22" font-size="14" font-weight="bold">CPU time of a step (logarithmic), '
+        "and how many times as long as by hand</text>",
+    ]
+    for place, name in enumerate(behaviours):
+        row, column = divmod(place, COLUMNS)
+        x, y = 10 + column * (WIDTH + GAP), 40 + row * (height + GAP)
+        parts.append(f'<g transform="translate({x},{y})">')
+        parts += field(results, name, shown, low, high)
+        parts.append("</g>")
+    return "\n".join([*parts, "</svg>", ""])
+
+
+def field(
+    results: Results, behaviour: str, shown: list[tuple[Run, Contender]], low: int, high: int
+) -> Iterator[str]:
+    """The bars of one behaviour."""
+
+    def length(nanoseconds: float) -> float:
+        return BAR * (math.log10(nanoseconds) - low) / (high - low)
+
+    bottom = HEAD + ROW * len(shown)
+    yield f'<text x="0" y="14" font-size="12" font-weight="bold">{escape(BEHAVIOURS[behaviour].title)}</text>'
+    for power in range(low, high + 1):
+        x = LABELS + length(10.0**power)
+        yield f'<line x1="{x:.1f}" y1="{HEAD - 6}" x2="{x:.1f}" y2="{bottom}" stroke="#dddddd"/>'
+        below = f'x="{x:.1f}" y="{bottom + 13}" text-anchor="middle"'
+        yield f'<text {below} fill="#666666" font-size="10">{readable(10.0**power)}</text>'
+    for place, (run, contender) in enumerate(shown):
+        y = HEAD + place * ROW
+        series = results.series.get((run, behaviour, contender.key))
+        title = SHORT.get(contender.key, contender.title)
+        yield f'<text x="{LABELS - 6}" y="{y + 10}" text-anchor="end">{escape(title)}</text>'
+        if series is None:
+            yield f'<text x="{LABELS + 4}" y="{y + 10}" fill="#999999">–</text>'
+            continue
+        differs = (behaviour, contender.key) in results.differing
+        bar = max(1.0, length(series.nanoseconds))
+        opacity = "0.35" if differs else "1"
+        yield (
+            f'<rect x="{LABELS}" y="{y}" width="{bar:.1f}" height="{ROW - 5}" '
+            f'fill="{COLOURS[contender.group]}" opacity="{opacity}"/>'
+        )
+        beside = escape(said(series, contender, differs))
+        yield f'<text x="{LABELS + bar + 5:.1f}" y="{y + 10}">{beside}</text>'
+
+
+def said(series: Series, contender: Contender, differs: bool) -> str:
+    """What stands beside a bar."""
+    time = readable(series.nanoseconds)
+    if differs:
+        return f"{time} (does otherwise)"
+    if series.ratio is None or contender is BY_HAND:
+        return time
+    return f"{time}, {number(series.ratio)} ×"
+
+
+def readable(nanoseconds: float) -> str:
+    """A time in the unit that fits."""
+    for unit, size in (("ms", 1e6), ("µs", 1e3)):
+        if nanoseconds >= size:
+            return f"{number(nanoseconds / size)} {unit}"
+    return f"{number(nanoseconds)} ns"

@@ -1,0 +1,197 @@
+"""What was found, as Markdown, with a plot beside it."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from benchmarks.behaviours.catalogue import BEHAVIOURS
+from benchmarks.peers.contenders import BY_HAND, OURS, PEERS, SEND, Contender
+from benchmarks.peers.measuring import Results, Run
+from benchmarks.peers.plot import plot_of
+from benchmarks.peers.targets import Row, number, rows
+
+PLOT = "performance.svg"
+
+
+def written(results: Results, into: Path) -> Path:
+    """Write the report, its plot and the figures as JSON; return the path of the report."""
+    into.mkdir(parents=True, exist_ok=True)
+    (into / PLOT).write_text(plot_of(results), encoding="utf-8")
+    (into / "performance.json").write_text(json.dumps(figures(results), indent=1) + "\n", encoding="utf-8")
+    report = into / "performance.md"
+    report.write_text("\n".join(lines(results)) + "\n", encoding="utf-8")
+    return report
+
+
+def missed(results: Results) -> list[str]:
+    """The targets that are missed, a line each; and those of ours that do not do what they should."""
+    found = [
+        f"{row.what}: {row.found}, wanted {row.wanted} ({row.miss})"
+        for row in rows(results)
+        if row.is_met is False
+    ]
+    ours = {contender.key: contender for contender in (BY_HAND, *OURS)}
+    for (behaviour, key), reason in results.refused.items():
+        if key in ours and not is_left_out(reason):
+            found.append(f"{ours[key].title}, {BEHAVIOURS[behaviour].title}: {reason}")
+    return found
+
+
+def is_left_out(reason: str) -> bool:
+    """Whether a contender has not failed, but does not take part."""
+    return reason.startswith("NotImplementedError")
+
+
+def lines(results: Results) -> Iterator[str]:
+    """The report."""
+    yield "# How fast generated statecharts are"
+    yield ""
+    yield machine()
+    yield "Times are CPU time of a step; a ratio is the median over rounds of the ratio to the code by hand in the"
+    yield "same round, in brackets between which ratios the middle half of the rounds lies."
+    yield ""
+    yield f"![Time of a step, relative to code written by hand]({PLOT})"
+    yield ""
+    yield "## Targets"
+    yield ""
+    yield "| | found | wanted | |"
+    yield "| --- | --- | --- | --- |"
+    for row in rows(results):
+        yield f"| {row.what} | {row.found} | {row.wanted} | {verdict(row)} |"
+    yield ""
+    yield "## Ours"
+    yield ""
+    yield from table(results, "ours", (BY_HAND, *OURS))
+    if any(run == "peers" for run, _, _ in results.series):
+        yield ""
+        yield "## The peers"
+        yield ""
+        yield from table(results, "peers", (BY_HAND, SEND, *PEERS))
+        yield ""
+        yield "\\* does not what the reference interpreter does: shown, but counted nowhere."
+        yield from peers(results)
+    if results.memory:
+        yield ""
+        yield "## Many of a small machine"
+        yield ""
+        yield from instances(results)
+    constructed = list(construction(results))
+    if constructed:
+        yield ""
+        yield "## Making a machine of 1 000 states"
+        yield ""
+        yield from constructed
+
+
+def machine() -> str:
+    """What it was measured on, without a name."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    return (
+        f"{platform.python_implementation()} {platform.python_version()}, {cores} cores, {platform.system()}."
+    )
+
+
+def verdict(row: Row) -> str:
+    """Whether a target is met."""
+    return "met" if row.is_met else f"**missed**, {row.miss}"
+
+
+def table(results: Results, run: Run, contenders: Sequence[Contender]) -> Iterator[str]:
+    """Nanoseconds a step and the ratio to the code by hand, a line a contender."""
+    behaviours = [name for name in BEHAVIOURS if any((r, b) == (run, name) for r, b, _ in results.series)]
+    yield "| | " + " | ".join(BEHAVIOURS[name].title for name in behaviours) + " |"
+    yield "| --- |" + " --- |" * len(behaviours)
+    for contender in contenders:
+        cells = [cell(results, run, name, contender.key) for name in behaviours]
+        if any(item != "–" for item in cells):
+            yield f"| {named(contender, results)} | " + " | ".join(cells) + " |"
+
+
+def named(contender: Contender, results: Results) -> str:
+    """The title, with the version of a peer."""
+    version = results.versions.get(contender.key)
+    return f"{contender.title} {version}" if version else contender.title
+
+
+def cell(results: Results, run: Run, behaviour: str, key: str) -> str:
+    """What is said of a contender with a behaviour."""
+    series = results.series.get((run, behaviour, key))
+    if series is None:
+        return "–"
+    time = (
+        f"{number(series.nanoseconds)} ns"
+        if series.nanoseconds < 1e4
+        else f"{number(series.nanoseconds / 1e3)} µs"
+    )
+    if (behaviour, key) in results.differing:
+        return f"{time} \\*"
+    if series.ratio is None or series.spread is None or key == BY_HAND.key:
+        return time
+    low, high = series.spread
+    return f"{time}, {number(series.ratio)} × ({number(low)}–{number(high)})"
+
+
+def peers(results: Results) -> Iterator[str]:
+    """Who could not take part, and what the others run on."""
+    yield ""
+    yield "Run on " + ", ".join(sorted(set(results.runtimes.values()))) + "."
+    if results.missing:
+        yield f"Not installed: {', '.join(results.missing)}."
+    for behaviour, key in sorted(results.differing):
+        title = next(peer.title for peer in PEERS if peer.key == key)
+        yield f"{title}, {BEHAVIOURS[behaviour].title}: {results.refused[behaviour, key]}."
+
+
+def instances(results: Results) -> Iterator[str]:
+    """Memory and time of one of many."""
+    yield "| | bytes an instance, without its blackboard | µs to make and start one |"
+    yield "| --- | --- | --- |"
+    for contender in (BY_HAND, *OURS, *PEERS):
+        if contender.key in results.memory:
+            size, seconds = results.memory[contender.key]
+            yield f"| {named(contender, results)} | {number(size)} | {number(1e6 * seconds)} |"
+
+
+def construction(results: Results) -> Iterator[str]:
+    """How long the largest behaviour takes until it can be sent an event."""
+    found = [peer for peer in PEERS if ("ring_1000", peer.key) in results.constructed]
+    if not found:
+        return
+    yield "| | ms |"
+    yield "| --- | --- |"
+    if "load" in results.figures:
+        yield f"| loading the module that was compiled | {number(results.figures['load'])} |"
+    for contender in found:
+        seconds = results.constructed["ring_1000", contender.key]
+        yield f"| {named(contender, results)} | {number(1e3 * seconds)} |"
+
+
+def figures(results: Results) -> dict[str, object]:
+    """All figures, for programs."""
+    return {
+        "steps": [
+            {
+                "run": run,
+                "behaviour": behaviour,
+                "contender": key,
+                "nanoseconds": round(series.nanoseconds, 2),
+                "ratio": None if series.ratio is None else round(series.ratio, 4),
+                "spread": None if series.spread is None else [round(item, 4) for item in series.spread],
+                "differs": (behaviour, key) in results.differing,
+            }
+            for (run, behaviour, key), series in results.series.items()
+        ],
+        "memory": {
+            key: {"bytes": size, "seconds": seconds} for key, (size, seconds) in results.memory.items()
+        },
+        "versions": results.versions,
+        "single": results.figures,
+        "targets": [
+            {"what": row.what, "found": row.found, "wanted": row.wanted, "met": row.is_met}
+            for row in rows(results)
+        ],
+    }
