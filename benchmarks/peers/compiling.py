@@ -1,4 +1,4 @@
-"""The behaviours compiled by this project, in all forms that are measured, for the processes that run them."""
+"""The behaviours compiled by this project in all forms that are measured, for the processes that run them."""
 
 from __future__ import annotations
 

@@ -5,29 +5,54 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import cycle, islice
-from typing import Any, Literal
+from typing import Any
 
 from benchmarks.behaviours.description import Behaviour, Change
-from benchmarks.peers.adapters.python_code import changes, function
+from benchmarks.peers.adapters.python_code import function
 
 
 @dataclass(slots=True)
 class Running:
-    """A machine that has been started, with its blackboard.
+    """A machine that has been started.
 
-    `changed` is called after flags were set, where the machine asks for that. `leaves` is there where the
-    machine can say which basic states are active.
+    `value` reads a flag or counter, `setter` makes what sets flags before an event; `leaves` is there where
+    the machine can say which basic states are active.
     """
 
     send: Callable[[str], object]
-    bb: Any
-    kind: Literal["dict", "attributes"] = "dict"
-    changed: bool = False
+    value: Callable[[str], Any]
+    setter: Callable[[Change], Callable[[], object]]
     leaves: Callable[[], tuple[str, ...]] | None = None
 
-    def value(self, name: str) -> Any:
-        """A flag or counter."""
-        return self.bb[name] if self.kind == "dict" else getattr(self.bb, name)
+
+def with_dictionary(
+    send: Callable[[str], object],
+    bb: dict[str, Any],
+    leaves: Callable[[], tuple[str, ...]] | None = None,
+    further: str = "",
+) -> Running:
+    """A machine whose blackboard is a dictionary. `further` is done after flags were set."""
+
+    def setter(change: Change) -> Callable[[], object]:
+        lines = [f"bb[{flag!r}] = {value}" for flag, value in change]
+        return function("", [*lines, further] if further else lines, bb)
+
+    return Running(send, bb.__getitem__, setter, leaves)
+
+
+def with_attributes(
+    send: Callable[[str], object],
+    bb: Any,
+    leaves: Callable[[], tuple[str, ...]] | None = None,
+    further: str = "",
+) -> Running:
+    """A machine whose blackboard is an object. `further` is done after flags were set."""
+
+    def setter(change: Change) -> Callable[[], object]:
+        lines = [f"bb.{flag} = {value}" for flag, value in change]
+        return function("", [*lines, further] if further else lines, bb)
+
+    return Running(send, lambda name: getattr(bb, name), setter, leaves)
 
 
 def blackboard(behaviour: Behaviour) -> dict[str, Any]:
@@ -35,26 +60,11 @@ def blackboard(behaviour: Behaviour) -> dict[str, Any]:
     return dict.fromkeys(behaviour.flags, False) | dict.fromkeys(behaviour.counters, 0)
 
 
-def setters(running: Running, behaviour: Behaviour) -> list[Callable[[], object] | None]:
-    """What sets the flags before each step; None where none is set."""
-
-    def setter(change: Change) -> Callable[[], object] | None:
-        if not change:
-            return None
-        lines = changes(change, running.kind)
-        if running.changed:
-            lines.append("bb.changed()")
-        return function("", lines, running.bb)
-
-    return [setter(change) for _, change in behaviour.steps]
-
-
 def driver(running: Running, behaviour: Behaviour) -> Callable[[int], None]:
     """What drives a machine through the steps, all of them so many times."""
     send = running.send
     events = [event for event, _ in behaviour.steps]
-    before = setters(running, behaviour)
-    if not any(before):
+    if not any(change for _, change in behaviour.steps):
 
         def drive(times: int) -> None:
             for _ in range(times):
@@ -62,13 +72,12 @@ def driver(running: Running, behaviour: Behaviour) -> Callable[[int], None]:
                     send(event)
 
         return drive
-    assert all(before), "either all steps change something or none does"
-    steps = list(zip(before, events, strict=True))
+    steps = [(running.setter(change), event) for event, change in behaviour.steps]
 
     def drive_with_changes(times: int) -> None:
         for _ in range(times):
             for change, event in steps:
-                change()  # type: ignore[misc]
+                change()
                 send(event)
 
     return drive_with_changes
@@ -76,11 +85,9 @@ def driver(running: Running, behaviour: Behaviour) -> Callable[[int], None]:
 
 def follow(running: Running, behaviour: Behaviour, steps: int) -> dict[str, Any]:
     """Drive a machine through so many steps; its counters, and its active states after each if it can say."""
-    leaves = []
-    if running.leaves is not None:
-        leaves.append(running.leaves())
-    prepared = zip(setters(running, behaviour), (event for event, _ in behaviour.steps), strict=True)
-    for change, event in islice(cycle(list(prepared)), steps):
+    leaves = [] if running.leaves is None else [running.leaves()]
+    prepared = [(running.setter(change) if change else None, event) for event, change in behaviour.steps]
+    for change, event in islice(cycle(prepared), steps):
         if change is not None:
             change()
         running.send(event)

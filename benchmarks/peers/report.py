@@ -51,7 +51,7 @@ def lines(results: Results) -> Iterator[str]:
     yield "# How fast generated statecharts are"
     yield ""
     yield machine()
-    yield "Times are CPU time of a step; a ratio is the median over rounds of the ratio to the code by hand in the"
+    yield "Times are CPU time of a step; a ratio is the median over rounds of that to the code by hand in the"
     yield "same round, in brackets between which ratios the middle half of the rounds lies."
     yield ""
     yield f"![Time of a step, relative to code written by hand]({PLOT})"

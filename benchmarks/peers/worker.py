@@ -21,7 +21,7 @@ from importlib import metadata
 from typing import Any
 
 from benchmarks.behaviours.description import Behaviour, from_json
-from benchmarks.peers.driving import Running, blackboard, driver, follow
+from benchmarks.peers.driving import Running, blackboard, driver, follow, with_dictionary
 
 
 class Worker:
@@ -37,7 +37,7 @@ class Worker:
             found: Running = self.adapter.running(behaviour, **order.get("how", {}))
             return found
         bb = blackboard(behaviour)
-        return Running(self.adapter.start(behaviour, bb), bb)
+        return with_dictionary(self.adapter.start(behaviour, bb), bb)
 
     def answer(self, order: dict[str, Any]) -> dict[str, Any]:
         """Do what is asked for.

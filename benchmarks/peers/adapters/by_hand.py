@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from benchmarks.behaviours.description import Behaviour
-from benchmarks.peers.driving import Running, blackboard
+from benchmarks.peers.driving import Running, blackboard, with_dictionary
 
 MODULES = {"deep_leaf": "deep", "deep_top": "deep"}
 """The module of a behaviour, where it is called otherwise."""
@@ -31,7 +31,7 @@ def running(behaviour: Behaviour) -> Running:
     bb = blackboard(behaviour)
     machine = machine_of(behaviour)(bb)
     machine.start()
-    return Running(machine.send, bb, leaves=machine.leaves)
+    return with_dictionary(machine.send, bb, machine.leaves)
 
 
 def instances(behaviour: Behaviour, number: int) -> tuple[list[dict[str, Any]], Callable[[Any], object]]:

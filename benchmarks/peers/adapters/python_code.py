@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from benchmarks.behaviours.description import Action, Change, Guard
+from benchmarks.behaviours.description import Action, Guard
 
 Blackboard = dict[str, Any]
 
@@ -42,10 +42,3 @@ def function(parameters: str, lines: list[str], bb: Blackboard) -> Callable[...,
 def guard_function(parameters: str, guard: Guard, bb: Blackboard) -> Callable[..., bool]:
     """A function that says whether a guard holds."""
     return function(parameters, [f"return {condition(guard)}"], bb)
-
-
-def changes(change: Change, target: str) -> list[str]:
-    """What the program sets before an event, as statements on a dictionary or on attributes."""
-    if target == "dict":
-        return [f"bb[{flag!r}] = {value}" for flag, value in change]
-    return [f"bb.{flag} = {value}" for flag, value in change]

@@ -31,14 +31,24 @@ function prepare(behaviour) {
   const bb = blackboard(behaviour);
   const send = start(behaviour, bb);
   const steps = behaviour.steps.map(([event, change]) => [event, changes(change)]);
-  const drive = (many) => {
+  /** So many steps. */
+  const follow = (many) => {
     for (let n = 0; n < many; n++) {
       const [event, change] = steps[n % steps.length];
       if (change) change(bb);
       send(event);
     }
   };
-  return { bb, drive };
+  /** All steps, so many times. */
+  const drive = (times) => {
+    for (let n = 0; n < times; n++) {
+      for (const [event, change] of steps) {
+        if (change) change(bb);
+        send(event);
+      }
+    }
+  };
+  return { bb, follow, drive };
 }
 
 function cpu() {
@@ -51,8 +61,8 @@ function answer(order) {
     case "version":
       return { version: require(`${distribution}/package.json`).version, runtime: `Node ${process.versions.node}` };
     case "check": {
-      const { bb, drive } = prepare(order.behaviour);
-      drive(order.steps);
+      const { bb, follow } = prepare(order.behaviour);
+      follow(order.steps);
       return { counters: Object.fromEntries(order.behaviour.counters.map((counter) => [counter, bb[counter]])) };
     }
     case "load": {
@@ -63,7 +73,7 @@ function answer(order) {
     case "time": {
       const { drive } = machines.get(order.name);
       const begun = cpu();
-      drive(order.steps);
+      drive(order.times);
       return { seconds: cpu() - begun };
     }
     case "memory": {

@@ -1,0 +1,71 @@
+"""What this project makes of a behaviour: the plain class in its forms, and the agent's class."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+
+from benchmarks.behaviours.aseme import camel, labels
+from benchmarks.behaviours.description import Behaviour, Change
+from benchmarks.peers.driving import Running
+
+
+def running(behaviour: Behaviour, folder: str, form: str) -> Running:
+    """A machine that has been started.
+
+    Raises:
+        NotImplementedError: there is no such form.
+    """
+    if form == "agent":
+        return agent(behaviour, folder)
+    raise NotImplementedError("there is no plain class yet")
+
+
+def agent(behaviour: Behaviour, folder: str) -> Running:
+    """The agent's class with its whole step: inputs, blackboards, effects."""
+    from aseme_dsl.runtime.inputs import Happened, Input, Written
+
+    chart = package_of(behaviour, folder, "agent").CHARTS[behaviour.name]("agent")
+    chart.step(0, ())
+    now = 0
+    inputs: list[Input] = []
+    events = {event: Happened(event) for event, _ in behaviour.steps}
+
+    def send(event: str) -> None:
+        nonlocal now
+        now += 1
+        inputs.append(events[event])
+        chart.step(now, inputs)
+        inputs.clear()
+
+    def setter(change: Change) -> Callable[[], object]:
+        written = [Written(flag, value) for flag, value in change]
+        return lambda: inputs.extend(written)
+
+    return Running(send, chart.variable, setter, leaves_of(behaviour, chart.configuration))
+
+
+def leaves_of(
+    behaviour: Behaviour, configuration: Callable[[], tuple[str, ...]]
+) -> Callable[[], tuple[str, ...]]:
+    """What says which basic states are active, of a configuration of labels."""
+    basic = {state.name for state in behaviour.states if state.kind == "basic"}
+    names = {label: name for name, label in labels(behaviour).items() if name in basic}
+    return lambda: tuple(names[label] for label in configuration() if label in names)
+
+
+def package_of(behaviour: Behaviour, folder: str, form: str) -> ModuleType:
+    """The generated package of a behaviour in one form."""
+    root = Path(folder) / behaviour.name / form
+    name = camel(behaviour.name)
+    for module in [module for module in sys.modules if module == name or module.startswith(f"{name}.")]:
+        del sys.modules[module]
+    sys.path.insert(0, str(root))
+    try:
+        importlib.invalidate_caches()
+        return importlib.import_module(name)
+    finally:
+        sys.path.remove(str(root))
