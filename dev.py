@@ -55,6 +55,7 @@ LONG = [
     ),
     ("a real match of ten minutes", ["benchmarks/real_match.py", "10", "SIGINT"], {}),
     ("one that SIGTERM ends", ["benchmarks/real_match.py", "3", "SIGTERM"], {}),
+    ("speed, by hand and of others", ["-m", "benchmarks.peers"], {}),
     ("answers to an editor", ["benchmarks/editor.py"], {}),
     (
         "random edits",

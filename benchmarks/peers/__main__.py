@@ -20,16 +20,15 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from benchmarks.peers.compiling import compiled_into
-from benchmarks.peers.single import single_figures
-
 from benchmarks.behaviours.catalogue import BEHAVIOURS
 from benchmarks.behaviours.counts import Course, course_of
 from benchmarks.behaviours.description import Behaviour, as_json
+from benchmarks.peers.compiling import compiled_into
 from benchmarks.peers.contenders import BY_HAND, OURS, PEERS, SEND, Contender, Failed, Process
 from benchmarks.peers.environment import CACHE, Environment, prepare
 from benchmarks.peers.measuring import Results, check_all, time_in_rounds
-from benchmarks.peers.report import missed, written
+from benchmarks.peers.report import into_page, missed, written
+from benchmarks.peers.single import single_figures
 
 CHECKED = 600
 """Steps that are compared with the reference interpreter: more than one turn."""
@@ -37,7 +36,7 @@ CHECKED = 600
 CHECKED_LARGE = 64
 """The same for the largest behaviour, with which the interpreter is very slow."""
 
-GENERATIONS = 3
+GENERATIONS = 5
 """How often the processes of ours are started anew: where things lie in memory is luck."""
 
 INSTANCES = 10_000
@@ -49,9 +48,10 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--without-peers", action="store_true", help="ours and the code by hand")
     parser.add_argument("--only", nargs="+", choices=list(BEHAVIOURS), help="these behaviours")
     parser.add_argument(
-        "--rounds", type=int, default=10, help="rounds of ours in each generation of processes"
+        "--rounds", type=int, default=6, help="rounds of ours in each generation of processes"
     )
     parser.add_argument("--peer-rounds", type=int, default=7, help="rounds with the peers")
+    parser.add_argument("--write", type=Path, metavar="PAGE", help="put the figures into a page, too")
     parser.add_argument("--into", type=Path, default=CACHE, help="the folder of the report")
     options = parser.parse_args(arguments)
 
@@ -66,7 +66,7 @@ def main(arguments: Sequence[str]) -> int:
         contenders = [replace(item, how=(*item.how, ("folder", str(folder)))) for item in OURS]
         for generation in range(GENERATIONS):
             say(f"ours, generation {generation + 1} of {GENERATIONS}")
-            measure_ours(contenders, chosen, courses, options.rounds, generation == 0, results)
+            measure_ours(contenders, chosen, courses, options.rounds, generation, results)
         single_figures(folder, chosen, results)
         if not options.without_peers:
             environment = prepare()
@@ -78,6 +78,8 @@ def main(arguments: Sequence[str]) -> int:
     finally:
         shutil.rmtree(folder, ignore_errors=True)
     report = written(results, options.into)
+    if options.write:
+        into_page(results, options.write)
     say(report.read_text("utf-8"))
     say(f"report: {report}")
     found = missed(results)
@@ -96,18 +98,18 @@ def measure_ours(
     behaviours: Sequence[Behaviour],
     courses: dict[str, Course],
     rounds: int,
-    is_first: bool,
+    generation: int,
     results: Results,
 ) -> None:
     """Time ours and the code by hand, in processes that are started for this."""
-    processes = [Process(contender, Environment()) for contender in (BY_HAND, *contenders)]
+    processes = [Process(contender, Environment(), generation) for contender in (BY_HAND, *contenders)]
     try:
         for behaviour in behaviours:
-            if is_first:
+            if generation == 0:
                 check_all(processes, behaviour, courses[behaviour.name], steps_checked(behaviour), results)
             time_in_rounds("ours", processes, behaviour, rounds, results)
             say(f"  {behaviour.name}")
-        if is_first and "switch" in courses:
+        if generation == 0 and "switch" in courses:
             measure_memory(processes, results)
     finally:
         for process in processes:

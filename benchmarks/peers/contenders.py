@@ -79,6 +79,8 @@ class Process:
 
     contender: Contender
     environment: Environment
+    seed: int = 0
+    """Where the keys lie in a dictionary is luck, but must not be another one for each process."""
     process: subprocess.Popen[str] = field(init=False)
     answers: Queue[str] = field(init=False)
     said: deque[str] = field(init=False)
@@ -92,8 +94,8 @@ class Process:
         else:
             python = sys.executable if contender.group != "peer" else str(environment.python)
             command = [python, "-m", "benchmarks.peers.worker", contender.module]
-        # The order in sets must not differ from one process to the next.
-        variables = dict(os.environ, PYTHONPATH=str(ROOT), PYTHONHASHSEED="0", PYTHONWARNINGS="ignore")
+        variables = dict(os.environ, PYTHONPATH=str(ROOT), PYTHONWARNINGS="ignore")
+        variables["PYTHONHASHSEED"] = str(self.seed)
         pipe = subprocess.PIPE
         self.process = subprocess.Popen(
             command, cwd=ROOT, env=variables, stdin=pipe, stdout=pipe, stderr=pipe, text=True

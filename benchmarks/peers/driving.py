@@ -56,8 +56,13 @@ def with_attributes(
 
 
 def blackboard(behaviour: Behaviour) -> dict[str, Any]:
-    """A dictionary with all flags false and all counters 0."""
-    return dict.fromkeys(behaviour.flags, False) | dict.fromkeys(behaviour.counters, 0)
+    """A dictionary with all flags false and all counters 0.
+
+    It is made by a literal, as a person would write it: where the keys lie in it depends on how it is made.
+    """
+    first = dict.fromkeys(behaviour.flags, False) | dict.fromkeys(behaviour.counters, 0)
+    found: dict[str, Any] = function("", [f"return {first!r}"], {})()
+    return found
 
 
 def driver(running: Running, behaviour: Behaviour) -> Callable[[int], None]:

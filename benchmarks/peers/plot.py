@@ -1,4 +1,4 @@
-"""The plot: a field for each behaviour, a bar for each contender, as long as the logarithm of its time."""
+"""The plot: a field for each behaviour, a point for each contender, on a logarithmic axis."""
 
 from __future__ import annotations
 
@@ -28,9 +28,10 @@ SHORT = {
     NATIVE.key: "native build",
 }
 COLOURS = {"hand": "#444444", "ours": "#1b7f5c", "peer": "#8fa3b8"}
+HALO = 'stroke="#ffffff" stroke-width="3" paint-order="stroke"'
 COLUMNS = 2
 WIDTH, LABELS, BAR, ROW, HEAD, GAP = 470, 150, 190, 17, 30, 24
-"""Pixels: a field, what stands left of the bars, the longest bar, a row, the head, between fields."""
+"""Pixels: a field, what stands left of the points, the axis, a row, the head, between fields."""
 
 
 def plot_of(results: Results) -> str:
@@ -67,7 +68,7 @@ def plot_of(results: Results) -> str:
 def field(
     results: Results, behaviour: str, shown: list[tuple[Run, Contender]], low: int, high: int
 ) -> Iterator[str]:
-    """The bars of one behaviour."""
+    """The points of one behaviour."""
 
     def length(nanoseconds: float) -> float:
         return BAR * (math.log10(nanoseconds) - low) / (high - low)
@@ -90,16 +91,17 @@ def field(
         differs = (behaviour, contender.key) in results.differing
         bar = max(1.0, length(series.nanoseconds))
         opacity = "0.35" if differs else "1"
-        yield (
-            f'<rect x="{LABELS}" y="{y}" width="{bar:.1f}" height="{ROW - 5}" '
-            f'fill="{COLOURS[contender.group]}" opacity="{opacity}"/>'
-        )
+        colour = f'="{COLOURS[contender.group]}" opacity="{opacity}"'
+        end, middle = LABELS + bar, y + 6
+        along = f'x1="{LABELS}" y1="{middle}" x2="{end:.1f}" y2="{middle}"'
+        yield f'<line {along} stroke{colour} stroke-width="2"/>'
+        yield f'<circle cx="{end:.1f}" cy="{middle}" r="4.5" fill{colour}/>'
         beside = escape(said(series, contender, differs))
-        yield f'<text x="{LABELS + bar + 5:.1f}" y="{y + 10}">{beside}</text>'
+        yield f'<text x="{end + 8:.1f}" y="{y + 10}" {HALO}>{beside}</text>'
 
 
 def said(series: Series, contender: Contender, differs: bool) -> str:
-    """What stands beside a bar."""
+    """What stands beside a point."""
     time = readable(series.nanoseconds)
     if differs:
         return f"{time} (does otherwise)"

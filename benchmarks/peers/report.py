@@ -15,6 +15,7 @@ from benchmarks.peers.plot import plot_of
 from benchmarks.peers.targets import Row, number, rows
 
 PLOT = "performance.svg"
+BEGIN, END = "<!-- measured:", "<!-- /measured -->"
 
 
 def written(results: Results, into: Path) -> Path:
@@ -23,7 +24,8 @@ def written(results: Results, into: Path) -> Path:
     (into / PLOT).write_text(plot_of(results), encoding="utf-8")
     (into / "performance.json").write_text(json.dumps(figures(results), indent=1) + "\n", encoding="utf-8")
     report = into / "performance.md"
-    report.write_text("\n".join(lines(results)) + "\n", encoding="utf-8")
+    text = "\n".join(["# How fast generated statecharts are", *lines(results, PLOT), ""])
+    report.write_text(text, encoding="utf-8")
     return report
 
 
@@ -46,15 +48,32 @@ def is_left_out(reason: str) -> bool:
     return reason.startswith("NotImplementedError")
 
 
-def lines(results: Results) -> Iterator[str]:
+def into_page(results: Results, page: Path) -> None:
+    """Put the figures between the two marks of a page, and the plot among its pictures.
+
+    Raises:
+        ValueError: the page has no such marks.
+    """
+    text = page.read_text("utf-8")
+    head, begin, rest = text.partition(BEGIN)
+    command, arrow, rest = rest.partition("-->")
+    _, end, tail = rest.partition(END)
+    if not (begin and arrow and end):
+        raise ValueError(f"{page} has no place for the figures")
+    picture = page.parent / "pictures" / PLOT
+    picture.write_text(plot_of(results), encoding="utf-8")
+    found = "\n".join(lines(results, f"pictures/{PLOT}")).replace("\n## ", "\n### ")
+    page.write_text(f"{head}{begin}{command}{arrow}\n{found}\n{end}{tail}", encoding="utf-8")
+
+
+def lines(results: Results, plot: str) -> Iterator[str]:
     """The report."""
-    yield "# How fast generated statecharts are"
     yield ""
     yield machine()
     yield "Times are CPU time of a step; a ratio is the median over rounds of that to the code by hand in the"
     yield "same round, in brackets between which ratios the middle half of the rounds lies."
     yield ""
-    yield f"![Time of a step, relative to code written by hand]({PLOT})"
+    yield f"![CPU time of a step, by behaviour and contender]({plot})"
     yield ""
     yield "## Targets"
     yield ""

@@ -19,33 +19,9 @@ class Machine:
 
     def start(self) -> None:
         """Enter the first tower."""
-        self.enter_a()
-
-    def enter_a(self) -> None:
-        """Enter the tower a, down to the bottom."""
-        bb = self.bb
-        bb["entered_a1"] += 1
-        bb["entered_a2"] += 1
-        bb["entered_a3"] += 1
-        bb["entered_a4"] += 1
-        bb["entered_a5"] += 1
-        bb["entered_a6"] += 1
-        bb["entered_a7"] += 1
-        bb["entered_a8"] += 1
+        for level in range(1, 9):
+            self.bb[f"entered_a{level}"] += 1
         self.state = A8
-
-    def enter_b(self) -> None:
-        """Enter the tower b, down to the bottom."""
-        bb = self.bb
-        bb["entered_b1"] += 1
-        bb["entered_b2"] += 1
-        bb["entered_b3"] += 1
-        bb["entered_b4"] += 1
-        bb["entered_b5"] += 1
-        bb["entered_b6"] += 1
-        bb["entered_b7"] += 1
-        bb["entered_b8"] += 1
-        self.state = B8
 
     def send(self, event: str) -> bool:
         """Take one event; say whether anything was done."""
@@ -53,22 +29,43 @@ class Machine:
         if event == "leaf":
             if state == A8:
                 self.state = A8B
-                self.bb["entered_a8b"] += 1
+                bb = self.bb
+                bb["entered_a8b"] = bb["entered_a8b"] + 1
             elif state == A8B:
                 self.state = A8
-                self.bb["entered_a8"] += 1
+                bb = self.bb
+                bb["entered_a8"] = bb["entered_a8"] + 1
             elif state == B8:
                 self.state = B8B
-                self.bb["entered_b8b"] += 1
+                bb = self.bb
+                bb["entered_b8b"] = bb["entered_b8b"] + 1
             else:
                 self.state = B8
-                self.bb["entered_b8"] += 1
+                bb = self.bb
+                bb["entered_b8"] = bb["entered_b8"] + 1
             return True
         if event == "cross":
+            bb = self.bb
             if state <= A8B:
-                self.enter_b()
+                bb["entered_b1"] = bb["entered_b1"] + 1
+                bb["entered_b2"] = bb["entered_b2"] + 1
+                bb["entered_b3"] = bb["entered_b3"] + 1
+                bb["entered_b4"] = bb["entered_b4"] + 1
+                bb["entered_b5"] = bb["entered_b5"] + 1
+                bb["entered_b6"] = bb["entered_b6"] + 1
+                bb["entered_b7"] = bb["entered_b7"] + 1
+                bb["entered_b8"] = bb["entered_b8"] + 1
+                self.state = B8
             else:
-                self.enter_a()
+                bb["entered_a1"] = bb["entered_a1"] + 1
+                bb["entered_a2"] = bb["entered_a2"] + 1
+                bb["entered_a3"] = bb["entered_a3"] + 1
+                bb["entered_a4"] = bb["entered_a4"] + 1
+                bb["entered_a5"] = bb["entered_a5"] + 1
+                bb["entered_a6"] = bb["entered_a6"] + 1
+                bb["entered_a7"] = bb["entered_a7"] + 1
+                bb["entered_a8"] = bb["entered_a8"] + 1
+                self.state = A8
             return True
         return False
 

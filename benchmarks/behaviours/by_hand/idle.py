@@ -17,7 +17,8 @@ class Machine:
     def start(self) -> None:
         """Begin to wait."""
         self.is_woken = False
-        self.bb["entered_Waiting"] += 1
+        bb = self.bb
+        bb["entered_Waiting"] = bb["entered_Waiting"] + 1
 
     def send(self, event: str) -> bool:
         """Take one event; say whether anything was done."""
@@ -46,7 +47,7 @@ class Machine:
                 or bb["flag_20"]
             ):
                 self.is_woken = True
-                bb["entered_Woken"] += 1
+                bb["entered_Woken"] = bb["entered_Woken"] + 1
                 return True
         return False
 

@@ -20,7 +20,8 @@ class Machine:
     def start(self) -> None:
         """Turn it on, dim."""
         self.state = DIM
-        self.bb["entered_Dim"] += 1
+        bb = self.bb
+        bb["entered_Dim"] = bb["entered_Dim"] + 1
 
     def send(self, event: str) -> bool:
         """Take one event; say whether anything was done."""
@@ -28,19 +29,23 @@ class Machine:
         if state == OFF:
             if event == "turn_on":
                 self.state = DIM
-                self.bb["entered_Dim"] += 1
+                bb = self.bb
+                bb["entered_Dim"] = bb["entered_Dim"] + 1
                 return True
         elif event == "toggle":
             if state == DIM:
                 self.state = BRIGHT
-                self.bb["entered_Bright"] += 1
+                bb = self.bb
+                bb["entered_Bright"] = bb["entered_Bright"] + 1
             else:
                 self.state = DIM
-                self.bb["entered_Dim"] += 1
+                bb = self.bb
+                bb["entered_Dim"] = bb["entered_Dim"] + 1
             return True
         elif event == "turn_off":
             self.state = OFF
-            self.bb["entered_Off"] += 1
+            bb = self.bb
+            bb["entered_Off"] = bb["entered_Off"] + 1
             return True
         return False
 

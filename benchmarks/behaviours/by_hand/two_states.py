@@ -18,7 +18,8 @@ class Machine:
 
     def start(self) -> None:
         """Enter s1."""
-        self.bb["entered_s1"] += 1
+        bb = self.bb
+        bb["entered_s1"] = bb["entered_s1"] + 1
         self.state = S1
 
     def send(self, event: str) -> bool:
@@ -26,11 +27,13 @@ class Machine:
         if self.state == S1:
             if event == "ping":
                 self.state = S2
-                self.bb["entered_s2"] += 1
+                bb = self.bb
+                bb["entered_s2"] = bb["entered_s2"] + 1
                 return True
         elif event == "pong":
             self.state = S1
-            self.bb["entered_s1"] += 1
+            bb = self.bb
+            bb["entered_s1"] = bb["entered_s1"] + 1
             return True
         return False
 

@@ -7,10 +7,11 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 from benchmarks.behaviours.aseme import camel, labels
 from benchmarks.behaviours.description import Behaviour, Change
-from benchmarks.peers.driving import Running
+from benchmarks.peers.driving import Running, with_attributes, with_dictionary
 
 
 def running(behaviour: Behaviour, folder: str, form: str) -> Running:
@@ -21,7 +22,67 @@ def running(behaviour: Behaviour, folder: str, form: str) -> Running:
     """
     if form == "agent":
         return agent(behaviour, folder)
-    raise NotImplementedError("there is no plain class yet")
+    chart = class_of(behaviour, folder, form)()
+    leaves = leaves_of(behaviour, chart.configuration)
+    send = chart.send
+    if form in ("send", "post"):
+        from aseme_dsl.runtime.machine import Machine
+
+        machine = Machine(chart)
+        machine.start()
+        send = machine.send if form == "send" else machine.post
+    else:
+        chart.start()
+    if form == "dict":
+        return with_dictionary(send, chart.bb, leaves)
+    return with_attributes(send, chart.bb, leaves, "bb.changed()" if hasattr(chart.bb, "changed") else "")
+
+
+def instances(
+    behaviour: Behaviour, number: int, folder: str, form: str
+) -> tuple[list[Any], Callable[[Any], object]]:
+    """Blackboards, and what makes a machine with one.
+
+    Raises:
+        NotImplementedError: there is no such form, or it has no blackboard of its own.
+    """
+    if form == "agent":
+        raise NotImplementedError("an agent's class keeps its blackboards")
+    machine = class_of(behaviour, folder, form)
+    if form in ("send", "post"):
+        from aseme_dsl.runtime.machine import Machine
+
+        def make(bb: Any) -> object:
+            made = Machine(machine(bb))
+            made.start()
+            return made
+
+    else:
+
+        def make(bb: Any) -> object:
+            made = machine(bb)
+            made.start()
+            return made
+
+    return [machine().bb for _ in range(number)], make
+
+
+MODULES = {"dict": "dict", "typed": "typed", "send": "typed", "post": "typed", "native": "native"}
+"""The folder with the class of each form."""
+
+
+def class_of(behaviour: Behaviour, folder: str, form: str) -> type[Any]:
+    """The plain class of a behaviour.
+
+    Raises:
+        NotImplementedError: it was not built.
+    """
+    if not (Path(folder) / behaviour.name / MODULES[form]).exists():
+        raise NotImplementedError(f"there is no {form} build")
+    package = package_of(behaviour, folder, MODULES[form])
+    module = importlib.import_module(f"{package.__name__}.{behaviour.name}")
+    found: type[Any] = getattr(module, camel(behaviour.name))
+    return found
 
 
 def agent(behaviour: Behaviour, folder: str) -> Running:
