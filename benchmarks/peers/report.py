@@ -30,17 +30,22 @@ def written(results: Results, into: Path) -> Path:
 
 
 def missed(results: Results) -> list[str]:
-    """The targets that are missed, a line each; and those of ours that do not do what they should."""
-    found = [
+    """The targets that are missed, a line each."""
+    return [
         f"{row.what}: {row.found}, wanted {row.wanted} ({row.miss})"
         for row in rows(results)
-        if row.is_met is False
+        if not row.is_met
     ]
+
+
+def wrongs(results: Results) -> list[str]:
+    """What is ours, or written by hand, and does not do what it should, a line each."""
     ours = {contender.key: contender for contender in (BY_HAND, *OURS)}
-    for (behaviour, key), reason in results.refused.items():
-        if key in ours and not is_left_out(reason):
-            found.append(f"{ours[key].title}, {BEHAVIOURS[behaviour].title}: {reason}")
-    return found
+    return [
+        f"{ours[key].title}, {BEHAVIOURS[behaviour].title}: {reason}"
+        for (behaviour, key), reason in results.refused.items()
+        if key in ours and not is_left_out(reason)
+    ]
 
 
 def is_left_out(reason: str) -> bool:

@@ -1,7 +1,7 @@
 """A process that runs one contender: a JSON line of what to do in, a JSON line of what came of it out.
 
 Run as `python -m benchmarks.peers.worker MODULE`, where MODULE is one of `benchmarks.peers.adapters` with
-`start(behaviour, bb)`, or with `running(behaviour, **how)` that makes more of it. Needs nothing but the
+`maker(behaviour, bb)`, or with `running(behaviour, **how)` that makes more of it. Needs nothing but the
 library of that adapter: the environment of the peers does not have this project's package.
 """
 
@@ -37,7 +37,7 @@ class Worker:
             found: Running = self.adapter.running(behaviour, **order.get("how", {}))
             return found
         bb = blackboard(behaviour)
-        return with_dictionary(self.adapter.start(behaviour, bb), bb)
+        return with_dictionary(self.adapter.maker(behaviour, bb)(), bb)
 
     def answer(self, order: dict[str, Any]) -> dict[str, Any]:
         """Do what is asked for.
@@ -79,10 +79,12 @@ class Worker:
         if hasattr(self.adapter, "instances"):
             boards, make = self.adapter.instances(behaviour, instances, **order.get("how", {}))
         else:
-            boards = [blackboard(behaviour) for _ in range(instances)]
+            # What the instances of a library have in common knows one blackboard.
+            boards = [blackboard(behaviour)] * instances
+            start = self.adapter.maker(behaviour, boards[0])
 
             def make(bb: Any) -> object:
-                return self.adapter.start(behaviour, bb)
+                return start()
 
         kept = [make(bb) for bb in boards[:2]]  # what is made once for all
         gc.collect()

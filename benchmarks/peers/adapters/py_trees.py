@@ -15,7 +15,7 @@ from py_trees.decorators import Repeat
 from py_trees.trees import BehaviourTree
 
 from benchmarks.behaviours.description import Behaviour, Guard, entered, left
-from benchmarks.peers.adapters.python_code import Blackboard, guard_function
+from benchmarks.peers.adapters.python_code import Blackboard, Send, guard_function
 
 DISTRIBUTION = "py_trees"
 
@@ -57,18 +57,21 @@ class Condition(Node):
         return Status.SUCCESS if self.holds() else Status.FAILURE
 
 
-def start(behaviour: Behaviour, bb: Blackboard) -> Callable[[str], object]:
-    """A tree that is ready; what ticks it, whatever the event.
+def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
+    """What makes a tree and returns what ticks it, whatever the event.
 
     Raises:
         NotImplementedError: the behaviour lives from events, which a tree does not have.
     """
     if behaviour.name not in ("idle", "player"):
         raise NotImplementedError("a behaviour tree has no events")
-    root = idle(behaviour, bb) if behaviour.name == "idle" else player(bb)
-    tree = BehaviourTree(root)
-    tick = tree.tick
-    return lambda event: tick()
+
+    def start() -> Send:
+        tree = BehaviourTree(idle(behaviour, bb) if behaviour.name == "idle" else player(bb))
+        tick = tree.tick
+        return lambda event: tick()
+
+    return start
 
 
 def idle(behaviour: Behaviour, bb: Blackboard) -> Node:

@@ -8,6 +8,8 @@ from typing import Any
 from benchmarks.behaviours.description import Action, Guard
 
 Blackboard = dict[str, Any]
+Send = Callable[[str], object]
+"""What sends a machine an event."""
 
 
 def condition(guard: Guard, blackboard: str = "bb") -> str:

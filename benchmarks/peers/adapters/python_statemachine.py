@@ -8,13 +8,13 @@ from typing import Any
 from statemachine.io import create_machine_class_from_definition
 
 from benchmarks.behaviours.description import Behaviour, State
-from benchmarks.peers.adapters.python_code import Blackboard, function, guard_function, statements
+from benchmarks.peers.adapters.python_code import Blackboard, Send, function, guard_function, statements
 
 DISTRIBUTION = "python-statemachine"
 
 
-def start(behaviour: Behaviour, bb: Blackboard) -> Callable[[str], object]:
-    """A running machine; what sends it an event."""
+def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
+    """What makes a running machine of a class that is made once."""
 
     def definition(state: State, is_initial: bool) -> dict[str, Any]:
         found: dict[str, Any] = {}
@@ -42,10 +42,10 @@ def start(behaviour: Behaviour, bb: Blackboard) -> Callable[[str], object]:
         return found
 
     root = behaviour.root
-    machine = create_machine_class_from_definition(
+    made = create_machine_class_from_definition(
         "Machine",
         {child.name: definition(child, child is root.children[0]) for child in root.children},
         validate_trap_states=False,
         validate_disconnected_states=False,
-    )()
-    return machine.send  # type: ignore[no-any-return]
+    )
+    return lambda: made().send

@@ -15,13 +15,13 @@ from sismic.model import (
 )
 
 from benchmarks.behaviours.description import Behaviour, State
-from benchmarks.peers.adapters.python_code import Blackboard, condition, statements
+from benchmarks.peers.adapters.python_code import Blackboard, Send, condition, statements
 
 DISTRIBUTION = "sismic"
 
 
-def start(behaviour: Behaviour, bb: Blackboard) -> Callable[[str], object]:
-    """A running interpreter; what sends it an event."""
+def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
+    """What makes a running interpreter of a statechart that is made once."""
     chart = Statechart(behaviour.name)
 
     def make(state: State, parent: str | None) -> None:
@@ -44,13 +44,17 @@ def start(behaviour: Behaviour, bb: Blackboard) -> Callable[[str], object]:
         for priority, way in enumerate(reversed(state.transitions)):
             guard = condition(way.guard) or None
             chart.add_transition(Transition(state.name, way.target, way.event, guard, priority=priority))
-    interpreter = Interpreter(chart, initial_context={"bb": bb})
-    interpreter.execute()
     events = {event: Event(event) for event, _ in behaviour.steps}
-    queue, execute = interpreter.queue, interpreter.execute
 
-    def send(event: str) -> None:
-        queue(events[event])
-        execute()
+    def make() -> Send:
+        interpreter = Interpreter(chart, initial_context={"bb": bb})
+        interpreter.execute()
+        queue, execute = interpreter.queue, interpreter.execute
 
-    return send
+        def send(event: str) -> None:
+            queue(events[event])
+            execute()
+
+        return send
+
+    return make

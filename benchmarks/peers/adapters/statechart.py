@@ -7,37 +7,41 @@ from collections.abc import Callable
 import statechart as library
 
 from benchmarks.behaviours.description import Behaviour, State
-from benchmarks.peers.adapters.python_code import Blackboard, function, guard_function, statements
+from benchmarks.peers.adapters.python_code import Blackboard, Send, function, guard_function, statements
 
 DISTRIBUTION = "statechart"
 
 
-def start(behaviour: Behaviour, bb: Blackboard) -> Callable[[str], object]:
-    """A running statechart; what sends it an event."""
-    chart = library.Statechart(name=behaviour.name)
-    made = {behaviour.root.name: chart}
+def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
+    """What makes a running statechart; nothing of it can be made once for all."""
 
-    def make(state: State, context: object) -> None:
-        kinds = {"basic": library.State, "or": library.CompositeState, "and": library.ConcurrentState}
-        item = made[state.name] = kinds[state.kind](name=state.name, context=context)
-        if state.entry:
-            item.entry = function("event", statements(state.entry), bb)
-        if state.exit:
-            item.exit = function("event", statements(state.exit), bb)
-        for child in state.children:
-            make(child, item)
+    def start() -> Send:
+        chart = library.Statechart(name=behaviour.name)
+        made = {behaviour.root.name: chart}
 
-    for child in behaviour.root.children:
-        make(child, chart)
-    for state in behaviour.states:
-        if state.kind == "or":
-            initial = library.InitialState(made[state.name])
-            library.Transition(start=initial, end=made[state.children[0].name])
-        # One with a guard is put before those that are there: the last one is tried first.
-        for way in reversed(state.transitions):
-            guard = guard_function("event", way.guard, bb) if way.guard else None
-            library.Transition(made[state.name], made[way.target], event=way.event, guard=guard)
-    chart.start()
-    events = {event: library.Event(event) for event, _ in behaviour.steps}
-    dispatch = chart.dispatch
-    return lambda event: dispatch(events[event])
+        def make(state: State, context: object) -> None:
+            kinds = {"basic": library.State, "or": library.CompositeState, "and": library.ConcurrentState}
+            item = made[state.name] = kinds[state.kind](name=state.name, context=context)
+            if state.entry:
+                item.entry = function("event", statements(state.entry), bb)
+            if state.exit:
+                item.exit = function("event", statements(state.exit), bb)
+            for child in state.children:
+                make(child, item)
+
+        for child in behaviour.root.children:
+            make(child, chart)
+        for state in behaviour.states:
+            if state.kind == "or":
+                initial = library.InitialState(made[state.name])
+                library.Transition(start=initial, end=made[state.children[0].name])
+            # One with a guard is put before those that are there: the last one is tried first.
+            for way in reversed(state.transitions):
+                guard = guard_function("event", way.guard, bb) if way.guard else None
+                library.Transition(made[state.name], made[way.target], event=way.event, guard=guard)
+        chart.start()
+        events = {event: library.Event(event) for event, _ in behaviour.steps}
+        dispatch = chart.dispatch
+        return lambda event: dispatch(events[event])
+
+    return start

@@ -10,7 +10,7 @@ from transitions.extensions import HierarchicalMachine
 from transitions.extensions.nesting import NestedState
 
 from benchmarks.behaviours.description import Behaviour, State, walk
-from benchmarks.peers.adapters.python_code import Blackboard, function, guard_function, statements
+from benchmarks.peers.adapters.python_code import Blackboard, Send, function, guard_function, statements
 
 DISTRIBUTION = "transitions"
 
@@ -21,8 +21,8 @@ class Model:
     """What the machine is about: it gets the state and the triggers."""
 
 
-def start(behaviour: Behaviour, bb: Blackboard) -> Callable[[str], object]:
-    """A running machine; what sends it an event."""
+def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
+    """What makes a running model of a machine that is made once."""
     is_flat = all(state.kind == "basic" for state in behaviour.root.children)
     path: dict[str, str] = {}
 
@@ -59,21 +59,27 @@ def start(behaviour: Behaviour, bb: Blackboard) -> Callable[[str], object]:
     # The initial state is entered with its actions only by a transition: from a state before all others.
     states.append({"name": "before"})
     ways.append({"trigger": "begin", "source": "before", "dest": root.children[0].name})
-    model = Model()
-    (Machine if is_flat else HierarchicalMachine)(
-        model=model,
+    machine = (Machine if is_flat else HierarchicalMachine)(
+        model=None,
         states=states,
         transitions=ways,
         initial="before",
         auto_transitions=False,
         ignore_invalid_triggers=True,
     )
-    model.begin()  # type: ignore[attr-defined]
-    triggers = {event: getattr(model, event) for event, _ in behaviour.steps}
-    if len(triggers) == 1:
-        (trigger,) = triggers.values()
-        return lambda event: trigger()
-    return lambda event: triggers[event]()
+    events = {event for event, _ in behaviour.steps}
+
+    def make() -> Send:
+        model = Model()
+        machine.add_model(model)
+        model.begin()  # type: ignore[attr-defined]
+        triggers = {event: getattr(model, event) for event in events}
+        if len(triggers) == 1:
+            (trigger,) = triggers.values()
+            return lambda event: trigger()
+        return lambda event: triggers[event]()
+
+    return make
 
 
 def always_awaited(state: State) -> set[str]:

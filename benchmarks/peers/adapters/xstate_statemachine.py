@@ -9,13 +9,13 @@ from typing import Any
 from xstate_statemachine import MachineLogic, SyncInterpreter, create_machine
 
 from benchmarks.behaviours.description import Behaviour, State
-from benchmarks.peers.adapters.python_code import Blackboard, function, guard_function, statements
+from benchmarks.peers.adapters.python_code import Blackboard, Send, function, guard_function, statements
 
 DISTRIBUTION = "xstate-statemachine"
 
 
-def start(behaviour: Behaviour, bb: Blackboard) -> Callable[[str], object]:
-    """A running interpreter; what sends it an event."""
+def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
+    """What makes a running interpreter of a machine that is made once."""
     actions: dict[str, Callable[..., Any]] = {}
     guards: dict[str, Callable[..., bool]] = {}
 
@@ -45,8 +45,8 @@ def start(behaviour: Behaviour, bb: Blackboard) -> Callable[[str], object]:
         return found
 
     config = definition(behaviour.root)
-    interpreter = SyncInterpreter(create_machine(config, logic=MachineLogic(actions, guards))).start()
-    return interpreter.send  # type: ignore[return-value]
+    machine = create_machine(config, logic=MachineLogic(actions, guards))
+    return lambda: SyncInterpreter(machine).start().send
 
 
 logging.disable()

@@ -5,7 +5,7 @@ import { actionFunction, guardFunction } from "./code.mjs";
 export default function adapter(require) {
   const { Statechart } = require("@scion-scxml/core");
 
-  function start(behaviour, bb) {
+  function maker(behaviour, bb) {
     const definition = (state) => {
       const found = { id: state.name };
       if (state.entry.length) found.onEntry = actionFunction(state.entry, bb);
@@ -22,11 +22,14 @@ export default function adapter(require) {
       return found;
     };
     // A model that is not made by a function is copied as JSON, without its functions.
-    const chart = new Statechart(() => definition(behaviour.root));
-    chart.start();
+    const model = () => definition(behaviour.root);
     const events = Object.fromEntries(behaviour.steps.map(([event]) => [event, { name: event }]));
-    return (event) => chart.gen(events[event]);
+    return () => {
+      const chart = new Statechart(model);
+      chart.start();
+      return (event) => chart.gen(events[event]);
+    };
   }
 
-  return { start, distribution: "@scion-scxml/core" };
+  return { maker, distribution: "@scion-scxml/core" };
 }

@@ -8,7 +8,7 @@ import { createInterface } from "node:readline";
 
 const [folder, adapter] = process.argv.slice(2);
 const require = createRequire(join(folder, "package.json"));
-const { start, distribution } = (await import(`./${adapter}.mjs`)).default(require);
+const { maker, distribution } = (await import(`./${adapter}.mjs`)).default(require);
 
 const machines = new Map();
 
@@ -29,7 +29,7 @@ function changes(change) {
 /** A running machine with what drives it through its steps once. */
 function prepare(behaviour) {
   const bb = blackboard(behaviour);
-  const send = start(behaviour, bb);
+  const send = maker(behaviour, bb)();
   const steps = behaviour.steps.map(([event, change]) => [event, changes(change)]);
   /** So many steps. */
   const follow = (many) => {
@@ -77,17 +77,16 @@ function answer(order) {
       return { seconds: cpu() - begun };
     }
     case "memory": {
-      start(order.behaviour, blackboard(order.behaviour));
-      const boards = Array.from({ length: order.instances }, () => blackboard(order.behaviour));
-      const kept = [];
+      const make = maker(order.behaviour, blackboard(order.behaviour));
+      const kept = [make()];
       globalThis.gc();
       const before = process.memoryUsage().heapUsed;
       const begun = cpu();
-      for (const bb of boards) kept.push(start(order.behaviour, bb));
+      for (let n = 0; n < order.instances; n++) kept.push(make());
       const seconds = cpu() - begun;
       globalThis.gc();
       const bytes = process.memoryUsage().heapUsed - before;
-      return { bytes: bytes / kept.length, seconds: seconds / kept.length };
+      return { bytes: bytes / order.instances, seconds: seconds / order.instances };
     }
   }
   throw new Error(`unknown order ${order.do}`);

@@ -5,7 +5,7 @@ import { actionFunction, guardFunction } from "./code.mjs";
 export default function adapter(require) {
   const { createActor, createMachine } = require("xstate");
 
-  function start(behaviour, bb) {
+  function maker(behaviour, bb) {
     const definition = (state) => {
       const found = { id: state.name };
       if (state.entry.length) found.entry = actionFunction(state.entry, bb);
@@ -23,10 +23,13 @@ export default function adapter(require) {
       }
       return found;
     };
-    const actor = createActor(createMachine(definition(behaviour.root))).start();
+    const machine = createMachine(definition(behaviour.root));
     const events = Object.fromEntries(behaviour.steps.map(([event]) => [event, { type: event }]));
-    return (event) => actor.send(events[event]);
+    return () => {
+      const actor = createActor(machine).start();
+      return (event) => actor.send(events[event]);
+    };
   }
 
-  return { start, distribution: "xstate" };
+  return { maker, distribution: "xstate" };
 }
