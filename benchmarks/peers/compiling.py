@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions
 from aseme_dsl.backends.monas import BACKEND as MONAS

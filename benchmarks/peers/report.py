@@ -15,7 +15,7 @@ from benchmarks.peers.plot import plot_of
 from benchmarks.peers.targets import Row, number, rows
 
 PLOT = "performance.svg"
-BEGIN, END = "<!-- measured:", "<!-- /measured -->"
+BEGIN, END = "<!-- measured by", "<!-- /measured -->"
 
 
 def written(results: Results, into: Path) -> Path:
