@@ -7,7 +7,7 @@ Expressions and formulas are canonical texts, in which a `let` is written out. D
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import PurePath
 from typing import Any
 
@@ -30,16 +30,22 @@ Json = dict[str, Any]
 
 def models_json(system: System) -> dict[str, Json]:
     """Every model of a system by its file's name: `sag.json`, `eac.attack.json`, `iac.player.json`, …"""
+    return {name: make(*inputs) for name, make, inputs in model_makers(system)}
+
+
+def model_makers(system: System) -> Iterator[tuple[str, Callable[..., Json], tuple[Any, ...]]]:
+    """The same, each model as what makes it of what: of its own parts of the system, and nothing else."""
     folder = folder_of(system)
-    found = {"sag.json": sag_json(system.sag, system.name, folder)}
-    found["suc.json"] = suc_json(system.suc, system.name, folder)
+    yield "sag.json", sag_json, (system.sag, system.name, folder)
+    yield "suc.json", suc_json, (system.suc, system.name, folder)
     for aip in system.aips:
-        found[f"aip.{aip.name}.json"] = aip_json(aip, system.name, folder)
+        yield f"aip.{aip.name}.json", aip_json, (aip, system.name, folder)
+    known = {item.name: item for item in system.activities}
     for srm in system.srms:
-        found[f"srm.{srm.name}.json"] = srm_json(srm, system, folder)
+        activities = tuple(known[name] for name in srm.activities if name in known)
+        yield f"srm.{srm.name}.json", srm_json, (srm, activities, system.name, folder)
     for chart in system.statecharts:
-        found[f"{chart.kind.lower()}.{chart.name}.json"] = statechart_json(chart, folder)
-    return found
+        yield f"{chart.kind.lower()}.{chart.name}.json", statechart_json, (chart, folder)
 
 
 def json_text(model: Json) -> str:
@@ -112,13 +118,12 @@ def aip_json(aip: Aip, system: str, folder: PurePath | None = None) -> Json:
     }
 
 
-def srm_json(srm: Srm, system: System, folder: PurePath | None = None) -> Json:
+def srm_json(srm: Srm, activities: Iterable[Activity], system: str, folder: PurePath | None = None) -> Json:
     """A role: what it plays, its formulas, and its activities with what is said of them."""
-    activities = [item for name in srm.activities if (item := system.activity(name)) is not None]
     return {
         "format": FORMAT,
         "name": srm.name,
-        "system": system.name,
+        "system": system,
         **({"includes": list(srm.includes)} if srm.includes else {}),
         "plays": [
             {

@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 from pathlib import Path, PurePath
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from aseme_dsl.build.configuration import Configuration
 from aseme_dsl.build.counting import Count, amount
+from aseme_dsl.build.earlier import Earlier
 from aseme_dsl.build.manifest import hash_of
 from aseme_dsl.build.write import DISK, Disk, Planned, Written, write
 from aseme_dsl.diagnostics import NO_POLICY, Diagnostic, Policy, has_errors, in_order
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
+    from aseme_dsl.backends.backend import Known
+    from aseme_dsl.diagrams import Drawing
+    from aseme_dsl.diagrams.drawn import Drawn, Result
+
+_T = TypeVar("_T")
 
 MODELS, DIAGRAMS, PROTO = "models", "diagrams", "proto"
 PARTS = (MODELS, DIAGRAMS, PROTO)
@@ -82,12 +89,19 @@ class Report:
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
-def build(system: System, folder: Path, choice: Choice, disk: Disk = DISK) -> Report:
+def build(
+    system: System, folder: Path, choice: Choice, disk: Disk = DISK, earlier: Earlier | None = None
+) -> Report:
     """Write the models, diagrams, messages and code of a system into `folder`.
+
+    What `earlier` builds of it have made is taken from there, and nothing is counted; what is written is the
+    same.
 
     Raises:
         UnknownBackend: a backend is asked for that is not installed.
     """
+    before = earlier or Earlier()
+    known = before.known
     system = with_labels(system, choice.labels)
     backends = [name for name in choice.generated if not choice.only or name in choice.only]
     backends += sorted(name for name in choice.only if name not in (*PARTS, *backends))
@@ -96,14 +110,14 @@ def build(system: System, folder: Path, choice: Choice, disk: Disk = DISK) -> Re
     notes: list[str] = []
     diagnostics: list[Diagnostic] = []
     if MODELS in parts:
-        files += _models(system)
+        files += _models(system, known)
     if DIAGRAMS in parts:
-        files += _diagrams(system, choice, notes, diagnostics)
+        files += _diagrams(system, choice, before, notes, diagnostics)
     if PROTO in parts:
-        files += _proto(system)
+        files += _proto(system, known)
     for name in backends:
         homes = {file.home for file in files if file.home is not None}
-        files += (file for file in _code(system, name, folder, choice) if file.home not in homes)
+        files += (file for file in _code(system, name, folder, choice, known) if file.home not in homes)
     problems = choice.policy.apply(diagnostics)
     if has_errors(problems):
         return Report(system.name, folder, notes=tuple(notes), diagnostics=in_order(problems))
@@ -115,10 +129,11 @@ def build(system: System, folder: Path, choice: Choice, disk: Disk = DISK) -> Re
         source=PurePath(system.span.source.path).name if system.span else system.name,
         force=choice.force,
         disk=disk,
+        seen=before.seen,
     )
     found = in_order((*problems, *choice.policy.apply(written.diagnostics)))
     code = [file for file in files if file.part in backends]
-    count = _count(system, code, written) if code else None
+    count = _count(system, code, written) if code and earlier is None else None
     return Report(system.name, folder, written, count, tuple(notes), found)
 
 
@@ -171,58 +186,108 @@ def activities_folder(folder: Path, choice: Choice, backend: str = "monas") -> P
     return choice.activities or folder / (AGENTS[0] if backend in AGENTS else backend) / ACTIVITIES
 
 
-def _models(system: System) -> Iterator[Planned]:
-    from aseme_dsl.amola.as_json import json_text, models_json
+def _models(system: System, known: Known) -> Iterator[Planned]:
+    from aseme_dsl.amola.as_json import model_makers
 
-    for name, model in models_json(system).items():
-        yield Planned(f"{MODELS}/{name}", _bytes(json_text(model)), MODELS)
+    for name, make, inputs in model_makers(system):
+        text = _made(known, name, _model_text(make), inputs)
+        yield _planned(known, f"{MODELS}/{name}", text, MODELS)
+
+
+def _made(known: Known, name: object, make: Callable[..., _T], inputs: Iterable[object]) -> _T:
+    """`make(*inputs)`, or what it was before of equal inputs."""
+    return known.recall(make, *(known.same((name, number), item) for number, item in enumerate(inputs)))
+
+
+@cache
+def _model_text(make: Callable[..., dict[str, Any]]) -> Callable[..., str]:
+    from aseme_dsl.amola.as_json import json_text
+
+    return lambda *inputs: json_text(make(*inputs))
+
+
+def _planned(known: Known, path: str, text: str, part: str) -> Planned:
+    """A generated file: the same object as long as the text is the same."""
+    return known.recall(_of_text, path, known.whole(text), part)
+
+
+def _of_text(path: str, text: str, part: str) -> Planned:
+    return Planned(path, _bytes(text), part)
 
 
 def _diagrams(
-    system: System, choice: Choice, notes: list[str], diagnostics: list[Diagnostic]
+    system: System, choice: Choice, before: Earlier, notes: list[str], diagnostics: list[Diagnostic]
 ) -> Iterator[Planned]:
     """One drawing a model; where Graphviz cannot draw, its text, with a warning."""
-    from aseme_dsl.diagrams import DrawingFailed, Expressions, GraphvizMissing, Options, draw, drawings
+    from aseme_dsl.diagrams import DrawingFailed, Expressions, GraphvizMissing, Options, draw, makers
 
+    known = before.known
+    drawings = [
+        drawing
+        for make, inputs in makers(system, Options(Expressions(choice.expressions)))
+        for drawing in _made(known, (make, str(getattr(inputs[0], "name", ""))), make, inputs)
+    ]
     missing = False
-    for drawing in drawings(system, Options(Expressions(choice.expressions))):
-        try:
-            drawn = draw(drawing, "dot" if missing else "svg")
-        except DrawingFailed as failure:
-            missing = isinstance(failure, GraphvizMissing)
+    for drawing, made in zip(drawings, _pictures(drawings, before.pictures), strict=True):
+        drawn = draw(drawing, "dot") if missing else made
+        if isinstance(drawn, DrawingFailed):
+            missing = isinstance(drawn, GraphvizMissing)
             hint = f"{drawing.name}.dot has its text"
             if missing:
                 hint = "the .dot files have their texts; `asemec doctor` says what is there"
-            diagnostics.append(Diagnostic("W003", str(failure), None, hint=hint, path=f"{drawing.name}.svg"))
+            diagnostics.append(Diagnostic("W003", str(drawn), None, hint=hint, path=f"{drawing.name}.svg"))
             drawn = draw(drawing, "dot")
         notes += drawn.notes
         for name, content in drawn.files:
-            yield Planned(f"{DIAGRAMS}/{name}", content, DIAGRAMS)
+            yield known.recall(Planned, f"{DIAGRAMS}/{name}", content, DIAGRAMS)
 
 
-def _proto(system: System) -> Iterator[Planned]:
+def _pictures(drawings: Sequence[Drawing], before: dict[str, tuple[Drawing, Drawn]]) -> list[Result]:
+    """What came of each drawing, from `before` where it is the same; afterwards, `before` has them all."""
+    from aseme_dsl.diagrams.drawn import Drawn, draw_together
+
+    known = {
+        item.name: found[1] for item in drawings if (found := before.get(item.name)) and found[0] == item
+    }
+    new = [item for item in drawings if item.name not in known]
+    made: dict[str, Result] = {
+        **known,
+        **dict(zip((item.name for item in new), draw_together(new), strict=True)),
+    }
+    results = [made[item.name] for item in drawings]
+    before.clear()
+    before.update(
+        (item.name, (item, result))
+        for item, result in zip(drawings, results, strict=True)
+        if isinstance(result, Drawn)
+    )
+    return results
+
+
+def _proto(system: System, known: Known) -> Iterator[Planned]:
     """The messages for robots in other languages, with the files that they import: protoc needs no others."""
     from aseme_dsl.codegen.proto import file_name, proto_text
 
-    yield Planned(f"{PROTO}/{file_name(system)}", _bytes(proto_text(system)), PROTO)
+    yield _planned(known, f"{PROTO}/{file_name(system)}", proto_text(system), PROTO)
     for file in system.protos:
         if not file.name.startswith("google/protobuf/"):  # protoc has these
-            yield Planned(f"{PROTO}/{file.name}", _bytes(file.text), PROTO)
+            yield _planned(known, f"{PROTO}/{file.name}", file.text, PROTO)
 
 
-def _code(system: System, name: str, folder: Path, choice: Choice) -> Iterator[Planned]:
+def _code(system: System, name: str, folder: Path, choice: Choice, known: Known) -> Iterator[Planned]:
     """What a backend generates, in a folder of its name; what is the user's goes among the activities."""
     from aseme_dsl.backends.backend import ACTIVITIES, AGENTS, BackendOptions, find_backend
 
     activities = activities_folder(folder, choice, name)
     owner = AGENTS[0] if name in AGENTS else name
-    for artefact in find_backend(name).generate(system, BackendOptions(choice.templates)):
-        home = None
-        if artefact.kept:
-            first, _, rest = artefact.path.partition("/")
-            home = activities / rest if first == ACTIVITIES else folder / name / artefact.path
-        known = owner if artefact.kept and first == ACTIVITIES else name
-        yield Planned(f"{known}/{artefact.path}", _bytes(artefact.text), name, home)
+    for artefact in find_backend(name).generate(system, BackendOptions(choice.templates, known)):
+        if not artefact.kept:
+            yield _planned(known, f"{name}/{artefact.path}", artefact.text, name)
+            continue
+        first, _, rest = artefact.path.partition("/")
+        home = activities / rest if first == ACTIVITIES else folder / name / artefact.path
+        started = f"{owner if first == ACTIVITIES else name}/{artefact.path}"
+        yield Planned(started, _bytes(known.whole(artefact.text)), name, home)
 
 
 def _count(system: System, code: Sequence[Planned], written: Written) -> Count:

@@ -59,6 +59,29 @@ class Written:
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
+@dataclass(slots=True)
+class Seen:
+    """What a process has found of its own files when it wrote into a folder last, so as not to read it again.
+
+    A file counts as seen as long as its stamp is the same: what `stat` says of its time, size and number.
+    """
+
+    files: dict[str, tuple[Planned, Stamp]] = field(default_factory=dict)
+    manifest: tuple[Manifest, Stamp] | None = None
+
+
+Stamp = tuple[int, int, int]
+
+
+def stamp_of(path: Path | str) -> Stamp | None:
+    """What changes when a file does; None where there is none."""
+    try:
+        found = os.stat(path)  # noqa: PTH116 (a path object costs more than the question)
+    except (OSError, ValueError):
+        return None
+    return found.st_mtime_ns, found.st_size, found.st_ino
+
+
 class Disk:
     """The few things that are done to a file system, so that a test can let each of them fail."""
 
@@ -103,6 +126,7 @@ def write(
     source: str,
     force: bool = False,
     disk: Disk = DISK,
+    seen: Seen | None = None,
 ) -> Written:
     """Make `parts` of an output folder consist of `files`: all of it happens, or nothing.
 
@@ -112,16 +136,20 @@ def write(
     `system` and `source` (a file's name) say whose folder it is: another system's is an error, too.
 
     Everything is first written beside its target, then renamed. A failure on the way, or Ctrl-C, leaves what
-    was there before and no temporary files; while files are being renamed, Ctrl-C waits.
+    was there before and no temporary files; while files are being renamed, Ctrl-C waits. What was `seen` of
+    the folder when the same process wrote into it last is not read again.
     """
-    plan = _Plan(folder, force)
-    plan.look(tuple(files), parts, system, source)
+    wanted = tuple(files)
+    plan = _Plan(folder, force, seen or Seen())
+    plan.look(wanted, parts, system, source)
     if plan.errors:
         return Written(diagnostics=tuple(plan.errors))
     try:
         _carry_out(plan, disk)
     except OSError as problem:
         return Written(diagnostics=(_failed(problem, folder),))
+    if seen is not None:
+        plan.remember(wanted)
     return Written(
         tuple(plan.created),
         tuple(plan.changed),
@@ -214,6 +242,7 @@ class _Plan:
 
     folder: Path
     force: bool
+    seen: Seen = field(default_factory=Seen)
     manifest: Manifest = field(default_factory=Manifest)
     writes: list[tuple[Path, bytes]] = field(default_factory=list)
     created: list[Path] = field(default_factory=list)
@@ -238,12 +267,39 @@ class _Plan:
         for file in files:
             if file.home is not None:
                 self._look_at_kept(file, file.home, started)
+                continue
+            known = before.files.get(file.path)
+            if known is not None and self._is_seen(file):
+                self.unchanged.append(self.folder / file.path)
+                entries[file.path] = known
             else:
-                self._look_at_generated(file, before.files.get(file.path))
+                self._look_at_generated(file, known)
                 entries[file.path] = Entry(file.part, hash_of(file.content))
         self._look_at_stale({p: e for p, e in before.files.items() if p not in entries})
         self.manifest = Manifest(system, source, MappingProxyType(entries), MappingProxyType(started))
-        self._write(self.folder / NAME, manifest_text(self.manifest).encode(), listed=False)
+        if self.manifest != before or self.seen.manifest is None:
+            self._write(self.folder / NAME, manifest_text(self.manifest).encode(), listed=False)
+
+    def remember(self, files: Iterable[Planned]) -> None:
+        """Keep in mind how everything is now."""
+        written = {str(path) for path, _ in self.writes}
+        folder, known = str(self.folder), self.seen.files
+        found: dict[str, tuple[Planned, Stamp]] = {}
+        for file in files:
+            if file.home is None:
+                place = f"{folder}/{file.path}"
+                before = known.get(file.path) if str(self.folder / file.path) not in written else None
+                stamp = before[1] if before is not None and before[0] is file else stamp_of(place)
+                if stamp is not None:
+                    found[file.path] = (file, stamp)
+        self.seen.files = found
+        stamp = stamp_of(self.folder / NAME)
+        self.seen.manifest = None if stamp is None else (self.manifest, stamp)
+
+    def _is_seen(self, file: Planned) -> bool:
+        """Whether a file was written, or found to be the same, and nobody has touched it since."""
+        known = self.seen.files.get(file.path)
+        return known is not None and known[0] is file and known[1] == stamp_of(f"{self.folder}/{file.path}")
 
     def _manifest(self, system: str, source: str) -> Manifest | None:
         """The manifest of earlier builds, or None with an error."""
@@ -251,8 +307,11 @@ class _Plan:
         if there is not None and not there.is_dir():
             self.refuse(there, "is not a folder")
             return None
+        known = self.seen.manifest
+        if known is not None and known[1] != stamp_of(self.folder / NAME):
+            known = self.seen.manifest = None
         try:
-            before = read_manifest(self.folder)
+            before = read_manifest(self.folder) if known is None else known[0]
         except OSError as problem:
             self.refuse(self.folder / NAME, f"cannot be read: {problem.strerror or problem}")
             return None

@@ -85,11 +85,15 @@ class _Loader:
     lost: set[str] = field(default_factory=set)
     paths: dict[str, str] = field(default_factory=dict)
     read: Read | None = None
+    read_before: KnownProtos = field(default_factory=dict)
     places: dict[Source, tuple[Source, int]] = field(default_factory=dict)
 
 
 Read = Callable[[Source], InParts]
 """Reads the text of a file, with what it knows of earlier versions of it."""
+
+KnownProtos = dict[str, tuple[str, "ProtoImport"]]
+"""The text of each .proto file that was read, by where it is, and what protoc has made of it."""
 
 
 def load(
@@ -98,14 +102,17 @@ def load(
     *,
     largest: int = LARGEST,
     read: Read | None = None,
+    protos: KnownProtos | None = None,
 ) -> Loaded:
     """Read and parse `root` (a path, or a text that was read already) and everything that it imports.
 
     A path that is a key of `sources` (texts of an editor, say) is taken from there and not from the disk.
-    Without `read`, every file is read in one piece.
+    Without `read`, every file is read in one piece. In `protos` is kept what .proto files have said: protoc
+    is asked again only if one of them, or one that it imports, has changed.
     """
     sources = sources or {}
     loader = _Loader(sources, {_key(path): text for path, text in sources.items()}, largest, read=read)
+    loader.read_before = {} if protos is None else protos
     place = _Place(_key(str(root.path)), root.path) if isinstance(root, Source) else _place(str(root))
     loader.paths[place.shown] = place.key
     parsed = _parsed(loader, root if isinstance(root, Source) else place, None)
@@ -374,10 +381,19 @@ def _load_proto(loader: _Loader, place: _Place, item: tree.Import) -> None:
     source = _read(loader, place, item)
     if source is None:
         return
-    from aseme_dsl.interop.proto import read_proto
+    from aseme_dsl.interop.proto import is_current, read_proto
 
     buffers = {Path(path): text for path, text in loader.buffers.items()}
+    text, known = loader.read_before.get(place.key, ("", None))
+    if known is not None and text == source.text and is_current(known, source, Path(place.key), buffers):
+        known = known if known.at == item.target.span else replace(known, at=item.target.span)
+        loader.read_before[place.key] = (text, known)
+        loader.protos.append(known)
+        return
+    loader.read_before.pop(place.key, None)
     found, diagnostics = read_proto(source, Path(place.key), buffers, item.target.span)
     loader.diagnostics.extend(diagnostics)
     if found is not None:
         loader.protos.append(found)
+        if not diagnostics:
+            loader.read_before[place.key] = (source.text, found)

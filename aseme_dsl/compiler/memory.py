@@ -48,10 +48,13 @@ class Recall(Protocol):
 class Memory:
     """The results of one program's phases. What many analyses do not ask for is forgotten."""
 
-    def __init__(self) -> None:
+    def __init__(self, kept: int = KEPT) -> None:
+        self._kept = kept
         self._entries: dict[tuple[Any, ...], list[_Entry]] = {}
         self._values: dict[object, list[Any]] = {}
         self._shared: dict[object, _Shared] = {}
+        self.protos: dict[str, Any] = {}
+        """What was read of .proto files (see `load`), by where they are."""
         self._asked: dict[_Question, Any] | None = None  # by the phase that runs now
         self._number = 0
 
@@ -101,10 +104,10 @@ class Memory:
     def end(self) -> None:
         """An analysis is over."""
         self._number += 1
-        if self._number % 10:
+        if self._number % min(10, self._kept):
             return
         for key, entries in list(self._entries.items()):
-            entries[:] = [item for item in entries if item.used >= self._number - KEPT]
+            entries[:] = [item for item in entries if item.used >= self._number - self._kept]
             if not entries:
                 del self._entries[key]
 

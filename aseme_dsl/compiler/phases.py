@@ -133,7 +133,7 @@ def _inspect(
         return result[0]
 
     # The files, and what their declarations mean.
-    loaded = load(root, sources, read=read)
+    loaded = load(root, sources, read=read, protos=memory.protos)
     found += loaded.diagnostics
     is_damaged = damage(found)
     resolved = keep(resolve(loaded))

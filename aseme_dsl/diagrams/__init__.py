@@ -7,10 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 from aseme_dsl.amola.aip import Aip
-from aseme_dsl.amola.srm import Srm
+from aseme_dsl.amola.sag import Sag
+from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagrams import aip, division, sag, srm, statechart, suc, tree
 from aseme_dsl.diagrams.drawing import (
@@ -34,12 +37,14 @@ __all__ = [
     "Expressions",
     "GraphvizMissing",
     "Layout",
+    "Maker",
     "NoSuchState",
     "Options",
     "draw",
     "draw_one",
     "draw_statechart",
     "drawings",
+    "makers",
     "names",
     "program",
     "render",
@@ -58,10 +63,17 @@ def drawings(system: System, options: Options = DEFAULT) -> list[Drawing]:
         if not charts:
             raise NoSuchState(f"no statechart of {system.name} has a state {options.at}")
         return [drawing for chart in charts for drawing in draw_statechart(chart, options)]
-    made = [draw() for draw in _sheets(system).values()]
-    for chart in system.statecharts:
-        made += draw_statechart(chart, options)
-    return made
+    return [drawing for make, inputs in makers(system, options) for drawing in make(*inputs)]
+
+
+Maker = tuple[Callable[..., list[Drawing]], tuple[Any, ...]]
+"""What makes drawings, and of what: of nothing else, so that they need not be made again for the same."""
+
+
+def makers(system: System, options: Options = DEFAULT) -> list[Maker]:
+    """What makes the drawings of a system, in their order; `options.at` is nothing that they care for."""
+    charts = [(draw_statechart, (chart, options)) for chart in system.statecharts]
+    return [*_sheets(system).values(), *charts]
 
 
 def draw_one(system: System, name: str, options: Options = DEFAULT) -> Drawing | None:
@@ -73,8 +85,8 @@ def draw_one(system: System, name: str, options: Options = DEFAULT) -> Drawing |
     chart = system.chart(name)
     if chart is not None:
         return draw_statechart(chart, options)[0]
-    draw = _sheets(system).get(name)
-    return draw() if draw is not None else None
+    maker = _sheets(system).get(name)
+    return maker[0](*maker[1])[0] if maker is not None else None
 
 
 def names(system: System) -> tuple[str, ...]:
@@ -83,28 +95,35 @@ def names(system: System) -> tuple[str, ...]:
     return (*_sheets(system), *charts)
 
 
-def _sheets(system: System) -> dict[str, Callable[[], Drawing]]:
-    """What draws each model that is no statechart, by name."""
-    made: dict[str, Callable[[], Drawing]] = {}
+def _sheets(system: System) -> dict[str, Maker]:
+    """What makes the drawing of each model that is no statechart, by name."""
+    made: dict[str, Maker] = {}
     if system.sag.actors:
-        made["sag"] = lambda: of_sheet(sag.sheet(system.sag, "sag"))
+        made["sag"] = (_goals, (system.sag,))
     if system.suc.roles or system.suc.usecases:
-        made["suc"] = lambda: of_sheet(suc.sheet(system.suc, "suc"))
+        made["suc"] = (_use_cases, (system.suc,))
     for protocol in system.aips:
-        name = f"aip.{protocol.name}"
-        made[name] = partial(_protocol, protocol, name)
+        made[f"aip.{protocol.name}"] = (_protocol, (protocol,))
+    known = {item.name: item for item in system.activities}
     for role in system.srms:
-        name = f"srm.{role.name}"
-        made[name] = partial(_role, system, role, name)
+        made[f"srm.{role.name}"] = (_role, (role, tuple(known.get(name) for name in role.activities)))
     return made
 
 
-def _protocol(protocol: Aip, name: str) -> Drawing:
-    return of_sheet(aip.sheet(protocol, name))
+def _goals(goals: Sag) -> list[Drawing]:
+    return [of_sheet(sag.sheet(goals, "sag"))]
 
 
-def _role(system: System, role: Srm, name: str) -> Drawing:
-    return of_sheet(srm.sheet(system, role, name))
+def _use_cases(cases: Suc) -> list[Drawing]:
+    return [of_sheet(suc.sheet(cases, "suc"))]
+
+
+def _protocol(protocol: Aip) -> list[Drawing]:
+    return [of_sheet(aip.sheet(protocol, f"aip.{protocol.name}"))]
+
+
+def _role(role: Srm, activities: tuple[Activity | None, ...]) -> list[Drawing]:
+    return [of_sheet(srm.sheet(role, activities, f"srm.{role.name}"))]
 
 
 def draw_statechart(chart: Statechart, options: Options = DEFAULT) -> list[Drawing]:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 from aseme_dsl.diagrams.drawing import Drawing
-from aseme_dsl.diagrams.layout import TIME_LIMIT, DrawingFailed, GraphvizMissing, render
+from aseme_dsl.diagrams.layout import TIME_LIMIT, DrawingFailed, GraphvizMissing, end_all, render
 
 WHOLE = 1500
 """The most states that are tried in one picture: more take minutes, and nobody can read them."""
@@ -45,3 +48,28 @@ def draw(drawing: Drawing, format: str, *, time_limit: float = TIME_LIMIT) -> Dr
         waiting[:0] = pieces
         notes.append(f"{reason}; it is drawn in {len(pieces)} files, {item.name}.{format} is where to begin")
     return Drawn(tuple(files), tuple(notes))
+
+
+Result = Drawn | DrawingFailed
+"""What came of a drawing."""
+
+
+def draw_together(drawings: Sequence[Drawing], format: str = "svg") -> list[Result]:
+    """What comes of each drawing, as many at a time as there are processors: Graphviz is what takes long."""
+    if len(drawings) < 2:
+        return [_result(item, format) for item in drawings]
+    with ThreadPoolExecutor(min(len(drawings), os.cpu_count() or 1)) as workers:
+        waiting = [workers.submit(_result, item, format) for item in drawings]
+        try:
+            return [item.result() for item in waiting]
+        except BaseException:  # Ctrl-C, say: nobody wants the others any more
+            workers.shutdown(wait=False, cancel_futures=True)
+            end_all()
+            raise
+
+
+def _result(drawing: Drawing, format: str) -> Result:
+    try:
+        return draw(drawing, format)
+    except DrawingFailed as failure:
+        return failure

@@ -115,13 +115,18 @@ def _run(command: Sequence[str], text: str, time_limit: float) -> bytes:
         )
     except OSError as error:
         raise DrawingFailed(f"{command[0]} cannot be started: {error.strerror}") from error
+    _running.add(process)
     try:
         output, errors = process.communicate(text.encode(), timeout=time_limit)
     except subprocess.TimeoutExpired:
         raise _Flawed(f"{name} was not done after {time_limit:g} s") from None
     finally:
+        _running.discard(process)
         if process.returncode is None:
             _end(process)
+    if process in _unwanted:
+        _unwanted.discard(process)
+        raise NotWanted
     complaints = [line.strip() for line in errors.decode(errors="replace").splitlines() if _complains(line)]
     said = f" and said {complaints[0]!r}" if complaints else ""
     if process.returncode < 0:
@@ -135,6 +140,22 @@ def _run(command: Sequence[str], text: str, time_limit: float) -> bytes:
 
 def _complains(line: str) -> bool:
     return bool(_SUSPICIOUS.search(line)) and not _HARMLESS.search(line)
+
+
+class NotWanted(Exception):
+    """Graphviz was ended by `end_all`."""
+
+
+def end_all() -> None:
+    """End every Graphviz that runs now, whichever thread waits for it (there, it raises NotWanted)."""
+    for process in tuple(_running):
+        _unwanted.add(process)
+        with contextlib.suppress(ProcessLookupError):
+            process.kill()
+
+
+_running: set[subprocess.Popen[bytes]] = set()
+_unwanted: set[subprocess.Popen[bytes]] = set()
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:

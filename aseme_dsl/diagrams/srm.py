@@ -8,7 +8,6 @@ from aseme_dsl.amola.aip import NamedFormula
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.liveness import called, canonical
 from aseme_dsl.amola.srm import Activity, Functionality, Plays, Srm, Subscription
-from aseme_dsl.amola.system import System
 from aseme_dsl.diagrams import style
 from aseme_dsl.diagrams.dot import Sheet
 from aseme_dsl.diagrams.labels import Cell, wrapped
@@ -21,8 +20,8 @@ _WIDTH = 34
 _Rows = list[list[Cell]]
 
 
-def sheet(system: System, srm: Srm, name: str) -> Sheet:
-    """The table of a role. Parts that have nothing to say are left out."""
+def sheet(srm: Srm, activities: Sequence[Activity | None], name: str) -> Sheet:
+    """The table of a role and what is said of its activities. Parts that have nothing to say are left out."""
     rows: _Rows = [[Cell((f"Role: {srm.name}",), _COLUMNS, bold=True, colour=style.ACTOR_COLOUR)]]
     _part(rows, "Includes", [", ".join(srm.includes)] if srm.includes else [])
     _part(rows, "Protocols", [", ".join(map(_plays, srm.plays))] if srm.plays else [])
@@ -33,11 +32,10 @@ def sheet(system: System, srm: Srm, name: str) -> Sheet:
         "Capabilities",
         (_capability(item.name, item.activities, item.description) for item in srm.capabilities),
     )
-    activities = [(name, system.activity(name)) for name in srm.activities]
     _table(
         rows,
         ("Activity", "Functionality", "Every", "Takes", "Reads", "Writes"),
-        [_activity(name, activity) for name, activity in activities],
+        [_activity(name, said) for name, said in zip(srm.activities, activities, strict=True)],
     )
     _table(
         rows,

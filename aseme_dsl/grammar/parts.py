@@ -1,13 +1,17 @@
 """Parts: a file as a sequence of texts that are read one by one, so that what stays is not read again.
 
-The tree of a part has spans in the part; a `Layout` says where in the file each part begins.
+The tree of a part has spans in the part; a `Layout` says where in the file each part begins. Where texts are
+made from spans, the lines of a part may have numbers that occur nowhere else (`Numbers`): what was made of a
+part then stays what it is, wherever the part moves, until `Lines` puts the lines of the file into it.
 """
 
 from __future__ import annotations
 
 import re
+import secrets
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import count
 
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar import tree
@@ -49,6 +53,73 @@ class Layout:
 
 NO_PARTS = Layout()
 """Of files that were read in one piece."""
+
+
+# ---- numbers of lines ---------------------------------------------------------------------------------
+
+
+_DIGITS = 8
+"""How many digits the number of a part has, and how many that of a line in it."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Part(Source):
+    """A part of a file, whose first line has the number `above` + 1."""
+
+    above: int = 0
+
+    def position(self, offset: int) -> tuple[int, int]:
+        line, column = Source.position(self, offset)
+        return line + self.above, column
+
+    def line_start(self, number: int) -> int:
+        return Source.line_start(self, number - self.above)
+
+    def line(self, number: int) -> str:
+        return Source.line(self, number - self.above)
+
+
+class Numbers:
+    """Gives each part its own numbers for its lines: so long ones, and so begun, that no text has them."""
+
+    def __init__(self) -> None:
+        self.beginning = 10**5 + secrets.randbelow(9 * 10**5)
+        self._next = count()
+
+    def part(self, path: str, text: str) -> Part:
+        """A part with numbers that no other has."""
+        above = (self.beginning * 10**_DIGITS + next(self._next)) * 10**_DIGITS
+        return Part(path, text, above)
+
+
+class Lines:
+    """The lines of files in texts that were made from parts."""
+
+    def __init__(self, numbers: Numbers) -> None:
+        self._pattern = re.compile(rf"{numbers.beginning}(\d{{{_DIGITS}}})(\d{{{_DIGITS}}})")
+        self._above: dict[str, int] = {}
+        self._known: dict[str, tuple[frozenset[str], tuple[int, ...], str]] = {}
+        self._used: dict[str, tuple[frozenset[str], tuple[int, ...], str]] = {}
+
+    def lay_out(self, layout: Layout) -> None:
+        """From now on, parts are where this layout says. What nobody asked for since then is forgotten."""
+        self._known, self._used = self._used, {}
+        self._above = {
+            str(part.above)[-2 * _DIGITS : -_DIGITS]: file.position(base)[0] - 1
+            for part, (file, base) in layout.places.items()
+            if isinstance(part, Part)
+        }
+
+    def whole(self, text: str) -> str:
+        """The text with the lines of files; the same object as before if nothing has changed."""
+        known = self._used.get(text) or self._known.get(text)
+        parts = known[0] if known else frozenset(found[1] for found in self._pattern.finditer(text))
+        above = tuple(self._above[item] for item in parts)
+        if known is None or known[1] != above:
+            filled = self._pattern.sub(lambda found: str(self._above[found[1]] + int(found[2])), text)
+            known = (parts, above, filled if parts else text)
+        self._used[text] = known
+        return known[2]
 
 
 # ---- reading ------------------------------------------------------------------------------------------
@@ -93,9 +164,13 @@ _Key = tuple[str, str, str, int]
 
 
 class Parts:
-    """Reads the versions of one file, each with what it has read of the one before."""
+    """Reads the versions of one file, each with what it has read of the one before.
 
-    def __init__(self) -> None:
+    With `numbers`, the lines of each part have their own.
+    """
+
+    def __init__(self, numbers: Numbers | None = None) -> None:
+        self._part = Source if numbers is None else numbers.part
         self._last: tuple[Source, InParts] | None = None
         self._before: dict[_Key, _Read] = {}
         self._now: dict[_Key, _Read] = {}
@@ -146,7 +221,7 @@ class Parts:
         key = ("", text, "", number)
         known = self._before.get(key)
         if known is None:
-            part = Source(path, text)
+            part = self._part(path, text)
             file, diagnostics = parse(part)
             known = _Read(part, 0, file.language, file.declarations, file.comments, diagnostics)
         self._now[key] = known
@@ -162,7 +237,7 @@ class Parts:
         key = (before, text, behind, first)
         known = self._before.get(key)
         if known is None:
-            part = Source(path, before + text + behind)
+            part = self._part(path, before + text + behind)
             begin, end = len(before), len(before) + len(text)
             file, diagnostics = parse(part)
             own = tuple(item for item in file.declarations if begin <= item.span.start < end)

@@ -133,6 +133,42 @@ def read_proto(
     return _imported(content, source, root, name, texts, at), ()
 
 
+def is_current(known: ProtoImport, source: Source, path: Path, buffers: Mapping[Path, str]) -> bool:
+    """Whether `read_proto` would give the same again: whether no text that it came from has changed."""
+    root = _root(source, path, buffers)
+    if path.relative_to(root).as_posix() != known.name:
+        return False
+    for file in known.files:
+        if not file.name.startswith(_WELL_KNOWN):
+            place = root / file.name
+            now = source.text if file.name == known.name else buffers.get(place)
+            if file.text != (_read(place) if now is None else now):
+                return False
+    return True
+
+
+def _read(path: Path) -> str:
+    try:
+        return path.read_text("utf-8-sig")
+    except (OSError, UnicodeDecodeError):
+        return ""
+
+
+def files_behind(path: Path) -> set[Path]:
+    """The files that a .proto file imports, and those that these do, as far as they are there."""
+    found: set[Path] = set()
+    waiting = [path]
+    while waiting:
+        importer = waiting.pop()
+        for item in _IMPORT.findall(_read(importer)):
+            places = (folder / item for folder in path.parents)
+            place = next((other for other in places if other.is_file()), path.parent / item)
+            if not item.startswith(_WELL_KNOWN) and place not in found:
+                found.add(place)
+                waiting.append(place)
+    return found
+
+
 def _root(source: Source, path: Path, buffers: Mapping[Path, str]) -> Path:
     """The folder from which the file's imports are found, as protoc's `-I` would say."""
     wanted = [item for item in _IMPORT.findall(source.text) if not item.startswith(_WELL_KNOWN)]
@@ -265,12 +301,7 @@ def _imported(
 
 
 def _text(root: Path, name: str, texts: Mapping[str, str]) -> str:
-    if name in texts:
-        return texts[name]
-    try:
-        return (root / name).read_text("utf-8-sig")
-    except (OSError, UnicodeDecodeError):
-        return ""
+    return texts[name] if name in texts else _read(root / name)
 
 
 def _nested(message: Descriptor, path: tuple[int, ...]) -> Iterator[tuple[Descriptor, tuple[int, ...]]]:
