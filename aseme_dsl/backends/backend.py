@@ -79,6 +79,9 @@ class BackendOptions:
     known: Known = NOTHING_KNOWN
 
 
+DEFAULT = BackendOptions()
+
+
 class Backend(Protocol):
     """Turns a system into the files of a platform; the same system gives the same bytes."""
 

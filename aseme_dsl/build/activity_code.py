@@ -15,18 +15,20 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.amola.expression import Raised
 from aseme_dsl.amola.messages import Channel, Comm
-from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.system import System
 from aseme_dsl.build.activity_ends import wrong_outcomes
 from aseme_dsl.build.activity_given import wrong_parameters
 from aseme_dsl.build.activity_messages import unfit_messages
 from aseme_dsl.build.activity_words import unknown_messages, unknown_methods
+from aseme_dsl.build.write import stamp_of
+from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.diagnostics import Diagnostic, Related, Suppressed, closest
 from aseme_dsl.runtime.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.srm import Activity
-    from aseme_dsl.amola.system import System
 
 _ALLOW = re.compile(r"(?:#|//)\s*asemec\s*:\s*allow\s*\((?P<codes>[^()]*)\)\s*(?P<reason>.*)")
 _HISTORIES = ("history", "at", "interpolated", "mean")
@@ -38,7 +40,12 @@ _METHODS = (*_READS, *_VARIABLES, "publish", "raise_event")
 
 
 def check_code(
-    system: System, folder: Path, *, alone: bool = True, project: Path | None = None
+    system: System,
+    folder: Path,
+    *,
+    alone: bool = True,
+    project: Path | None = None,
+    memory: Memory | None = None,
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """What the Python in `folder` gets wrong of the system: W530 to W533, W540, N726.
 
@@ -46,50 +53,88 @@ def check_code(
     `# asemec: allow(CODE) reason`.
     `alone`: the folder belongs to this system only. If other systems share it, a name that nothing here is
     like may be one of theirs. `project` is the folder from which the code of modules is imported that is not
-    found by their names.
+    found by their names. With a `memory`, what has not changed since is not looked at again.
     """
     if not folder.is_dir():
         return (), ()
-    world = _World.of(system, alone)
+    memory = memory or Memory()
+    world = _World.of(system, alone, memory)
+    types = memory.same("types", System(system.name, enums=system.enums, messages=system.messages))
     found: list[Diagnostic] = []
     known: set[str] = set()
     modules: list[_Module] = []
-    pieces = _pieces(system, folder, project)
-    for piece in pieces:
+    complete = True
+    for piece in _pieces(system, folder, project):
         if piece.path is None:
+            complete = False
             continue
         known.add(str(piece.path))
-        module = _module(piece.path, found)
+        module, problems = _module(piece.path, memory)
+        found += problems
         if module is not None:
             modules.append(module)
-            found += _of_piece(module, piece, world)
-            found += unknown_methods(module.tree, module.span)
-            found += unknown_messages(module.tree, system, module.span)
-            found += unfit_messages(module.tree, system, _published(module, world), module.span)
-        elif piece.is_missing:
+            said = memory.same((piece.what, piece.said.name), piece.said)
+            seen = types if module.imports_messages else memory.same("no types", System(system.name))
+            found += memory.recall(_problems_of, module, said, piece.wanted, piece.what, seen, *world.inputs)
+            continue
+        complete = False
+        if piece.is_missing:
             message = f"the code of the module `{piece.said.name}` cannot be found"
             message += f": there is no `{piece.target.partition(':')[0]}`"
             found.append(Diagnostic("W533", message, piece.said.span))
     for path in sorted(folder.glob("*.py")):
         if str(path) not in known:
-            helper = _module(path, [])
+            helper, _ = _module(path, memory)
             if helper is not None:
                 modules.append(helper)
-                found += (problem for call in _calls(helper) for problem in _unknown(call, None, world))
-                found += unfit_messages(helper.tree, system, _published(helper, world), helper.span)
-    read = {item.source.path for item in modules}
-    if all(piece.path is not None and str(piece.path) in read for piece in pieces):
-        found += _never_raised(modules, world)
+                found += memory.recall(_problems_of_helper, helper, types, *world.inputs)
+    if complete and world.events:
+        found += _never_raised(modules, world, memory)
+    memory.end()
     kept = [item for item in found if _allowed(item) is None]
     return tuple(kept), tuple(allowed for item in found if (allowed := _allowed(item)) is not None)
 
 
-def variables_read(system: System, folder: Path, project: Path | None = None) -> frozenset[str]:
+def variables_read(
+    system: System, folder: Path, project: Path | None = None, memory: Memory | None = None
+) -> frozenset[str]:
     """The variables that the Python in `folder` reads with `context.variable("name")`."""
+    memory = memory or Memory()
+    modules = (_module(path, memory)[0] for path in code_files(system, folder, project))
+    return frozenset(
+        name for module in modules if module is not None for name in memory.recall(_variables_in, module)
+    )
+
+
+def code_files(system: System, folder: Path, project: Path | None = None) -> list[Path]:
+    """The files, there or not, that `check_code` looks at."""
     places = {piece.path for piece in _pieces(system, folder, project) if piece.path is not None}
-    modules = (_module(path, []) for path in sorted({*places, *folder.glob("*.py")}))
-    calls = (call for module in modules if module is not None for call in _calls(module))
-    return frozenset(call.name for call in calls if call.method == "variable")
+    return sorted({*places, *folder.glob("*.py")})
+
+
+def _variables_in(module: _Module) -> frozenset[str]:
+    return frozenset(call.name for call in _calls(module) if call.method == "variable")
+
+
+def _problems_of(
+    module: _Module, said: Activity, wanted: str, what: str, types: System, *world: *_WorldInputs
+) -> tuple[Diagnostic, ...]:
+    """What is wrong with the code of one activity or module."""
+    known = _World(*world)
+    return (
+        *_of_piece(module, said, wanted, what, known),
+        *unknown_methods(module.tree, module.span),
+        *unknown_messages(module.tree, types, module.span),
+        *unfit_messages(module.tree, types, _published(module, known), module.span),
+    )
+
+
+def _problems_of_helper(module: _Module, types: System, *world: *_WorldInputs) -> tuple[Diagnostic, ...]:
+    known = _World(*world)
+    return (
+        *(problem for call in _calls(module) for problem in _unknown(call, None, known)),
+        *unfit_messages(module.tree, types, _published(module, known), module.span),
+    )
 
 
 def _allowed(item: Diagnostic) -> Suppressed | None:
@@ -164,38 +209,78 @@ class _World:
     events: Mapping[str, Span]
     alone: bool
 
+    @property
+    def inputs(self) -> _WorldInputs:
+        return (
+            self.channels,
+            self.topics,
+            self.agents,
+            self.variables,
+            self.of_participants,
+            self.events,
+            self.alone,
+        )
+
     @classmethod
-    def of(cls, system: System, alone: bool) -> _World:
+    def of(cls, system: System, alone: bool, memory: Memory) -> _World:
         channels = [rules.channel for topic in system.topics for rules in topic.channels]
-        variables: dict[str, set[str]] = {}
-        of_participants: dict[str, set[str]] = {}
+        variables: dict[str, frozenset[str]] = {}
+        of_participants: dict[str, frozenset[str]] = {}
         events: dict[str, Span] = {}
         for chart in system.iacs:
-            own = {item.name.partition("@")[0] for item in chart.variables}
-            for node in chart.nodes:
-                if node.type is NodeType.BASIC and node.activity is not None:
-                    variables.setdefault(node.activity, set()).update(own)
-                    of_participants.setdefault(node.activity, set()).update(
-                        item.name.partition("@")[0]
-                        for item in chart.variables
-                        if item.scope is not None and node.label.startswith(f"{item.scope}.")
-                    )
-            for module in chart.modules:  # a participant's variables are not its own
-                mine = (item.name for item in chart.variables if "@" not in item.name)
-                variables.setdefault(module.name, set()).update(mine)
-            for transition in chart.transitions:
-                for event in transition.expression.events:
-                    if isinstance(event, Raised):
-                        events.setdefault(event.name, event.span)
+            own, inside, waited = memory.recall(_names_in, memory.same(("chart", chart.name), chart))
+            for name, known in own.items():
+                variables[name] = variables.get(name, frozenset()) | known
+            for name, known in inside.items():
+                of_participants[name] = of_participants.get(name, frozenset()) | known
+            for name, span in waited.items():
+                events.setdefault(name, span)
         return cls(
             {str(channel): channel for channel in channels},
             frozenset(topic.name for topic in system.topics),
             frozenset(agent.name for team in system.teams for agent in team.agents),
-            {name: frozenset(found) for name, found in variables.items()},
-            {name: frozenset(found) for name, found in of_participants.items()},
+            variables,
+            of_participants,
             events,
             alone,
         )
+
+
+_WorldInputs = tuple[
+    Mapping[str, Channel],
+    frozenset[str],
+    frozenset[str],
+    Mapping[str, frozenset[str]],
+    Mapping[str, frozenset[str]],
+    Mapping[str, Span],
+    bool,
+]
+
+
+_Names = dict[str, frozenset[str]]
+
+
+def _names_in(chart: Statechart) -> tuple[_Names, _Names, dict[str, Span]]:
+    """Of a role: the variables of each activity and module, those of the participants in whose branches each
+    activity stands, and the events that it waits for."""
+    variables: _Names = {}
+    of_participants: _Names = {}
+    events: dict[str, Span] = {}
+    own = frozenset(item.name.partition("@")[0] for item in chart.variables)
+    scoped = [(item.name.partition("@")[0], f"{item.scope}.") for item in chart.variables if item.scope]
+    for node in chart.nodes:
+        if node.type is NodeType.BASIC and node.activity is not None:
+            variables[node.activity] = own
+            inside = frozenset(name for name, scope in scoped if node.label.startswith(scope))
+            of_participants[node.activity] = of_participants.get(node.activity, frozenset()) | inside
+    mine = frozenset(item.name for item in chart.variables if "@" not in item.name)
+    for module in chart.modules:  # a participant's variables are not its own
+        variables[module.name] = variables.get(module.name, frozenset()) | mine
+    for transition in chart.transitions:
+        for event in transition.expression.events:
+            if isinstance(event, Raised):
+                events.setdefault(event.name, event.span)
+    return variables, of_participants, events
 
 
 # ---- modules and calls ---------------------------------------------------------------------------
@@ -206,6 +291,10 @@ class _Module:
     source: Source
     tree: ast.Module
     constants: Mapping[str, ast.Constant]
+
+    @property
+    def imports_messages(self) -> bool:
+        return ".messages" in self.source.text
 
     def span(self, node: ast.expr | ast.stmt) -> Span:
         """The place of a node: Python counts columns in bytes of UTF-8."""
@@ -230,12 +319,21 @@ class _Call:
     value: ast.expr | None = None
 
 
-def _module(path: Path, found: list[Diagnostic]) -> _Module | None:
+_Read = tuple["_Module | None", tuple[Diagnostic, ...]]
+
+
+def _module(path: Path, memory: Memory) -> _Read:
     """A module, or None; what is no Python is W533."""
+    stamp = stamp_of(path)
+    return memory.recall(_parsed, str(path), repr(stamp)) if stamp is not None else (None, ())
+
+
+def _parsed(name: str, stamp: str) -> _Read:
+    path = Path(name)
     try:
         text = path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
     except (OSError, UnicodeDecodeError):
-        return None
+        return None, ()
     source = Source(str(path), text)
     try:
         tree = ast.parse(text)
@@ -244,8 +342,7 @@ def _module(path: Path, found: list[Diagnostic]) -> _Module | None:
         start = source.line_start(line)
         span = Span(source, start, start + len(source.line(line)))
         reason = problem.msg if isinstance(problem, SyntaxError) else str(problem)
-        found.append(Diagnostic("W533", f"this is no Python: {reason}", span))
-        return None
+        return None, (Diagnostic("W533", f"this is no Python: {reason}", span),)
     constants = {
         target.id: node.value
         for node in tree.body
@@ -253,7 +350,7 @@ def _module(path: Path, found: list[Diagnostic]) -> _Module | None:
         for target in node.targets
         if isinstance(target, ast.Name)
     }
-    return _Module(source, tree, constants)
+    return _Module(source, tree, constants), ()
 
 
 def _calls(module: _Module) -> list[_Call]:
@@ -310,8 +407,9 @@ def _text(module: _Module, node: ast.expr | None) -> str | None:
 # ---- what they say -------------------------------------------------------------------------------
 
 
-def _of_piece(module: _Module, piece: _Piece, world: _World) -> Iterator[Diagnostic]:
-    activity, wanted, what = piece.said, piece.wanted, piece.what
+def _of_piece(
+    module: _Module, activity: Activity, wanted: str, what: str, world: _World
+) -> Iterator[Diagnostic]:
     classes = [node for node in module.tree.body if isinstance(node, ast.ClassDef)]
     if not any(node.name == wanted for node in classes) and not _brings(module.tree, wanted):
         start = Span(module.source, 0, 0)
@@ -433,24 +531,32 @@ def _unknown(call: _Call, activity: Activity | None, world: _World) -> Iterator[
         yield Diagnostic("W530", message, call.span)
 
 
-def _never_raised(modules: Sequence[_Module], world: _World) -> Iterator[Diagnostic]:
+def _never_raised(modules: Sequence[_Module], world: _World, memory: Memory) -> Iterator[Diagnostic]:
     """N726 for an event that a transition waits for and no code raises, as far as all of the code is there.
 
     An event whose name is computed may be any of them; one that is almost raised is W532 there.
     """
     raised: set[str] = set()
     for module in modules:
-        raised.update(call.name for call in _calls(module) if call.method == "raise_event")
-        for node in ast.walk(module.tree):
-            if isinstance(node, ast.Call) and _last(node.func) == "raise_event":
-                first = node.args[0] if node.args else next((item.value for item in node.keywords), None)
-                if _text(module, first) is None:
-                    return
+        names = memory.recall(_raised_by, module)
+        if names is None:
+            return
+        raised |= names
     meant = {closest(name, world.events) for name in raised if name not in world.events}
     for name, span in world.events.items():
         if name not in raised and name not in meant:
             hint = f'raise it in an activity: `context.raise_event("{name}")`'
             yield Diagnostic("N726", f"no activity raises the event `{name}`", span, hint=hint)
+
+
+def _raised_by(module: _Module) -> frozenset[str] | None:
+    """The events that the code raises; None if it computes the name of one."""
+    for node in ast.walk(module.tree):
+        if isinstance(node, ast.Call) and _last(node.func) == "raise_event":
+            first = node.args[0] if node.args else next((item.value for item in node.keywords), None)
+            if _text(module, first) is None:
+                return None
+    return frozenset(call.name for call in _calls(module) if call.method == "raise_event")
 
 
 def _channel_hint(name: str, world: _World) -> str:
@@ -484,4 +590,4 @@ def _missing(call: _Call, activity: Activity, world: _World) -> tuple[str, str] 
     return None
 
 
-__all__ = ["check_code", "variables_read"]
+__all__ = ["check_code", "code_files", "variables_read"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path, PurePosixPath
 from types import MappingProxyType
 from typing import Any
@@ -88,6 +89,7 @@ def manifest_text(manifest: Manifest) -> str:
     return json.dumps(document, indent=2) + "\n"
 
 
+@lru_cache(100_000)
 def is_inside(path: str) -> bool:
     """Whether a path with `/` stays in the folder that it is relative to."""
     parts = PurePosixPath(path).parts

@@ -18,11 +18,15 @@ from aseme_dsl.build.configuration import (
 )
 from aseme_dsl.build.inputs import Inputs, find_inputs
 from aseme_dsl.compiler import Options, analyse
+from aseme_dsl.compiler.phases import inspect_files
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
+from aseme_dsl.grammar.parts import NO_PARTS, Layout
 from aseme_dsl.source import Source
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
+    from aseme_dsl.build.workshop import Workshop
+    from aseme_dsl.compiler.memory import Memory
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +47,8 @@ class Compiled:
     """How many choices' conditions were not compared, because z3 is not installed."""
     depends: tuple[str, ...] = ()
     """Where all that was read or looked for really is."""
+    layout: Layout = NO_PARTS
+    """Where the parts lie in which the models' places are; those of diagnostics are in the files."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +63,8 @@ class Checked:
     files: tuple[str, ...]
     suppressed: tuple[Suppressed, ...]
     unchecked: int = 0
+    compiled: tuple[Compiled, ...] = ()
+    """What each root has become, for whoever watches."""
 
 
 def inputs_of(
@@ -91,15 +99,22 @@ def compile_root(
     max_states: int | None = None,
     sources: Mapping[str, str] | None = None,
     activities: Path | None = None,
+    workshop: Workshop | None = None,
 ) -> Compiled:
     """Compile a root, and compare the code of its activities with what it says of them.
 
     `max_states` and the folder of the `activities` go before what the configuration says; without either, the
     code is looked for where a build would put it. Texts in `sources` (by path) are taken instead of the files
-    on disk.
+    on disk. In a `workshop`, what is known of the root from before is not found out again.
     """
     configuration, problems = configuration_for(Path(path_of(root)))
-    analysis = analyse(root, sources, options_of(configuration, max_states))
+    options = options_of(configuration, max_states)
+    known = None if workshop is None else workshop.about(path_of(root))
+    if workshop is None or known is None:
+        analysis, layout = analyse(root, sources, options), NO_PARTS
+    else:
+        inspection = inspect_files(root, sources, options, known.memory, workshop.read)
+        analysis, layout = inspection.analysis, inspection.loaded.layout
     diagnostics = in_order((*problems, *analysis.diagnostics))
     system = None if has_errors(diagnostics) else analysis.system
     if system is not None and len(configuration.files) < 2:  # else a role may be of another system
@@ -107,8 +122,10 @@ def compile_root(
         system = None if has_errors(diagnostics) else system
     suppressed = analysis.suppressed
     if system is not None:
-        problems, allowed = code_problems(system, configuration, activities)
-        diagnostics = _without_read(diagnostics, system, configuration, activities)
+        memory = None if known is None else known.code
+        problems, allowed = code_problems(system, configuration, activities, memory)
+        problems = tuple(map(layout.diagnostic, problems))
+        diagnostics = _without_read(diagnostics, system, configuration, activities, memory)
         diagnostics = in_order((*diagnostics, *configuration.diagnostics.apply(problems)))
         suppressed += allowed
     files = tuple(source.path for source in system.sources) if system else ()
@@ -122,6 +139,7 @@ def compile_root(
         suppressed,
         analysis.unchecked,
         analysis.files,
+        layout,
     )
 
 
@@ -135,19 +153,19 @@ def configuration_for(root: Path) -> tuple[Configuration, tuple[Diagnostic, ...]
 
 
 def code_problems(
-    system: System, configuration: Configuration, activities: Path | None
+    system: System, configuration: Configuration, activities: Path | None, memory: Memory | None = None
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """What the code of the activities gets wrong, where there is some; several systems may share it."""
-    folder = _code_folder(configuration, activities)
+    folder = code_folder(configuration, activities)
     if folder is None:
         return (), ()
     from aseme_dsl.build.activity_code import check_code
 
     alone = len(configuration.files) < 2
-    return check_code(system, folder, alone=alone, project=configuration.folder)
+    return check_code(system, folder, alone=alone, project=configuration.folder, memory=memory)
 
 
-def _code_folder(configuration: Configuration, activities: Path | None) -> Path | None:
+def code_folder(configuration: Configuration, activities: Path | None) -> Path | None:
     """Where the code of the activities may be."""
     output = configuration.output or Path(OUTPUT)
     if activities is None and configuration.activities is None and not output.is_dir():
@@ -162,22 +180,25 @@ def _without_read(
     system: System,
     configuration: Configuration,
     activities: Path | None,
+    memory: Memory | None,
 ) -> tuple[Diagnostic, ...]:
     """Without the notes on variables that nothing reads (N725), where the code of an activity does."""
     if all(item.code != "N725" for item in diagnostics):
         return diagnostics
-    folder = _code_folder(configuration, activities)
+    folder = code_folder(configuration, activities)
     if folder is None or not folder.is_dir():
         return diagnostics
     from aseme_dsl.build.activity_code import variables_read
 
-    read = variables_read(system, folder, configuration.folder)
+    read = variables_read(system, folder, configuration.folder, memory)
     return tuple(
         item for item in diagnostics if item.code != "N725" or item.span is None or item.span.text not in read
     )
 
 
-def check(inputs: Inputs, sources: Mapping[str, str] | None = None) -> Checked:
+def check(
+    inputs: Inputs, sources: Mapping[str, str] | None = None, workshop: Workshop | None = None
+) -> Checked:
     """Everything that there is to say of all inputs.
 
     A file of a folder that declares no system is looked at through those that import it, or else by itself,
@@ -185,7 +206,7 @@ def check(inputs: Inputs, sources: Mapping[str, str] | None = None) -> Checked:
     (by path) are taken instead of the files on disk.
     """
     found = list(inputs.diagnostics)
-    compiled = [compile_root(root, sources=sources) for root in inputs.roots]
+    compiled = [compile_root(root, sources=sources, workshop=workshop) for root in inputs.roots]
     for item in compiled:
         found += [one for one in item.diagnostics if not (item.is_library and one.code == "E008")]
     seen = {os.path.realpath(path) for item in compiled for path in item.files}
@@ -194,12 +215,13 @@ def check(inputs: Inputs, sources: Mapping[str, str] | None = None) -> Checked:
     for path in inputs.others:
         files.add(str(path))
         if os.path.realpath(path) not in seen:
-            alone = compile_root(path, sources=sources)
+            alone = compile_root(path, sources=sources, workshop=workshop)
             compiled.append(alone)
             found += [item for item in alone.diagnostics if item.code != "E008"]
     suppressed = once(item for other in compiled for item in other.suppressed)
     unchecked = sum(item.unchecked for item in compiled)
-    return Checked(in_order(_without_used(found, suppressed)), tuple(sorted(files)), suppressed, unchecked)
+    diagnostics = in_order(_without_used(found, suppressed))
+    return Checked(diagnostics, tuple(sorted(files)), suppressed, unchecked, tuple(compiled))
 
 
 def once(suppressed: Iterable[Suppressed]) -> tuple[Suppressed, ...]:

@@ -28,13 +28,13 @@ class MonasBackend:
         """The package of a system, and the activities under `activities/`."""
         templates = environment(options)
         messages = messages_file(system)
-        roles = role_files(templates, system, messages, options.known)
+        roles = role_files(templates, system, messages, options)
         artefacts = [system_file(templates, system, roles), messages]
         for chart, role in zip(system.iacs, roles, strict=True):
             path = f"{system.name}/{usable(chart.name)}/__init__.py"
             known = {"system": system, "chart": chart, "source": source_of(system), "shown": False}
             artefacts += [rendered(templates, "role.py.j2", path, known), *role.files]
-        return (*artefacts, *activity_files(templates, system))
+        return (*artefacts, *activity_files(templates, system, options))
 
 
 BACKEND = MonasBackend()

@@ -6,6 +6,7 @@ import hashlib
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +15,7 @@ from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
-from aseme_dsl.backends.backend import ACTIVITIES, NOTHING_KNOWN, Artefact, BackendOptions, Known
+from aseme_dsl.backends.backend import ACTIVITIES, DEFAULT, Artefact, BackendOptions, Known
 from aseme_dsl.codegen.messages import generate_messages
 from aseme_dsl.codegen.place import in_docstring
 from aseme_dsl.codegen.plan import Sections, branch_texts, plan_sections, protocol_versions
@@ -35,10 +36,21 @@ class Filled:
 
 
 def environment(options: BackendOptions, own: Path | None = None) -> Environment:
-    """Templates by name: those of the user, of the backend (in the folder `own`), or shared."""
+    """Templates by name: those of the user, of the backend (in the folder `own`), or shared.
+
+    As long as none of the user's has changed, it is the same object.
+    """
+    files = sorted(options.templates.rglob("*")) if options.templates else []
+    return _environment(own, options.templates, tuple((path, path.stat().st_mtime_ns) for path in files))
+
+
+@lru_cache(16)
+def _environment(
+    own: Path | None, theirs: Path | None, stamps: tuple[tuple[Path, int], ...]
+) -> Environment:
     from jinja2 import ChoiceLoader, Environment, FileSystemLoader, StrictUndefined
 
-    folders = [options.templates, own, Path(__file__).parent / "templates"]
+    folders = [theirs, own, Path(__file__).parent / "templates"]
     made = Environment(
         loader=ChoiceLoader([FileSystemLoader(folder) for folder in folders if folder is not None]),
         undefined=StrictUndefined,
@@ -46,6 +58,7 @@ def environment(options: BackendOptions, own: Path | None = None) -> Environment
         lstrip_blocks=True,
         keep_trailing_newline=True,
         autoescape=False,
+        auto_reload=False,
     )
     made.filters["quoted"] = repr
     made.filters["in_docstring"] = in_docstring
@@ -69,41 +82,67 @@ def messages_file(system: System) -> Artefact:
 
 
 def role_files(
-    templates: Environment, system: System, messages: Artefact, known: Known = NOTHING_KNOWN
+    templates: Environment, system: System, messages: Artefact, options: BackendOptions
 ) -> list[Filled]:
     """The plan of each role, to read, and the class that runs it."""
+    known = options.known
     roles = [known.same(("seen", item.iacs[0].name), item) for item in seen_by_roles(system)]
     branches = [known.recall(_branches, item) for item in roles]
     versions = protocol_versions(system, branches)
-    whole_messages = known.whole(messages.text)
+    types, source = known.whole(messages.text), source_of(system)
     found: list[Filled] = []
     for seen, texts in zip(roles, branches, strict=True):
+        played = known.same(("versions", seen.iacs[0].name), {name: versions[name] for name, _ in texts})
+        plan = known.recall(_plan, seen, played)
+        step = known.recall(_step, seen)
+        # What the user's own templates ask for, nobody knows.
+        shown = system if options.templates else seen
         chart = seen.iacs[0]
-        folder = f"{system.name}/{usable(chart.name)}"
-        played = known.same(("versions", chart.name), {protocol: versions[protocol] for protocol, _ in texts})
-        sections, text = known.recall(_sections, seen, played)
-        model = _hash(known.whole(text), whole_messages)
-        given = {"system": system, "chart": chart, "source": source_of(system), "model": model}
-        constructors = sorted({item.partition("(")[0] for _, items in sections for item in items} - {""})
-        plan = templates.get_template("plan.py.j2").render(
-            given, sections=sections, constructors=["Plan", *constructors]
+        found.append(
+            known.recall(_filled, templates, shown, chart, source, plan, step, known.whole(plan.text), types)
         )
-        code = known.recall(_step, seen)
-        step = templates.get_template("step.py.j2").render(given, step=code, uses=code.uses)
-        files = (Artefact(f"{folder}/plan.py", plan), Artefact(f"{folder}/step.py", tidy(step)))
-        found.append(Filled(files, model))
     return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Plan:
+    """The sections of a role's plan, and the text that its hash is of."""
+
+    sections: Sections
+    text: str
+
+
+def _plan(seen: System, versions: Mapping[str, str]) -> _Plan:
+    chart = seen.iacs[0]
+    sections = plan_sections(seen, chart, versions)
+    return _Plan(sections, repr((chart.name, seen.name, sections)))
+
+
+def _filled(
+    templates: Environment,
+    system: System,
+    chart: Statechart,
+    source: str,
+    plan: _Plan,
+    step: StepCode,
+    plan_text: str,
+    messages: str,
+) -> Filled:
+    folder = f"{system.name}/{usable(chart.name)}"
+    model = _hash(plan_text, messages)
+    given = {"system": system, "chart": chart, "source": source, "model": model}
+    constructors = sorted({item.partition("(")[0] for _, items in plan.sections for item in items} - {""})
+    declared = templates.get_template("plan.py.j2").render(
+        given, sections=plan.sections, constructors=["Plan", *constructors]
+    )
+    running = templates.get_template("step.py.j2").render(given, step=step, uses=step.uses)
+    return Filled(
+        (Artefact(f"{folder}/plan.py", declared), Artefact(f"{folder}/step.py", tidy(running))), model
+    )
 
 
 def _branches(seen: System) -> list[tuple[str, str]]:
     return branch_texts(seen, seen.iacs[0])
-
-
-def _sections(seen: System, versions: Mapping[str, str]) -> tuple[Sections, str]:
-    """The sections of a role's plan, and the text that its hash is of."""
-    chart = seen.iacs[0]
-    sections = plan_sections(seen, chart, versions)
-    return sections, repr((chart.name, seen.name, sections))
 
 
 def _step(seen: System) -> StepCode:
@@ -133,29 +172,51 @@ def system_file(
     return rendered(templates, "system.py.j2", f"{system.name}/__init__.py", known)
 
 
-def activity_files(templates: Environment, system: System) -> Iterator[Artefact]:
+def activity_files(
+    templates: Environment, system: System, options: BackendOptions = DEFAULT
+) -> Iterator[Artefact]:
     """First versions of the activities and of the modules whose code is found by their name."""
-    yield from _activities(templates, system)
+    yield from _activities(templates, system, options.known)
     yield from _modules(templates, system)
 
 
-def _activities(templates: Environment, system: System) -> Iterator[Artefact]:
-    users: dict[str, list[Statechart]] = {}
+def _activities(templates: Environment, system: System, known: Known) -> Iterator[Artefact]:
+    users: dict[str, list[str]] = {}
     for chart in system.iacs:
-        for node in chart.nodes:
-            if node.type is NodeType.BASIC and node.activity is not None:
-                charts = users.setdefault(node.activity, [])
-                if chart not in charts:
-                    charts.append(chart)
+        for name in known.recall(_performed, chart):
+            users.setdefault(name, []).append(chart.name)
+    described = {item.name: item for item in system.activities}
+    source = source_of(system)
     for name in sorted(users):
-        known = {
-            "name": name,
-            "source": source_of(system),
-            "activity": system.activity(name),
-            "imports": _message_imports(system, system.activity(name)),
-            "roles": [chart.name for chart in users[name]],
-        }
-        yield rendered(templates, "activity.py.j2", f"{ACTIVITIES}/{module_name(name)}.py", known, kept=True)
+        said, roles = (
+            known.same(("said", name), described.get(name)),
+            known.same(("users", name), users[name]),
+        )
+        yield known.recall(_activity, templates, system.name, source, name, said, roles)
+
+
+def _performed(chart: Statechart) -> tuple[str, ...]:
+    """The activities of a role."""
+    found = (node.activity for node in chart.nodes if node.type is NodeType.BASIC)
+    return tuple(dict.fromkeys(name for name in found if name is not None))
+
+
+def _activity(
+    templates: Environment,
+    system: str,
+    source: str,
+    name: str,
+    activity: Activity | None,
+    roles: Sequence[str],
+) -> Artefact:
+    given = {
+        "name": name,
+        "source": source,
+        "activity": activity,
+        "imports": _message_imports(system, activity),
+        "roles": roles,
+    }
+    return rendered(templates, "activity.py.j2", f"{ACTIVITIES}/{module_name(name)}.py", given, kept=True)
 
 
 def _modules(templates: Environment, system: System) -> Iterator[Artefact]:
@@ -165,14 +226,14 @@ def _modules(templates: Environment, system: System) -> Iterator[Artefact]:
             if not module.target:
                 users.setdefault(module.name, []).append((chart.name, module))
     for name, found in sorted(users.items()):
-        known = {
+        given = {
             "module": found[0][1],
             "said": found[0][1].statement,
             "every": duration_text(found[0][1].statement.every or 0),
             "source": source_of(system),
             "roles": [role for role, _ in found],
         }
-        yield rendered(templates, "module.py.j2", f"{ACTIVITIES}/{module_name(name)}.py", known, kept=True)
+        yield rendered(templates, "module.py.j2", f"{ACTIVITIES}/{module_name(name)}.py", given, kept=True)
 
 
 _PYTHON = {"double": "float", "string": "str", "duration": "int"}
@@ -183,11 +244,11 @@ def _python_type(kind: Type) -> str:
     return _PYTHON.get(str(kind), str(kind))
 
 
-def _message_imports(system: System, activity: Activity | None) -> list[str]:
+def _message_imports(system: str, activity: Activity | None) -> list[str]:
     """The line that brings the messages and enums that an activity is given."""
     parameters = activity.parameters if activity is not None else ()
     names = {item.type.name for item in parameters if item.type.kind in (Kind.ENUM, Kind.MESSAGE)}
-    line = imports(sorted(names), f"monas.{system.name}.messages")
+    line = imports(sorted(names), f"monas.{system}.messages")
     return [line] if line else []
 
 
