@@ -95,11 +95,11 @@ def _files_below(folder: Path, diagnostics: list[Diagnostic]) -> Iterator[Path]:
         diagnostics.append(Diagnostic("E001", message, None, path=path))
 
     for root, folders, files in os.walk(folder, onerror=unreadable):
-        folders[:] = sorted(name for name in folders if _is_searched(Path(root, name)))
+        folders[:] = sorted(name for name in folders if is_searched(Path(root, name)))
         yield from (Path(root, name) for name in sorted(files) if name.endswith(".aseme"))
 
 
-def _is_searched(folder: Path) -> bool:
+def is_searched(folder: Path) -> bool:
     """Hidden folders hold no sources; a virtual environment has the standard library's, not the project's."""
     return not folder.name.startswith(".") and not (folder / "pyvenv.cfg").exists()
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,13 +23,19 @@ from aseme_dsl.cli.shared import (
     folder_option,
     print_diagnostics,
     standard_input,
+    summary,
+    watch_option,
     written_json,
     written_summary,
 )
-from aseme_dsl.diagnostics import has_errors, in_order
+from aseme_dsl.diagnostics import Diagnostic, has_errors, in_order
 
 if TYPE_CHECKING:
     from aseme_dsl.build.build import Report as Built
+    from aseme_dsl.build.inputs import Inputs
+    from aseme_dsl.build.project import Compiled
+    from aseme_dsl.build.workshop import Workshop
+    from aseme_dsl.cli.watching import Done
 
 
 @click.command(
@@ -58,6 +66,7 @@ if TYPE_CHECKING:
     help="original: name states as the original tools do, to compare.  [default: the project's, else plain]",
 )
 @click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
+@watch_option
 @report_options("--report")
 @colour_option
 def command(
@@ -69,41 +78,37 @@ def command(
     templates: Path | None,
     labels: str | None,
     force: bool,
+    watch: bool,
     form: str | None,
     as_json: bool,
     report: Path | None,
     colour: str,
 ) -> int:
     """Build each system; 1 if there is an error in a file, or something cannot be written."""
-    from aseme_dsl.build.build import PARTS, build, choose
-    from aseme_dsl.build.configuration import OUTPUT
-    from aseme_dsl.build.project import compile_root, inputs_of, once, path_of
+    from aseme_dsl.build.build import PARTS
+    from aseme_dsl.build.project import once, path_of
 
     form = form_of(form, as_json, report)
     check_backends((item for item in only if item not in PARTS), PARTS)
-    inputs = inputs_of(files, standard_input)
-    compiled = [compile_root(root, activities=activities) for root in inputs.roots]
-    found = [*inputs.diagnostics, *(problem for item in compiled for problem in item.diagnostics)]
-    built: list[Built] = []
-    if not has_errors(found):
-        for item in compiled:
-            assert item.system is not None
-            choice = choose(
-                item.configuration,
-                only=only,
-                backends=backends,
-                activities=activities,
-                templates=templates,
-                labels=labels,
-                force=force,
-            )
-            check_choice(
-                choice, backends, [c.name for one in compiled if one.system for c in one.system.iacs]
-            )
-            folder = output or item.configuration.output or Path(OUTPUT)
-            folder = folder / item.system.name if len(compiled) > 1 else folder
-            built.append(build(item.system, folder, choice))
-            found += built[-1].diagnostics
+    do = partial(
+        _built,
+        files,
+        output,
+        {
+            "only": only,
+            "backends": backends,
+            "activities": activities,
+            "templates": templates,
+            "labels": labels,
+            "force": force,
+        },
+    )
+    if watch:
+        from aseme_dsl.cli import watching
+
+        watching.refuse_to_watch(files, form, report)
+        return watching.watch(partial(_once, do), files, activities, templates, colour)
+    inputs, compiled, built, found = do(None)
     told = Report(
         "build",
         in_order(found),
@@ -122,6 +127,79 @@ def command(
     if form == "text" or report is not None:
         click.echo(told.closing, nl=False)
     return int(failed or has_errors(found))
+
+
+_Done = tuple["Inputs", list["Compiled"], list["Built"], list[Diagnostic]]
+"""What was meant, what it compiled to, what was built of it, and all that there is to say."""
+
+
+def _built(
+    files: tuple[str, ...], output: Path | None, chosen: dict[str, Any], workshop: Workshop | None
+) -> _Done:
+    """Compile and build once; with an error in any of the systems, none is built."""
+    from aseme_dsl.build.build import build, choose
+    from aseme_dsl.build.configuration import OUTPUT
+    from aseme_dsl.build.project import compile_root, inputs_of, path_of
+
+    inputs = inputs_of(files, standard_input)
+    compiled = [
+        compile_root(root, activities=chosen["activities"], workshop=workshop) for root in inputs.roots
+    ]
+    found = [*inputs.diagnostics, *(problem for item in compiled for problem in item.diagnostics)]
+    built: list[Built] = []
+    if not has_errors(found):
+        for item in compiled:
+            assert item.system is not None
+            choice = choose(item.configuration, **chosen)
+            check_choice(
+                choice,
+                chosen["backends"],
+                [c.name for one in compiled if one.system for c in one.system.iacs],
+            )
+            folder = output or item.configuration.output or Path(OUTPUT)
+            folder = folder / item.system.name if len(compiled) > 1 else folder
+            earlier = None if workshop is None else workshop.about(path_of(item.root)).begin(item.layout)
+            built.append(build(item.system, folder, choice, earlier=earlier))
+            found += built[-1].diagnostics
+    return inputs, compiled, built, found
+
+
+def _once(do: Callable[[Workshop], _Done], workshop: Workshop) -> Done:
+    """The same for `--watch`: what was written, in a few lines."""
+    from aseme_dsl.cli.watching import Done, named
+
+    _, compiled, built, found = do(workshop)
+    said = [
+        line
+        for item in built
+        if not has_errors(item.diagnostics)
+        for line in (_changed(item, named), *item.notes)
+    ]
+    if has_errors(found):
+        said = [f"{summary(found, 0).partition(' in ')[0]}; what was built stays as it was"]
+    written = [
+        path
+        for item in built
+        for path in (*item.written.created, *item.written.changed, *item.written.removed)
+    ]
+    return Done(in_order(found), tuple(compiled), "\n".join(said), tuple(written))
+
+
+def _changed(built: Built, named: Callable[[Sequence[str | Path]], str]) -> str:
+    """Which files have changed, where they are few."""
+    parts = (
+        (built.written.created, "new"),
+        (built.written.changed, "changed"),
+        (built.written.removed, "removed"),
+    )
+    said = [
+        f"{what} {named([_inside(path, built.folder) for path in paths])}" for paths, what in parts if paths
+    ]
+    return f"{built.system} -> {built.folder}: {'; '.join(said) or 'nothing has changed'}"
+
+
+def _inside(path: Path, folder: Path) -> str:
+    return str(path.relative_to(folder) if path.is_relative_to(folder) else path)
 
 
 def _lines(built: Built) -> list[str]:

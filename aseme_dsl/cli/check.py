@@ -19,12 +19,15 @@ from aseme_dsl.cli.shared import (
     print_diagnostics,
     standard_input,
     summary,
+    watch_option,
 )
 from aseme_dsl.diagnostics import Severity, has_errors
 
 if TYPE_CHECKING:
     from aseme_dsl.build.fix import Fixed
     from aseme_dsl.build.project import Checked
+    from aseme_dsl.build.workshop import Workshop
+    from aseme_dsl.cli.watching import Done
 
 _INSTALL_Z3 = 'pip install "aseme-dsl[check]"'
 
@@ -39,6 +42,7 @@ _INSTALL_Z3 = 'pip install "aseme-dsl[check]"'
 @click.option("--strict", is_flag=True, help="Let warnings count as errors for the exit code.")
 @click.option("--fix", "mend", is_flag=True, help="Mend what has one right answer, in the files.")
 @click.option("--diff", is_flag=True, help="With --fix: change nothing, show what would change.")
+@watch_option
 @report_options("-o", "--output")
 @colour_option
 def command(
@@ -46,6 +50,7 @@ def command(
     strict: bool,
     mend: bool,
     diff: bool,
+    watch: bool,
     form: str | None,
     as_json: bool,
     report: Path | None,
@@ -61,6 +66,13 @@ def command(
         raise click.UsageError("--diff prints a difference, which is no report: leave --format and -o away.")
     if mend and "-" in files:
         raise click.UsageError("--fix changes files, and standard input is none.")
+    if watch:
+        from aseme_dsl.cli import watching
+
+        watching.refuse_to_watch(files, form, report)
+        if mend:
+            raise click.UsageError("--watch only looks, and --fix changes files: give one of them.")
+        return watching.watch(partial(_once, files), files, None, None, colour)
     inputs = inputs_of(files, standard_input)
     if not mend:
         checked = check(inputs)
@@ -79,6 +91,14 @@ def command(
         return 1
     failed = _report(fixed.checked, fixed, form, report, colour, strict)
     return int(failed or _is_bad(fixed.checked, strict))
+
+
+def _once(files: tuple[str, ...], workshop: Workshop) -> Done:
+    from aseme_dsl.build.project import check, inputs_of
+    from aseme_dsl.cli.watching import Done
+
+    checked = check(inputs_of(files, standard_input), workshop=workshop)
+    return Done(checked.diagnostics, checked.compiled, summary(checked.diagnostics, len(checked.files)))
 
 
 def _is_bad(checked: Checked, strict: bool) -> bool:

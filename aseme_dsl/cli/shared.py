@@ -59,6 +59,12 @@ def colour_option(command: CommandT) -> CommandT:
     )(command)
 
 
+def watch_option(command: CommandT) -> CommandT:
+    """`--watch`."""
+    text = "Do it again whenever a file changes on which it depends, until Ctrl-C."
+    return click.option("-w", "--watch", is_flag=True, help=text)(command)
+
+
 def activities_option(command: CommandT) -> CommandT:
     """`--activities DIR`."""
     text = "Where your activities are.  [default: the project's, else OUTPUT/monas/activities]"

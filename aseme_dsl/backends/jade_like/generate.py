@@ -59,8 +59,8 @@ class JadeLikeBackend:
         """The package of a system, and among the activities a class a role that is the user's."""
         templates = environment(options, Path(__file__).parent / "templates")
         messages = messages_file(system)
-        roles = role_files(templates, system, messages, options.known)
-        kept = list(activity_files(templates, system))
+        roles = role_files(templates, system, messages, options)
+        kept = list(activity_files(templates, system, options))
         taken = {artefact.path for artefact in kept}
         artefacts = [system_file(templates, system, roles, shown=True), messages]
         for chart, role in zip(system.iacs, roles, strict=True):

@@ -1,0 +1,183 @@
+"""Watch: which files a command depends on, and which of them have changed since it looked at them last.
+
+Files are asked for their time, size and number, again and again: that sees what any editor does (also one
+that writes a new file and gives it the old one's name), on any file system and in any container. What it
+costs is measured, and it is done so rarely that it never takes more than a few hundredths of a processor.
+"""
+
+from __future__ import annotations
+
+import glob
+import os
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from aseme_dsl.build.activity_code import code_files
+from aseme_dsl.build.configuration import FILE
+from aseme_dsl.build.inputs import is_searched
+from aseme_dsl.build.manifest import NAME as MANIFEST
+from aseme_dsl.build.project import Compiled, code_folder, path_of
+from aseme_dsl.build.write import Stamp, stamp_of
+
+_INTERVAL = 0.04
+"""How long to wait at least between two looks, in s: nobody notices it."""
+_SHARE = 20
+"""A look may take one part in so many of the time."""
+_SETTLED = 0.015
+"""For how long nothing may have changed before it counts, in s: editors write in several steps."""
+_PATIENCE = 1.0
+"""How long is waited for that at most, in s."""
+
+_CLOCK = 10_000_000
+"""By how many ns the times of files may be behind the clock."""
+_UNKNOWN = (0, 0, 0)
+"""The stamp of a file that may have changed since it was read: the next look sees to it."""
+
+Stamps = Mapping[str, Stamp | None]
+"""What each path was when it was looked at; None where there was nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Changes:
+    """What has happened to files since the look before, by the paths that people know."""
+
+    changed: tuple[str, ...] = ()
+    created: tuple[str, ...] = ()
+    deleted: tuple[str, ...] = ()
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        return (*self.changed, *self.created, *self.deleted)
+
+
+@dataclass(slots=True)
+class Watch:
+    """The paths that a command depends on, each as it was before the command read it."""
+
+    _stamps: dict[str, Stamp | None] = field(default_factory=dict)
+    _cost: float = 0.0
+    _begun: int = 0
+
+    def begin(self) -> None:
+        """The command is about to read its files."""
+        self._begun = time.time_ns() - _CLOCK
+        self._stamps = self._look(self._stamps)
+
+    def depend(self, paths: Iterable[str], written: Iterable[Path] = ()) -> None:
+        """The command has read these; all others are left out.
+
+        What it has written itself (and the folders around that) counts as it is now, and so does what is new
+        among them, unless somebody may have changed it since it was read.
+        """
+        own = {str(item) for path in written for item in (path, path.parent)}
+        known, self._stamps = self._stamps, {}
+        for path in paths:
+            if path in known and path not in own:
+                self._stamps[path] = known[path]
+                continue
+            stamp = stamp_of(path)
+            is_late = stamp is not None and stamp[0] >= self._begun and path not in own
+            self._stamps[path] = _UNKNOWN if is_late and Path(path).is_file() else stamp
+
+    def wait(self, until: Callable[[], bool] = lambda: False) -> Changes | None:
+        """Wait for a change, and until nothing more changes; None as soon as `until` says so."""
+        while not until():
+            time.sleep(max(_INTERVAL, _SHARE * self._cost))
+            before = self._stamps
+            now = self._look(before)
+            if now != before:
+                return _changes(before, self._settled(now))
+        return None
+
+    def _settled(self, now: dict[str, Stamp | None]) -> Stamps:
+        end = time.monotonic() + _PATIENCE
+        while time.monotonic() < end:
+            time.sleep(_SETTLED)
+            before, now = now, self._look(now)
+            if now == before:
+                break
+        return now
+
+    def _look(self, paths: Iterable[str]) -> dict[str, Stamp | None]:
+        begun = time.thread_time()
+        found = {path: stamp_of(path) for path in paths}
+        self._cost = time.thread_time() - begun
+        return found
+
+
+def _changes(before: Stamps, now: Stamps) -> Changes:
+    different = [path for path in now if before[path] != now[path]]
+    files = [path for path in different if not Path(path).is_dir()] or different
+    once: dict[str, str] = {}
+    for path in sorted(map(_shown, files), key=len):
+        once.setdefault(os.path.realpath(path), path)
+    kinds: dict[bool | None, list[str]] = {True: [], False: [], None: []}
+    for path in files:
+        if _shown(path) in once.values():
+            kind = None if now[path] is None else before[path] is not None
+            if _shown(path) not in kinds[kind]:
+                kinds[kind].append(_shown(path))
+    return Changes(*(tuple(sorted(kinds[kind])) for kind in (True, False, None)))
+
+
+def watched(
+    arguments: Sequence[str], compiled: Iterable[Compiled], activities: Path | None, templates: Path | None
+) -> set[str]:
+    """The paths on which it depends what a command says or writes, whether there is anything or not.
+
+    Of files: what was read or looked for, the configuration, the Python of activities and modules, .proto
+    files behind others, and templates. Of folders: where a file that is new would count.
+    """
+    found: set[str] = set()
+    folders: set[str] = set()
+    folders_around = {Path().absolute()}
+    for argument in arguments or (".",):
+        folders |= _folders(argument)
+    for item in compiled:
+        root = path_of(item.root)
+        found |= {root, *item.depends}
+        for path in item.depends:
+            if path.endswith(".proto"):
+                from aseme_dsl.interop.proto import files_behind
+
+                found |= {str(other) for other in files_behind(Path(path))}
+        folders_around.add(Path(root).parent.absolute())
+        code = code_folder(item.configuration, activities)
+        if code is not None:
+            folders.add(str(code))
+            if item.system is not None:
+                found |= {str(path) for path in code_files(item.system, code, item.configuration.folder)}
+            else:
+                found |= {str(path) for path in code.glob("*.py")}
+        own = templates or item.configuration.templates
+        if own is not None:
+            folders |= {str(own), *(str(path) for path in own.rglob("*"))}
+    found |= {str(folder / FILE) for around in folders_around for folder in (around, *around.parents)}
+    return found | folders
+
+
+def _folders(argument: str) -> set[str]:
+    """The folders in which a new file would be meant by an argument; what is built is not among them."""
+    if glob.has_magic(argument):
+        parts = Path(argument).parts
+        fixed = next(number for number, part in enumerate(parts) if glob.has_magic(part))
+        argument = str(Path(*parts[:fixed]))
+    if not Path(argument).is_dir():
+        return set()
+    found: set[str] = set()
+    for folder, inner, _ in os.walk(argument):
+        inner[:] = [name for name in inner if is_searched(Path(folder, name))]
+        inner[:] = [name for name in inner if not Path(folder, name, MANIFEST).exists()]
+        found.add(folder)
+    return found
+
+
+def _shown(path: Path | str) -> str:
+    """A path as seen from here, if it is below."""
+    here = Path().absolute()
+    return str(Path(path).relative_to(here)) if Path(path).is_relative_to(here) else str(path)
+
+
+__all__ = ["Changes", "Watch", "watched"]
