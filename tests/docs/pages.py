@@ -68,6 +68,7 @@ NOT_RUN = (
     r"asemec .* --real\b.*",
     r"asemec node .*",
     r"asemec view .*",
+    r"asemec .* --watch",
     r"asemec completion fish > .*",
 )
 """What an `sh` example may say."""
