@@ -45,9 +45,7 @@ def environment(options: BackendOptions, own: Path | None = None) -> Environment
 
 
 @lru_cache(16)
-def _environment(
-    own: Path | None, theirs: Path | None, stamps: tuple[tuple[Path, int], ...]
-) -> Environment:
+def _environment(own: Path | None, theirs: Path | None, stamps: tuple[tuple[Path, int], ...]) -> Environment:
     from jinja2 import ChoiceLoader, Environment, FileSystemLoader, StrictUndefined
 
     folders = [theirs, own, Path(__file__).parent / "templates"]
