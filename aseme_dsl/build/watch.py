@@ -79,7 +79,7 @@ class Watch:
                 continue
             stamp = stamp_of(path)
             is_late = stamp is not None and stamp[0] >= self._begun and path not in own
-            self._stamps[path] = _UNKNOWN if is_late and Path(path).is_file() else stamp
+            self._stamps[path] = _UNKNOWN if is_late else stamp
 
     def wait(self, until: Callable[[], bool] = lambda: False) -> Changes | None:
         """Wait for a change, and until nothing more changes; None as soon as `until` says so."""

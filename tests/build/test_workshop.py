@@ -19,7 +19,7 @@ FILES = [
     *sorted((ROOT / "tests" / "acceptance").rglob("*.aseme")),
     *sorted((ROOT / "examples").rglob("*.aseme")),
 ]
-CHOICE = Choice(only=frozenset({"models", "proto", "monas"}))
+CHOICE = Choice(only=frozenset({"models", "proto", "monas", "jade_like"}))
 
 
 def contents(folder: Path) -> dict[str, bytes]:
