@@ -93,6 +93,11 @@ class Backend(Protocol):
         """All files of the system, generated ones and first versions of the user's."""
 
 
+def message_modules(system: str) -> frozenset[str]:
+    """The modules from which activities may import the messages of a system, whichever backend is played."""
+    return frozenset(f"{name}.{system}.messages" for name in AGENTS)
+
+
 class UnknownBackend(LookupError):
     """There is no backend of that name; `known` are those that there are."""
 

@@ -10,6 +10,7 @@ import ast
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from aseme_dsl.backends.backend import message_modules
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.source import Span
 
@@ -44,10 +45,11 @@ def _names(tree: ast.Module, system: System) -> Mapping[str, str | None]:
     """What names of the module mean: a message of the system, or (None) a class that is none."""
     messages = {item.name for item in system.messages}
     names: dict[str, str | None] = {}
+    modules = message_modules(system.name)
     for node in tree.body:
         if isinstance(node, ast.ClassDef) and not node.bases:
             names[node.name] = None
-        if isinstance(node, ast.ImportFrom) and node.module == f"monas.{system.name}.messages":
+        if isinstance(node, ast.ImportFrom) and node.module in modules:
             names.update(
                 (alias.asname or alias.name, alias.name) for alias in node.names if alias.name in messages
             )

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from aseme_dsl.backends.backend import message_modules
 from aseme_dsl.diagnostics import Diagnostic, closest
 from aseme_dsl.source import Span
 
@@ -54,8 +55,9 @@ def unknown_messages(tree: ast.Module, system: System, place: Place) -> Iterator
     fields = {item.name: {field.name for field in item.fields} for item in system.messages}
     constants = {item.name: {name for name, _ in item.constants} for item in system.enums}
     imported: dict[str, str] = {}
+    modules = message_modules(system.name)
     for node in ast.walk(tree):
-        if not isinstance(node, ast.ImportFrom) or node.module != f"monas.{system.name}.messages":
+        if not isinstance(node, ast.ImportFrom) or node.module not in modules:
             continue
         for alias in node.names:
             if alias.name in fields or alias.name in constants:

@@ -189,9 +189,10 @@ class _Clocks:
 
 @lru_cache(maxsize=4)
 def _loaded(package: Path, configuration_folder: Path) -> Loaded:
-    from aseme_dsl.runtime.loading import load_system
+    from aseme_dsl.backends.backend import AGENTS
+    from aseme_dsl.runtime.loading import Mixture, load_system
 
-    return load_system(package, path=[configuration_folder.resolve()])
+    return load_system(package, path=[configuration_folder.resolve()], mixture=Mixture(names=AGENTS))
 
 
 def run(package: Path, seed: int, plan: Plan) -> Run:

@@ -40,7 +40,7 @@ def act(takes: Any = 0.0, says: Any = None, breaks: Any = False, **sets: Any) ->
     return Act(takes, sets, says, breaks)
 
 
-def _kind(generated: Generated, name: str, what: Act) -> type[Any]:
+def kind_of(generated: Generated, name: str, what: Act) -> type[Any]:
     starts: dict[str, int] = {}
 
     class Activity:
@@ -385,7 +385,7 @@ def played(end: End) -> Played:
     made = generated(item.name)
     acts = {**item.acts, **end.acts}
     assert set(acts) == set(item.acts), "an activity that the protocol does not have"
-    return play(made, {name: _kind(made, name, what) for name, what in acts.items()}, until=LIMIT)
+    return play(made, {name: kind_of(made, name, what) for name, what in acts.items()}, until=LIMIT)
 
 
 @pytest.mark.parametrize("item", PROTOCOLS, ids=str)
@@ -434,7 +434,7 @@ def test_an_order_to_somebody_who_has_ended_is_not_understood() -> None:
       control responder_role { enter Nap : [true]  enter responder : else }"""
     made = generate(item.text().replace("responder_role = responder }", napping))
     acts = {**item.acts, "PrepareOrder": act(2, says=("Order", {"id": "1"}))}
-    run = play(made, {name: _kind(made, name, what) for name, what in acts.items()}, until=LIMIT)
+    run = play(made, {name: kind_of(made, name, what) for name, what in acts.items()}, until=LIMIT)
     assert said(run) == [
         "2 s ann request Order (id 1) to bob",
         "2 s bob did not expect request Order: bob has ended",

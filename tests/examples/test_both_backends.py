@@ -1,0 +1,71 @@
+"""Whichever backend an agent is of: the traces of monas, of jade_like and of teams of both are the same."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.build.build import Choice, activities_folder, build
+from aseme_dsl.build.play import Request, load, play
+from aseme_dsl.build.project import compile_root
+from aseme_dsl.diagnostics import has_errors
+
+ROOT = Path(__file__).parents[2]
+PROGRAMS = sorted(
+    path
+    for path in [*(ROOT / "tests/acceptance").glob("*.aseme"), *ROOT.glob("examples/*/*.aseme")]
+    if "\nsystem " in path.read_text("utf-8")
+)
+SECOND = 1_000_000_000
+
+INPUTS = {
+    "testbehavior": [
+        {"at": "0s", "channel": "game.state.GameState", "message": {"player_state": "PLAYING"}},
+        {"at": "0s", "channel": "vision.state.Ball", "message": {"visible": True}},
+        {"at": "3s", "channel": "vision.state.Ball", "message": {"visible": False}},
+        {"at": "5s", "channel": "game.state.GameState", "message": {"player_state": "PENALISED"}},
+        {"at": "8s", "channel": "game.state.GameState", "message": {"player_state": "FINISHED"}},
+    ]
+}
+"""What programs are given that nobody else gives anything."""
+
+
+def trace(path: Path, folder: Path, backend: str, roles: Mapping[str, str] | None = None) -> bytes:
+    """The trace of a program whose agents are of a backend, but for these roles."""
+    compiled = compile_root(path)
+    assert compiled.system is not None
+    configuration = compiled.configuration
+    choice = Choice(backends=(backend,), roles=roles or {}, activities=configuration.activities)
+    built = build(compiled.system, folder, replace(choice, only=frozenset(choice.generated)))
+    assert not has_errors(built.diagnostics)
+    loaded = load(folder, compiled.system.name, configuration, choice)
+    kinds = {role: chart.__module__.partition(".")[0] for role, chart in loaded.charts.items()}
+    assert kinds == {role: (roles or {}).get(role, backend) for role in loaded.charts}
+    assert {kind for role, kind in kinds.items() if loaded.charts[role].AGENT is not None} <= {"jade_like"}
+    lines = folder / f"trace.{backend}.{len(roles or {})}.jsonl"
+    plan = None if loaded.team else next(iter(loaded.charts))
+    script = folder / "input.jsonl"
+    script.write_text("".join(json.dumps(line) + "\n" for line in INPUTS.get(path.stem, ())), "utf-8")
+    request = Request(plan=plan, duration=10 * SECOND, seed=7, trace=lines, script=script)
+    play(loaded, activities_folder(folder, choice), configuration, request, tell=lambda line: None)
+    return lines.read_bytes()
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: f"{path.parent.name}-{path.stem}")
+def test_one_seed_is_one_trace(program: Path, tmp_path: Path) -> None:
+    project = tmp_path / "project"
+    shutil.copytree(program.parent, project, ignore=shutil.ignore_patterns("build", "out", "__pycache__"))
+    path, folder = project / program.name, tmp_path / "out"
+    expected = trace(path, folder, "monas")
+    assert expected.count(b"\n") > 10
+    assert trace(path, folder, "jade_like") == expected
+    system = compile_root(path).system
+    assert system is not None
+    roles = [chart.name for chart in system.iacs]
+    assert trace(path, folder, "monas", {roles[0]: "jade_like"}) == expected
+    assert trace(path, folder, "jade_like", dict.fromkeys(roles[1:], "monas")) == expected
