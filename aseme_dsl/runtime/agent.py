@@ -9,6 +9,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime import context as c
+from aseme_dsl.runtime import directory as d
+from aseme_dsl.runtime.acl import AgentIdentifier
 from aseme_dsl.runtime.activities import ActivityFinder
 from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.behaviours import JadeLikeAgent, agent_class
@@ -406,11 +408,13 @@ class Agent:
         if not self.over:
             self.begin_as(type(self.chart)(self.name), self.executions.find, self.messages, dead=True)
             self.down = True
+            self.conversations.directory.disappeared(self.name)
 
     def restart(self) -> None:
         """Start afresh after a crash."""
         if self.down:
             self.down = False
+            self.conversations.directory.appeared(self.name, self.plan)
             self.begin()
 
     def _lose(self, inputs: Iterable[Posted]) -> None:
@@ -553,10 +557,23 @@ class Agent:
                 self.conversations.send(
                     self, execution.branch, performative, type(message).__name__, message, to
                 )
+            case d.Offer(services, lease, anew):
+                entry = d.Entry(AgentIdentifier(self.name), services)
+                directory = self.conversations.directory
+                self._settle(lambda: (directory.modify if anew else directory.register)(entry, lease))
+            case d.Withdraw():
+                self._settle(lambda: self.conversations.directory.deregister(self.name))
             case c.Log(text):
                 self.trace.write(
                     "log", now, agent=self.name, activity=activity, label=execution.label, text=text
                 )
+
+    def _settle(self, change: Callable[[], object]) -> None:
+        """Change what is registered; tell if that cannot be any more."""
+        try:
+            change()
+        except d.DirectoryError as problem:
+            self.trace.fault(self.driver.clock.now(), self.name, f"the directory: {problem}")
 
     def take_mail(
         self,
@@ -609,6 +626,11 @@ class Agent:
             known = ", ".join(sorted({v.name.partition("@")[0] for v in self.plan.variables})) or "none"
             raise LookupError(f"no variable {name} here; {self.role} has {known}")
         return max(found, key=lambda variable: len(variable.scope or ""))
+
+    def check_registered(self, wanted: bool) -> None:
+        """Raises DirectoryError if the agent has registered what it offers, or (`wanted`) if it has not."""
+        if self.conversations.directory.has_registered(self.name) != wanted:
+            raise (d.not_registered if wanted else d.already_registered)(self.name)
 
     def check_send(self, branch: str | None, performative: str, message: str, to: str) -> None:
         """Raises LookupError if an activity of this branch cannot send such a message to `to`."""

@@ -9,6 +9,7 @@ from typing import Any, Protocol, TypeVar, overload
 from aseme_dsl.runtime import history
 from aseme_dsl.runtime.body import Body
 from aseme_dsl.runtime.clock import SECOND, nanoseconds
+from aseme_dsl.runtime.directory import AgentDirectory, Directory, Offer, Withdraw
 from aseme_dsl.runtime.inputs import LOST, Arrived, Mail
 
 MessageT = TypeVar("MessageT")
@@ -68,7 +69,7 @@ class Log:
     text: str
 
 
-Doing = Publish | SetVariable | RaiseEvent | Prepare | Send | Log
+Doing = Publish | SetVariable | RaiseEvent | Prepare | Send | Log | Offer | Withdraw
 
 
 class Port(Protocol):
@@ -86,6 +87,8 @@ class Port(Protocol):
     def body(self) -> Body[Any, Any]: ...
     @property
     def random(self) -> random.Random: ...
+    @property
+    def directory(self) -> Directory: ...
     def now(self) -> int: ...
     def wait(self, duration: int) -> None: ...
     async def sleep(self, duration: int) -> None: ...
@@ -148,6 +151,11 @@ class Context:
     def log(self, text: str) -> None:
         """Write a line into the trace."""
         self._port.do(Log(str(text)))
+
+    @property
+    def directory(self) -> AgentDirectory:
+        """Which agents there are, and what each offers. Raises LookupError in an activity of kind process."""
+        return AgentDirectory(self._port)
 
     # ---- cancellation ------------------------------------------------------------------------
 

@@ -33,8 +33,10 @@ from aseme_dsl.runtime.acl import (
 from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.convert import Messages, mailed
+from aseme_dsl.runtime.directory import Directory
 from aseme_dsl.runtime.inputs import LOST, Identity, Mail
 from aseme_dsl.runtime.invitations import Invitations, Part
+from aseme_dsl.runtime.management import MANAGERS, Management
 from aseme_dsl.runtime.plan import BranchInfo, Plan
 from aseme_dsl.runtime.trace import Trace
 from aseme_dsl.runtime.transport.port import LOCAL, Transport
@@ -115,9 +117,15 @@ class Conversations:
     """All conversations of a team. May be used from any thread."""
 
     def __init__(
-        self, driver: Driver, trace: Trace, transport: Transport = LOCAL, queue: int = QUEUE
+        self,
+        driver: Driver,
+        trace: Trace,
+        transport: Transport = LOCAL,
+        queue: int = QUEUE,
+        system: str = "",
     ) -> None:
         """So many messages, `queue`, may wait for a participant to take them."""
+        self.directory = Directory(driver, trace)
         self._driver = driver
         self._trace = trace
         self._transport = transport
@@ -139,6 +147,7 @@ class Conversations:
         self._asked: dict[str, str] = {}
         """The conversations of what was sent to outsiders, by what an answer calls it, the newest last."""
         self._conversations: dict[str, _Conversation] = {}
+        self._management = Management(self.directory, system, self._tell_outside, self._plans)
         self._opened: dict[tuple[str, str], int] = {}
         self._lock = threading.RLock()
 
@@ -147,11 +156,13 @@ class Conversations:
         self._agents[agent.name] = agent
         self._desks[agent.name] = _Desk()
         self.join_elsewhere(agent.name, agent.plan)
+        self.directory.appeared(agent.name, agent.plan)
 
     def join_elsewhere(self, name: str, plan: Plan) -> None:
         """An agent of the team runs in another process, with this plan; it counts in the team's order."""
         self._plans[name] = plan
         self._playing.clear()
+        self.directory.expect(name, plan)
 
     def meet(self, name: str, hears: Hears) -> None:
         """An agent that is not of the team runs in this process; it speaks by `arrived_from_outside`.
@@ -356,7 +367,12 @@ class Conversations:
                 part = next((b.participant for b in branches if b.protocol == protocol), "")
             return (to,), part, self._invite(place, to, part)
         if not members:
-            players = [name for name in self._players(protocol, to) if name != agent.name]
+            players = [
+                name
+                for name in self._players(protocol, to)
+                if name != agent.name and not self.directory.is_gone(name)
+            ]
+            players += [name for name in self.directory.players(protocol, to) if name not in self._plans]
             least, most = place.info.size_of(to)
             if not players or len(players) < least:
                 there = ", ".join(players) or "none"
@@ -417,6 +433,9 @@ class Conversations:
         """
         with self._driver.holding(), self._lock:
             agent = self._agents.get(to)
+            if agent is None and to in MANAGERS and to not in self._plans:
+                self._management.hear(to, message)
+                return
             sender = message.sender.name if message.sender is not None else ""
             identity = sender, next(self._numbers)
             if agent is None:
@@ -513,10 +532,19 @@ class Conversations:
             answer = outsiders.answer(message, to, NOT_UNDERSTOOD, reason, reply_with)
             self._carry_outside(to, answer, answer.receivers)
 
+    def appeared(self, name: str) -> None:
+        """An agent of the team that runs elsewhere is there."""
+        self.directory.appeared(name, self._plans[name])
+
     def vanished(self, name: str) -> None:
         """An agent elsewhere is gone: tell it in each conversation here that counts on it."""
         with self._driver.holding(), self._lock:
+            self.directory.disappeared(name)
             self._tell_gone(name, elsewhere=True)
+
+    def _tell_outside(self, sender: str, message: FipaMessage, to: Iterable[AgentIdentifier]) -> None:
+        with self._driver.holding(), self._lock:
+            self._carry_outside(sender, message, to)
 
     def _tell_gone(self, name: str, *, elsewhere: bool) -> None:
         """Tell of an agent that is gone in the middle of the conversations that count on it.
@@ -772,6 +800,8 @@ class Conversations:
                 self._unexpected(agent, acl, reason or f"{agent.name} has ended")
                 self._conversations[acl.conversation].invitations -= 1
                 self._close(acl.conversation)
+            if agent.over:
+                self.directory.disappeared(agent.name)
 
     # ---- another plan ------------------------------------------------------------------------
 
@@ -780,6 +810,8 @@ class Conversations:
         with self._lock:
             self._plans.update(plans)
             self._playing.clear()
+            for name, plan in plans.items():
+                self.directory.follows(name, plan)
 
     @contextmanager
     def still(self) -> Iterator[None]:

@@ -17,6 +17,7 @@ from aseme_dsl.runtime.board import Board
 from aseme_dsl.runtime.body import Body
 from aseme_dsl.runtime.clock import MILLISECOND, nanoseconds, shown
 from aseme_dsl.runtime.convert import same_shape
+from aseme_dsl.runtime.directory import Directory, Offer, Withdraw
 from aseme_dsl.runtime.inputs import Arrived, Cancel, Completed, Crashed, Mail, Start
 from aseme_dsl.runtime.plan import ActivityInfo
 from aseme_dsl.runtime.timers import Timer
@@ -153,6 +154,10 @@ class Execution:
         if self._chance is None:
             self._chance = random.Random(self.chance_seed)
         return self._chance
+
+    @property
+    def directory(self) -> Directory:
+        return self.owner.agent.conversations.directory
 
     @property
     def chance_seed(self) -> str:
@@ -659,6 +664,10 @@ class Executions:
                     self.undeclared(execution, f"writes variable {name}")
             case c.Send(performative, message, to):
                 self.agent.check_send(execution.branch, performative, type(message).__name__, to)
+            case Offer(anew=anew):
+                self.agent.check_registered(anew)
+            case Withdraw():
+                self.agent.check_registered(True)
 
     def _check_kind(self, channel: str, message: Any) -> None:
         """Refuse a class that has only the name of a message; one of another version may be another class."""

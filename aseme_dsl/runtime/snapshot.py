@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.runtime.board import Board
 from aseme_dsl.runtime.body import Body
 from aseme_dsl.runtime.context import Context, Doing, Port, Publish, check_message, matches
+from aseme_dsl.runtime.directory import Directory
 from aseme_dsl.runtime.inputs import Arrived, Identity, Mail
 
 if TYPE_CHECKING:
@@ -131,6 +132,10 @@ class SnapshotPort:
         raise LookupError("a 'process' activity cannot reach the robot's body: publish what it is to do")
 
     @property
+    def directory(self) -> Directory:
+        raise LookupError("a 'process' activity cannot reach the directory: let another look")
+
+    @property
     def random(self) -> random.Random:
         if self._chance is None:
             self._chance = random.Random(self._snapshot.chance_seed)
@@ -226,6 +231,10 @@ class FrozenPort(SnapshotPort):
     @property
     def random(self) -> random.Random:
         return self._execution.random
+
+    @property
+    def directory(self) -> Directory:
+        return self._execution.directory
 
     async def sleep(self, duration: int) -> None:
         await self._execution.sleep(duration)

@@ -181,7 +181,7 @@ class Team:
         self.transport = transport
         self._queue = queue = (real_time or RealTime()).queue
         self.bus = Bus(self.driver, self.trace, state_directory, transport, queue)
-        self.conversations = Conversations(self.driver, self.trace, transport, queue)
+        self.conversations = Conversations(self.driver, self.trace, transport, queue, self.system)
         self.elsewhere: dict[str, Plan] = {name: chart.PLAN for name, chart in members if name not in mine}
         """The plans of the agents that run in other processes."""
         self.agents: tuple[Agent, ...] = tuple(

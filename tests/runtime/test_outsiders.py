@@ -11,8 +11,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from aseme_dsl.runtime.acl import AgentIdentifier, FipaMessage
-from aseme_dsl.runtime.team import RunResult, Team
+from aseme_dsl.runtime.team import RunResult
 from aseme_dsl.runtime.trace import Record
+from tests.runtime.outside import Outside
 from tests.runtime.playing import MS, SECOND, check_line, make
 from tests.support.generated import Generated, generate
 
@@ -48,29 +49,6 @@ srm boss {
 }
 team T { bob : help  TEAM }
 """
-
-
-class Outside:
-    """An agent that is not of the team, and what it hears."""
-
-    def __init__(self, team: Team, name: str = "alice@elsewhere") -> None:
-        self.team = team
-        self.me = AgentIdentifier(name)
-        self.heard: list[FipaMessage] = []
-        team.conversations.meet(name, self.heard.append)
-
-    def say(self, at: int, performative: str, content: Any = None, to: str = "bob", **more: Any) -> None:
-        """Say something at a moment, in ms."""
-        text = content if isinstance(content, (str, bytes)) or content is None else json.dumps(content)
-        message = FipaMessage(performative, self.me, (AgentIdentifier(to),), text, **more)
-        self.send(at, message, to)
-
-    def send(self, at: int, message: FipaMessage, to: str = "bob") -> None:
-        self.team.driver.at(at * MS, lambda: self.team.conversations.arrived_from_outside(to, message))
-
-    def answers(self) -> list[tuple[str, Any]]:
-        """What it has heard: performatives and contents."""
-        return [(message.performative, json.loads(message.content or "null")) for message in self.heard]
 
 
 @pytest.fixture(scope="module")

@@ -722,6 +722,8 @@ class Post(Transport):
                         way.out.hurry()
                         self._pump(way, other)
                 self._stir()
+        if other.alive:
+            self._team.conversations.appeared(agent)
 
     def vanished(self, agent: str, incarnation: int) -> None:
         """An agent elsewhere is not there any more."""
@@ -737,8 +739,10 @@ class Post(Transport):
             self._tell(other, "gone")
         self._team.conversations.vanished(agent)
         with self._lock:
-            if not other.alive and other.present:
-                self._begin_life(other, max(other.present))
+            if other.alive or not other.present:
+                return
+            self._begin_life(other, max(other.present))
+        self._team.conversations.appeared(agent)
 
     def _begin_life(self, other: _Other, life: int) -> None:
         """An agent is there for the first time, or again after it had ended. Called with the lock."""

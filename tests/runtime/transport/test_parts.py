@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.directory import Entry, Service
 from aseme_dsl.runtime.team import TeamError
 from aseme_dsl.runtime.transport import Network
 from aseme_dsl.runtime.transport import envelope as envelopes
@@ -417,8 +418,12 @@ def test_a_participant_that_is_gone_is_told(net: Generated) -> None:
     air.loss = 1.0  # what the worker offers does not come through
     bob = part(net, ["bob"], {}, air.link()).start()
     wait_until(lambda: boss.team.transport.is_there("bob"))
+    directory = boss.team.conversations.directory
+    bidders = Entry(services=(Service("net.contractor"),))
+    wait_until(lambda: [entry.name for entry in directory.search(bidders)] == ["bob"])
     bob.stop()
     wait_until(lambda: boss.of("conversation", what="gone"))
+    assert [(item.name, item.state) for item in directory.residents()] == [("ann", "active"), ("bob", "gone")]
     boss.stop()
     (gone,) = boss.of("conversation", what="gone")
     assert gone["peer"] == "bob" and gone["participant"] == "manager"
