@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from aseme_dsl.amola.messages import Channel, Comm, Parameter
@@ -166,6 +166,10 @@ _CLAUSES = {
 }
 
 
+_NOTHING = (None, "", ())
+"""What a clause has that is not there."""
+
+
 def merge_activities(
     statements: Iterable[Activity],
 ) -> tuple[tuple[Activity, ...], tuple[Diagnostic, ...]]:
@@ -173,35 +177,46 @@ def merge_activities(
 
     `kind` is "thread" where no role says otherwise. Variables belong to the roles, so each role's are added.
     """
-    merged: dict[str, Activity] = {}
-    said: dict[tuple[str, str], Activity] = {}
-    diagnostics: list[Diagnostic] = []
+    of_name: dict[str, list[Activity]] = {}
     for item in statements:
-        known = merged.setdefault(item.name, replace(item, writes_variables=()))
+        of_name.setdefault(item.name, []).append(item)
+    diagnostics: list[Diagnostic] = []
+    merged = [_merged(items, diagnostics) for items in of_name.values()]
+    return tuple(merged), tuple(diagnostics)
+
+
+def _merged(statements: Sequence[Activity], diagnostics: list[Diagnostic]) -> Activity:
+    """What is said of one activity; the diagnostics are added."""
+    first, *others = statements
+    variables = tuple(dict.fromkeys(first.writes_variables))
+    clauses: dict[str, object] = (
+        {} if len(variables) == len(first.writes_variables) else {"writes_variables": variables}
+    )
+    said = {clause: first for clause in _CLAUSES if getattr(first, clause) not in _NOTHING}
+    for item in others:
         for clause, word in _CLAUSES.items():
             value = getattr(item, clause)
-            if value in (None, "", ()):
+            if value in _NOTHING:
                 continue
-            first = said.setdefault((item.name, clause), item)
+            other = said.setdefault(clause, item)
             if clause == "writes_variables":
-                both = tuple(dict.fromkeys((*known.writes_variables, *value)))
-                known = replace(known, writes_variables=both)
-            elif first is item:
-                known = replace(known, **{clause: value})
-            elif _different(getattr(first, clause), value):
+                known = clauses.get(clause, first.writes_variables)
+                clauses[clause] = tuple(dict.fromkeys((*_items(known), *_items(value))))
+            elif other is item:
+                clauses[clause] = value
+            elif _different(getattr(other, clause), value):
                 diagnostics.append(
                     Diagnostic(
                         "E203",
                         f"`{item.name}` has two different `{word}`: an activity belongs to the whole system",
                         item.span,
-                        (Related(first.span, "the other statement"),),
+                        (Related(other.span, "the other statement"),),
                         hint="leave one of them out, or give one of the activities another name",
                     )
                 )
-        merged[item.name] = known
-    return tuple(item if item.kind else replace(item, kind="thread") for item in merged.values()), tuple(
-        diagnostics
-    )
+    if not clauses.get("kind", first.kind):
+        clauses["kind"] = "thread"
+    return replace(first, **clauses) if clauses else first  # type: ignore[arg-type]
 
 
 def _different(first: object, second: object) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 
 from aseme_dsl.amola.srm import Activity, Plays
 from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart
@@ -132,6 +133,7 @@ def unplayed(iacs: Iterable[Statechart], aips: Iterable[tree.Aip]) -> Iterator[D
                 )
 
 
+@lru_cache(maxsize=20_000)
 def _shapes(name: str) -> Sequence[str]:
     """The name itself and all that lack one of its letters: close names share one of these."""
     if len(name) < _LONG:
@@ -139,6 +141,7 @@ def _shapes(name: str) -> Sequence[str]:
     return (name, *dict.fromkeys(name[:i] + name[i + 1 :] for i in range(len(name))))
 
 
+@lru_cache(maxsize=20_000)
 def _is_close(one: str, other: str) -> bool:
     if folded(one) == folded(other):
         return True

@@ -20,6 +20,7 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.messages import Channel
 from aseme_dsl.amola.srm import Activity, Subscription
 from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
@@ -54,6 +55,7 @@ def message_use(
     activities: Mapping[str, Activity],
     written: Iterable[tree.Activity],
     symbols: Symbols,
+    recall: Recall,
 ) -> MessageUse:
     """What the charts' transitions, the activities in them and the modules beside them read and publish.
 
@@ -93,16 +95,22 @@ def message_use(
             for channel in said.writes:
                 span = places.get((module.name, str(channel)), said.span)
                 writes.append(Use(channel, chart.name, root, None, module.name, span))
-        for transition in chart.transitions:
+        members = recall(_members, chart)
+        for index, transition in enumerate(chart.transitions):
             if transition.expression.condition is None and not transition.expression.actions:
                 continue
             region = regions[transition.source]
-            for member, span in members_of(transition.expression):
+            for member, span in members[index]:
                 reads.append(Use(member.channel, chart.name, region, member.host, None, span))
             for action in transition.expression.actions:
                 if isinstance(action, Publish):
                     writes.append(Use(action.channel, chart.name, region, None, None, action.span))
     return MessageUse(tuple(reads), tuple(writes))
+
+
+def _members(chart: Statechart) -> tuple[tuple[tuple[Member, Span], ...], ...]:
+    """What each transition reads."""
+    return tuple(tuple(members_of(transition.expression)) for transition in chart.transitions)
 
 
 def members_of(expression: TransitionExpression) -> Iterator[tuple[Member, Span]]:

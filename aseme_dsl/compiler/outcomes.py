@@ -9,19 +9,27 @@ from aseme_dsl.amola.meant import performers
 from aseme_dsl.amola.messages import Kind
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.source import Span
 
 
-def check_outcomes(charts: Iterable[Statechart], activities: Mapping[str, Activity]) -> Iterator[Diagnostic]:
+def check_outcomes(
+    charts: Iterable[Statechart], activities: Mapping[str, Activity], recall: Recall
+) -> Iterator[Diagnostic]:
     """E520 for `outcome(A)` where no `A` is, or where the role's own activity for it has other outcomes."""
     told: set[Span] = set()
     for chart in charts:
-        for place, value in chart.values():
+        for place, value in recall(_asked, chart):
             problem = _absent(chart, place, value) or _otherwise(chart, value, activities)
             if problem is not None and problem.span is not None and problem.span not in told:
                 told.add(problem.span)
                 yield problem
+
+
+def _asked(chart: Statechart) -> tuple[tuple[str, Value], ...]:
+    """The outcomes that are asked for, and what is compared, each with the state where it stands."""
+    return tuple(item for item in chart.values() if isinstance(item[1], (Outcome, Compare)))
 
 
 def _absent(chart: Statechart, source: str, value: Value) -> Diagnostic | None:

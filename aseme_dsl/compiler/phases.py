@@ -38,6 +38,7 @@ from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.modules import also_activities, read_modules
 from aseme_dsl.compiler.outcomes import check_deadlines, check_outcomes
+from aseme_dsl.compiler.pieces import InPieces, finished
 from aseme_dsl.compiler.resolve import resolve
 from aseme_dsl.compiler.sag_to_suc import read_sag, sag_to_suc
 from aseme_dsl.compiler.scope import Scope
@@ -107,24 +108,36 @@ def inspect_files(
     With a `memory`, what an earlier analysis of the same root has found is taken again where nothing that it
     depends on has changed; `read` does the same for the texts (see `load`). What comes out is the same.
     """
-    memory = memory or Memory()
     # Models are many small objects without cycles: looking for cycles all the time costs a third of the time.
     threshold = gc.get_threshold()
     gc.set_threshold(100_000, 50, 100)
     try:
-        return _inspect(root, sources, options, memory, read)
+        return finished(inspecting(root, sources, options, memory, read))
     finally:
         gc.set_threshold(*threshold)
-        memory.end()
 
 
-def _inspect(
+def inspecting(
+    root: Source | Path | str,
+    sources: Mapping[str, str] | None,
+    options: Options,
+    memory: Memory | None = None,
+    read: Read | None = None,
+) -> InPieces[Inspection]:
+    """`inspect_files`, in pieces, between which something else may be done; it may be given up there."""
+    memory = memory or Memory()
+    found = yield from _inspecting(root, sources, options, memory, read)
+    memory.end()
+    return found
+
+
+def _inspecting(
     root: Source | Path | str,
     sources: Mapping[str, str] | None,
     options: Options,
     memory: Memory,
     read: Read | None,
-) -> Inspection:
+) -> InPieces[Inspection]:
     recall = memory.recall
     found: list[Diagnostic] = []
 
@@ -145,10 +158,12 @@ def _inspect(
     is_damaged = inclusion.damaged(is_damaged)
     top = keep(recall(global_scope, symbols))
 
+    yield
     # Requirements: goals and use cases.
     sag = keep(read_sag(blocks.sags, symbols))
     suc = keep(sag_to_suc(sag, blocks.sucs, _places_of_roles(blocks), _places(inclusion.abstract), symbols))
 
+    yield
     # Analysis: protocols and roles, with the activities that they describe.
     largest = options.largest
     participants = {item.name.text: keep(recall(protocol_scopes, item, top)) for item in blocks.aips}
@@ -156,16 +171,19 @@ def _inspect(
         item.name.text: keep(recall(read_protocol, item, participants[item.name.text], largest, is_damaged))
         for item in blocks.aips
     }
+    yield
     aips = [
         keep(recall(read_aip, item, participants[name], protocols[name].parts, is_damaged))
         for name, item in ((item.name.text, item) for item in blocks.aips)
     ]
+    yield
     scopes = {item.name.text: keep(recall(role_scope, item, top)) for item in blocks.roles}
     teams = keep(settle(symbols.teams, loaded.files, scopes, top))
     roles = {
         item.name.text: keep(recall(read_role, item, scopes[item.name.text], protocols, largest, is_damaged))
         for item in blocks.srms
     }
+    yield
     found += [
         problem
         for item in inclusion.unused
@@ -174,6 +192,7 @@ def _inspect(
     given = [
         keep(recall(read_statechart, item, scopes[item.name.text], is_damaged)) for item in blocks.statecharts
     ]
+    yield
     statements = [
         statement
         for block in blocks.roles
@@ -181,6 +200,7 @@ def _inspect(
             recall(_typed_activities, block, scopes[block.name.text].scope, _played_variables(roles, block))
         )
     ]
+    yield
     modules = {
         block.name.text: keep(
             recall(read_modules, block.modules, scopes[block.name.text].scope, is_damaged(block.span))
@@ -192,24 +212,32 @@ def _inspect(
     # Design: the statecharts.
     name = symbols.system.name.text if symbols.system is not None else ""
     world = (name, symbols, described, modules)
+    yield
     eacs = {item.name: recall(_eac, item, *world) for item in protocols.values()}
+    yield
     iacs = {item.name: recall(_iac, item, *world) for item in roles.values()}
     iacs |= {item.name: recall(_given_chart, item, *world) for item in given}
+    yield
     charts = [chart for chart in (*eacs.values(), *iacs.values()) if chart is not None]
     prover = recall(Prover, memory.same("vocabulary", vocabulary_of(resolved)))
     for chart in charts:
         found += recall(_flow, chart, prover)
-    found += check_outcomes(charts, described)
-    found += check_states(charts)
+    yield
+    found += check_outcomes(charts, described, recall)
+    yield
+    found += check_states(charts, recall)
 
+    yield
     # What is used but not declared, described but not used, expected but not written.
     used = used_activities((*_built(iacs), *_built(eacs)))
     formulas = _formulas(blocks)
     if len(charts) == len(eacs) + len(iacs):
         found += check_described(_described_in(blocks), {*used, *_named(blocks)}, formulas, is_damaged)
+    yield
     found += close_names(used, described, formulas, _unused_plays(roles.values()))
     found += also_activities({block.name.text: block.modules for block in blocks.roles}, used)
     found += unplayed(_built(iacs), blocks.aips)
+    yield
     capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
     cases = use_cases(suc, [*protocols, *(item.name.text for item in formulas), *used, *capabilities])
     missing = [*suc_to_aip(cases, blocks.aips)]
@@ -231,21 +259,26 @@ def _inspect(
         found += not_played(blocks.aips, roles.values(), symbols.system.span.source, found)
         found += without_functionality(list(roles.values()), described, recall)
 
+    yield
     unchecked = 0
     if not has_errors(found):  # else the line that starts a timer may be what is missing
         found += [problem for chart in charts for problem in recall(_timers, chart)]
         found += check_deadlines(charts, described)
+        yield
         if symbols.system is not None and len(charts) == len(eacs) + len(iacs):
             found += check_use(
                 _built(iacs), _built(eacs), described, list(_statements(blocks)), symbols, recall
             )
+        yield
         if symbols.system is not None:
             found += check_unused(loaded.files, symbols)
             found += check_agents(_alone(inclusion), symbols)
             found += check_exchange(blocks.aips)
+        yield
         compared, unchecked = check_conditions(charts, prover, recall)
         found += compared
 
+    yield
     not_looked_for = _OF_CODE | FROM_CONDITIONS if unchecked else _OF_CODE
     layout = loaded.layout
     placed = {id(item): layout.diagnostic(item) for item in inclusion.once(found)}

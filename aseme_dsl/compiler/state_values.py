@@ -11,6 +11,7 @@ from aseme_dsl.amola.statechart import Node, NodeType, Statechart
 from aseme_dsl.compiler.calls import is_given, only_name
 from aseme_dsl.compiler.checker import Checker
 from aseme_dsl.compiler.formulas import cut
+from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.names import unknown
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
@@ -28,11 +29,11 @@ def state_value(checker: Checker, question: str, written: tree.Call) -> StateVal
     return StateValue(question, name.text, kind, name.span, written.span)
 
 
-def check_states(charts: Iterable[Statechart]) -> Iterator[Diagnostic]:
+def check_states(charts: Iterable[Statechart], recall: Recall) -> Iterator[Diagnostic]:
     """E430 where a chart has no state of the name, E431 where `count` means several, E433 in actions."""
     told: set[Span] = set()
     for chart in charts:
-        for place, value, in_condition in _questions(chart):
+        for place, value, in_condition in recall(_questions, chart):
             if value.span in told:
                 continue
             problem = _problem(chart, place, value, in_condition)
@@ -41,8 +42,12 @@ def check_states(charts: Iterable[Statechart]) -> Iterator[Diagnostic]:
                 yield problem
 
 
-def _questions(chart: Statechart) -> Iterator[tuple[str, StateValue, bool]]:
+def _questions(chart: Statechart) -> tuple[tuple[str, StateValue, bool], ...]:
     """What is asked of states, with the state where it is asked and whether a condition asks it."""
+    return tuple(_each_question(chart))
+
+
+def _each_question(chart: Statechart) -> Iterator[tuple[str, StateValue, bool]]:
     for node in chart.nodes:
         for argument in node.arguments:
             for value in walk(argument.value):

@@ -30,7 +30,7 @@ def check_use(
 
     What protocols read and publish counts as read and published, whether a role plays them or not.
     """
-    use = message_use((*roles, *protocols), activities, written, symbols)
+    use = message_use((*roles, *protocols), activities, written, symbols, recall)
     modules = {item.name: item.statement for chart in roles for item in chart.modules}
     activities = {**activities, **modules}
     yield from check_life(roles, use, activities, symbols)

@@ -73,20 +73,22 @@ def _offer(server: Server) -> None:
     """Answer completion and signature help."""
     kept: dict[str, tuple[View, Known]] = {}
 
-    def asked(document: lsp.TextDocumentIdentifier, position: lsp.Position) -> _Asked | None:
+    async def asked(document: lsp.TextDocumentIdentifier, position: lsp.Position) -> _Asked | None:
         """The text as it is now, the offset in it, and what was known of it when it was last compiled."""
         path = server.path(document.uri)
-        text, view = server.files.text(path), server.files.recent(path)
-        if text is None or view is None:
+        if not server.files.is_known(path):
+            await server.settled(path)
+        view = server.files.recent(path)
+        if view is None:
             return None
-        if path not in kept or kept[path][0] is not view:
-            kept[path] = (view, known_in(view))
-        source = Source(path, text)
-        return source, server.offset_in(source, position), kept[path][1]
+        before = kept.get(path)
+        if before is None or before[0].program is not view.program:
+            before = kept[path] = (view, known_in(view))
+        return view.source, server.offset(view, position), before[1]
 
     @server.feature(lsp.TEXT_DOCUMENT_COMPLETION, lsp.CompletionOptions(trigger_characters=list(TRIGGERS)))
-    def completion(params: lsp.CompletionParams) -> lsp.CompletionList | None:
-        found = asked(params.text_document, params.position)
+    async def completion(params: lsp.CompletionParams) -> lsp.CompletionList | None:
+        found = await asked(params.text_document, params.position)
         if found is None:
             return None
         source, offset, known = found
@@ -105,8 +107,8 @@ def _offer(server: Server) -> None:
         lsp.TEXT_DOCUMENT_SIGNATURE_HELP,
         lsp.SignatureHelpOptions(trigger_characters=["(", ","], retrigger_characters=[")"]),
     )
-    def signature_help(params: lsp.SignatureHelpParams) -> lsp.SignatureHelp | None:
-        place = asked(params.text_document, params.position)
+    async def signature_help(params: lsp.SignatureHelpParams) -> lsp.SignatureHelp | None:
+        place = await asked(params.text_document, params.position)
         found = signatures(*place) if place is not None else None
         if found is None:
             return None
@@ -140,11 +142,11 @@ def _act(server: Server) -> None:
         lsp.TEXT_DOCUMENT_CODE_ACTION,
         lsp.CodeActionOptions(code_action_kinds=list(_ACTION_KINDS.values()), resolve_provider=True),
     )
-    def code_action(params: lsp.CodeActionParams) -> list[lsp.CodeAction] | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+    async def code_action(params: lsp.CodeActionParams) -> list[lsp.CodeAction] | None:
+        found = await server.places(params.text_document.uri, params.range.start, params.range.end)
+        if found is None:
             return None
-        start, end = server.offsets(view, params.range)
+        view, (start, end) = found
         wanted = params.context.only
         return [
             _code_action(server, view, item, params.context.diagnostics)

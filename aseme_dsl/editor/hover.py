@@ -16,7 +16,8 @@ from aseme_dsl.editor.index import Kind, Occurrence, Symbol, Use, name_of
 from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
-from aseme_dsl.source import Span
+from aseme_dsl.grammar.lexer import clean
+from aseme_dsl.source import Source, Span
 
 _MOST = 8
 """How many of a kind are listed."""
@@ -73,14 +74,24 @@ def explained(code: str) -> str:
 
 def _code_at(view: View, offset: int) -> Hover | None:
     """A code in a comment to asemec."""
-    for comment in view.file.comments if view.file is not None else ():
-        span = comment.span
-        if span.start <= offset <= span.end and "asemec" in comment.text:
-            for found in _CODE.finditer(comment.text):
+    for span in _comments(view, offset):
+        if span.start <= offset <= span.end and "asemec" in span.text:
+            for found in _CODE.finditer(span.text):
                 start, end = span.start + found.start(), span.start + found.end()
                 if start <= offset <= end and found.group() in CODES:
                     return Hover(Span(span.source, start, end), explained(found.group()))
     return None
+
+
+def _comments(view: View, offset: int) -> Iterator[Span]:
+    """The comments among which an offset may be; in a text that was not yet read again, those of its line."""
+    if view.carry is None:
+        yield from (item.span for item in (view.file.comments if view.file is not None else ()))
+        return
+    begin = view.source.text.rfind("\n", 0, offset) + 1
+    line = view.source.text[begin:].partition("\n")[0]
+    for item in clean(Source(view.path, line)).comments:
+        yield Span(view.source, begin + item.span.start, begin + item.span.end)
 
 
 def _about(program: Program, found: Occurrence) -> Iterator[str]:
@@ -119,6 +130,11 @@ def _text(program: Program, span: Span) -> str:
 
 
 # ---- what each kind of thing is ----------------------------------------------------------------
+
+
+def _comm(program: Program, symbol: Symbol) -> Iterator[str]:
+    if symbol.name in _COMMS:  # while it is being typed, it may be anything
+        yield f"`{symbol.name}`: {_COMMS[Comm(symbol.name)]}"
 
 
 def _message(program: Program, symbol: Symbol) -> Iterator[str]:
@@ -413,7 +429,7 @@ _DESCRIBE: dict[Kind, _Describe] = {
     Kind.EVENT: _simple("Event, raised by an activity:"),
     Kind.CAPABILITY: _simple("Capability"),
     Kind.PERFORMATIVE: _simple("FIPA communicative act"),
-    Kind.COMM: lambda program, symbol: iter((f"`{symbol.name}`: {_COMMS[Comm(symbol.name)]}",)),
+    Kind.COMM: _comm,
     Kind.TYPE: lambda program, symbol: iter((f"`{symbol.name}`: {_TYPES[symbol.name]}",)),
 }
 

@@ -774,6 +774,11 @@ class Index:
         self._of = of
         self._found: dict[Source, tuple[Occurrence, ...]] = {}
 
+    @property
+    def parts(self) -> Iterable[Source]:
+        """The parts of all files."""
+        return tuple(self._parts)
+
     def part(self, part: Source) -> tuple[Occurrence, ...]:
         """All of one part of a file, in the order of the text."""
         if part not in self._found:

@@ -88,7 +88,9 @@ def highlights(view: View, offset: int) -> tuple[tuple[Span, Use], ...]:
     if found is None:
         return ()
     return tuple(
-        (view.whole(item.span), item.use) for item in view.occurrences if item.symbol == found.symbol
+        (view.whole(item.span), item.use)
+        for item in view.occurrences
+        if item.symbol == found.symbol and view.stands(item)
     )
 
 

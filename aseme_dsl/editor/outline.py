@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields, is_dataclass
 from typing import Any
 
 from aseme_dsl.amola.liveness import Formula
-from aseme_dsl.editor.index import NAMES, Kind, Symbol, Use
+from aseme_dsl.editor.index import NAMES, Kind, Occurrence, Symbol, Use
 from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
@@ -31,21 +31,35 @@ def outline(view: View) -> tuple[Entry, ...]:
     """What a file declares, as a tree."""
     if view.file is None:
         return ()
-    kinds = {item.span: item.symbol.kind for item in view.occurrences if item.use is Use.DECLARATION}
-    return tuple(_entries(view, view.file.declarations, kinds))
+    program = view.program
+    found: list[Entry] = []
+    for item in view.file.declarations:
+        names = program.indexer(item, program.index.world)
+        found += (_whole(view, entry) for entry in program.recall(_in_declaration, item, names))
+    return tuple(found)
+
+
+def _in_declaration(item: tree.Declaration, names: tuple[Occurrence, ...]) -> tuple[Entry, ...]:
+    """What a declaration declares, with the spans of its part of the file."""
+    kinds = {name.span: name.symbol.kind for name in names if name.use is Use.DECLARATION}
+    return tuple(_entries((item,), kinds))
+
+
+def _whole(view: View, entry: Entry) -> Entry:
+    inside = tuple(_whole(view, item) for item in entry.inside)
+    span, name_span = view.whole(entry.span), view.whole(entry.name_span)
+    return Entry(entry.name, entry.kind, entry.detail, span, name_span, inside)
 
 
 _WORDS = {tree.Sag: "sag", tree.Suc: "suc"}
 
 
-def _entries(view: View, nodes: tuple[Any, ...], kinds: dict[Span, Kind]) -> Iterator[Entry]:
+def _entries(nodes: tuple[Any, ...], kinds: dict[Span, Kind]) -> Iterator[Entry]:
     for node in nodes:
         if not is_dataclass(node) or isinstance(node, (tree.Name, tree.Text, Formula)):
             continue
         inside = tuple(
-            entry
-            for item in fields(node)
-            for entry in _entries(view, _tuple(getattr(node, item.name)), kinds)
+            entry for item in fields(node) for entry in _entries(_tuple(getattr(node, item.name)), kinds)
         )
         named = [
             name
@@ -55,7 +69,7 @@ def _entries(view: View, nodes: tuple[Any, ...], kinds: dict[Span, Kind]) -> Ite
             if name.span in kinds
         ]
         if type(node) in _WORDS:
-            span = view.whole(_span(node))
+            span = _span(node)
             word = Span(span.source, span.start, span.start + len(_WORDS[type(node)]))
             yield Entry(_WORDS[type(node)], Kind.SYSTEM, "", span, word, inside)
             continue
@@ -65,17 +79,17 @@ def _entries(view: View, nodes: tuple[Any, ...], kinds: dict[Span, Kind]) -> Ite
                 node.title.text or what,
                 Kind.CAPABILITY,
                 what,
-                view.whole(node.span),
-                view.whole(node.title.span),
+                node.span,
+                node.title.span,
             )
             continue
         if not named:
             yield from inside
             continue
         for name in named:
-            span = view.whole(_span(node) if len(named) == 1 else name.span)
+            span = _span(node) if len(named) == 1 else name.span
             kind = kinds[name.span]
-            yield Entry(name.text or "?", kind, _detail(node, kind), span, view.whole(name.span), inside)
+            yield Entry(name.text or "?", kind, _detail(node, kind), span, name.span, inside)
             inside = ()
 
 

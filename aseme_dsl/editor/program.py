@@ -8,6 +8,7 @@ from functools import cached_property
 
 from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.phases import Inspection
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Suppressed
 from aseme_dsl.editor.index import Index, Occurrence, World, occurrences, world_of
 from aseme_dsl.grammar import tree
@@ -84,6 +85,12 @@ class Program:
                 if item.name.text == name:
                     return item
         return None
+
+    def indexing(self) -> InPieces[None]:
+        """Look up all names now, in pieces, so that later questions need not."""
+        for part in self.index.parts:
+            self.index.part(part)
+            yield
 
     @cached_property
     def index(self) -> Index:

@@ -7,10 +7,11 @@ import contextlib
 import gc
 import logging
 import os
+import time
 from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar, cast
 
 from lsprotocol import types as lsp
 from pygls.exceptions import JsonRpcException, JsonRpcInvalidParams
@@ -18,10 +19,12 @@ from pygls.lsp.server import LanguageServer
 from pygls.uris import from_fs_path, to_fs_path
 
 from aseme_dsl import diagnostics
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.diagnostics.pages import file_of
 from aseme_dsl.diagrams import GraphvizMissing
 from aseme_dsl.editor import calls, hints, hover, layout, navigation, outline, rename, tokens
 from aseme_dsl.editor.authoring import answer_authors
+from aseme_dsl.editor.carrying import carry
 from aseme_dsl.editor.diagram import Diagrams, LiveDrawing
 from aseme_dsl.editor.following import Page
 from aseme_dsl.editor.index import Kind, Symbol, Use
@@ -36,14 +39,22 @@ DIAGRAM, CURSOR = "aseme/diagram", "aseme/cursor"
 VIEW = "asemec.view"
 """The command that opens a page in a browser, which follows the cursor."""
 
-DEBOUNCE = 0.05
+DEBOUNCE = 0.02
 """Seconds without a change after which there is something to say of a file."""
 
 IDLE = 5.0
 """Seconds without a change after which there is time to tidy up."""
 
 UNTIDY = 400_000
-"""How many new objects, and as many as there were, make it necessary to tidy up without waiting for that."""
+"""How many new objects, and as many as there were, make it necessary to look through all."""
+
+PIECE = 0.008
+"""Seconds for which the compiler may work before what has come in is looked at."""
+
+BREAK = 0.001
+"""Seconds in which what has come in is read: a message is read in several steps."""
+
+_T = TypeVar("_T")
 
 _log = logging.getLogger(__name__)
 
@@ -106,8 +117,8 @@ class Server(LanguageServer):
         super().__init__("asemec", version, text_document_sync_kind=lsp.TextDocumentSyncKind.Incremental)
         self.files = Workspace(project)
         self.folders_of = folders
-        self.waiting: dict[str, asyncio.TimerHandle] = {}
-        self.said: set[str] = set()
+        self.waiting: dict[str, asyncio.Task[None]] = {}
+        self.compiling = asyncio.Lock()
         self.tokens: dict[str, tuple[str, list[int]]] = {}
         self.uris: dict[str, str] = {}
         self.diagrams = Diagrams()
@@ -115,7 +126,7 @@ class Server(LanguageServer):
         self.moved: Callable[[str, lsp.Position], None] = lambda uri, position: None
         self.renewed: Callable[[], None] = lambda: None
         self.idle: asyncio.TimerHandle | None = None
-        self.kept = 0
+        self.kept = self.grown = 0
 
     @property
     def encoding(self) -> str:
@@ -139,20 +150,60 @@ class Server(LanguageServer):
             self.uris.setdefault(found, uri)
         return found
 
-    def view(self, uri: str) -> View | None:
-        return self.files.view(self.path(uri))
+    async def in_pieces(self, work: InPieces[_T]) -> _T:
+        """What comes out of some work of the compiler; what comes in meanwhile is answered in between."""
+        async with self.compiling:
+            begun = time.monotonic()
+            while True:
+                try:
+                    next(work)
+                except StopIteration as end:
+                    return cast(_T, end.value)
+                if time.monotonic() - begun > PIECE:
+                    await asyncio.sleep(BREAK)
+                    begun = time.monotonic()
 
-    def place(self, params: AtPlace) -> tuple[View, int] | None:
+    async def settled(self, path: str) -> View | None:
+        """The file as it is, compiled."""
+        return await self.in_pieces(self.files.viewing(path))
+
+    async def view(self, uri: str) -> View | None:
+        return await self.settled(self.path(uri))
+
+    async def places(self, uri: str, *positions: lsp.Position) -> tuple[View, list[int]] | None:
+        """The file as it is, compiled, and the offsets of places in the text of this moment.
+
+        What is edited while the compiler works moves them.
+        """
+        path = self.path(uri)
+        text = self.files.text(path)
+        if text is None:
+            return None
+        source = self.source(path, text)
+        offsets = [self.offset_in(source, position) for position in positions]
+        view = await self.settled(path)
+        if view is None:
+            return None
+        if view.source.text != source.text:
+            moved = carry(source.text, view.source.text)
+            offsets = [moved.forward(offset) for offset in offsets]
+        return view, offsets
+
+    async def place(self, params: AtPlace) -> tuple[View, int] | None:
         """The view and the offset that a request is about."""
-        view = self.view(params.text_document.uri)
+        found = await self.places(params.text_document.uri, params.position)
+        return None if found is None else (found[0], found[1][0])
+
+    async def place_now(self, params: AtPlace) -> tuple[View, int] | None:
+        """The same without waiting for the compiler, if it has seen the file before."""
+        path = self.path(params.text_document.uri)
+        if not self.files.is_known(path):
+            return await self.place(params)
+        view = self.files.recent(path)
         return None if view is None else (view, self.offset(view, params.position))
 
     def offset(self, view: View, position: lsp.Position) -> int:
         return self.offset_in(view.source, position)
-
-    def offsets(self, view: View, extent: lsp.Range) -> tuple[int, int]:
-        """Where a range starts and ends."""
-        return self.offset(view, extent.start), self.offset(view, extent.end)
 
     def offset_in(self, source: Source, position: lsp.Position) -> int:
         return self.lines(source).offset(Position(position.line, position.character))
@@ -163,39 +214,74 @@ class Server(LanguageServer):
         return lsp.Range(lsp.Position(start.line, start.character), lsp.Position(end.line, end.character))
 
     def location(self, path: str, span: Span) -> lsp.Location:
+        """A place in a file; of one that is open, in the text of this moment."""
+        now = self.files.text(path) if path in self.files.buffers else None
+        if now is not None and now.removeprefix("\ufeff") != span.source.text:
+            source = self.source(path, now)
+            span = carry(span.source.text, source.text).span(span, source)
         return lsp.Location(self.uri(path), self.range(span))
+
+    def text_of(self, uri: str) -> Source | None:
+        """The text of a file as it is at this moment."""
+        path = self.path(uri)
+        text = self.files.text(path)
+        return None if text is None else self.source(path, text)
+
+    def source(self, path: str, text: str) -> Source:
+        """A text as the compiler reads it."""
+        return _source(path, text.removeprefix("\ufeff"))
 
     # ---- diagnostics ------------------------------------------------------------------------------
 
     def soon(self, path: str) -> None:
         """Say what there is to say of a file, and of those that it concerns, when nothing changes now."""
+        self.hush(path)
+        if self.idle is not None:
+            self.idle.cancel()
+        self.waiting[path] = asyncio.create_task(self.publish(path))
+
+    def hush(self, path: str) -> None:
+        """What was to be said of a file is out of date."""
         earlier = self.waiting.pop(path, None)
         if earlier is not None:
             earlier.cancel()
-        loop = asyncio.get_running_loop()
-        self.waiting[path] = loop.call_later(DEBOUNCE, self.publish, path)
 
-    def publish(self, path: str) -> None:
+    async def publish(self, path: str) -> None:
         """Send the diagnostics of a file and of all open files that they may have changed in."""
-        self.waiting.pop(path, None)
+        await asyncio.sleep(DEBOUNCE)
         for other in self.files.affected(path):
-            self.publish_one(other)
+            view = await self.settled(other)
+            if view is not None:
+                self.publish_one(other, view)
+                await self.in_pieces(view.program.indexing())
         self.renewed()
-        if self.idle is not None:
-            self.idle.cancel()
-        # Models are many objects that live long: to look for cycles among them takes longer than to make
-        # them anew, so it is done when nobody waits (cli/lsp.py turns it off otherwise), or has to be done.
-        wait = IDLE if gc.get_count()[0] < max(UNTIDY, self.kept) else 0
-        self.idle = asyncio.get_running_loop().call_later(wait, self.tidy_up)
+        self.waiting.pop(path, None)
+        if not self.waiting:
+            self.tidy_up()
 
     def tidy_up(self) -> None:
-        """Free what only cycles hold."""
-        gc.collect()
-        self.kept = len(gc.get_objects())
+        """Free what only cycles hold, of what has come since the last time (cli/lsp.py turns off all else).
 
-    def publish_one(self, path: str) -> None:
-        view = self.files.view(path)
-        if view is None or path not in self.files.buffers:
+        Models are many objects that live long: to look for cycles among all of them takes longer than to make
+        them anew. So it is done when nobody waits, or when they have become many more.
+        """
+        gc.collect()
+        self.grown += len(gc.get_objects())
+        gc.freeze()
+        if self.grown > 4 * max(self.kept, UNTIDY):
+            self.tidy_all()
+        elif self.grown > max(self.kept, UNTIDY):
+            self.idle = asyncio.get_running_loop().call_later(IDLE, self.tidy_all)
+
+    def tidy_all(self) -> None:
+        """Free whatever only cycles hold."""
+        gc.unfreeze()
+        gc.collect()
+        self.kept, self.grown = len(gc.get_objects()), 0
+        gc.freeze()
+
+    def publish_one(self, path: str, view: View) -> None:
+        if path not in self.files.buffers:
             return
         found = [self.diagnostic(view, item) for item in view.diagnostics]
         self.text_document_publish_diagnostics(
@@ -246,6 +332,11 @@ UNUSED = frozenset({"N727", "E302", "W301"})
 
 FoldersOf = Callable[[Path], navigation.PythonFolders]
 """Where the Python of a root's activities, functions and modules is."""
+
+
+@lru_cache(maxsize=16)
+def _source(path: str, text: str) -> Source:
+    return Source(path, text)
 
 
 @lru_cache(maxsize=64)
@@ -301,9 +392,7 @@ def _documents(server: Server) -> None:
     def did_close(params: lsp.DidCloseTextDocumentParams) -> None:
         path = server.path(params.text_document.uri)
         others = [other for other in server.files.affected(path) if other != path]
-        waiting = server.waiting.pop(path, None)
-        if waiting is not None:
-            waiting.cancel()
+        server.hush(path)
         server.files.close(path)
         server.tokens.pop(path, None)
         server.uris.pop(path, None)
@@ -313,6 +402,7 @@ def _documents(server: Server) -> None:
         )
         for other in others:
             server.soon(other)
+        server.idle = asyncio.get_running_loop().call_later(IDLE, server.tidy_all)
 
     @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def watched(params: lsp.DidChangeWatchedFilesParams) -> None:
@@ -341,8 +431,8 @@ def _change(item: lsp.TextDocumentContentChangeEvent) -> Change:
 
 def _questions(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_HOVER)
-    def on_hover(params: lsp.HoverParams) -> lsp.Hover | None:
-        place = server.place(params)
+    async def on_hover(params: lsp.HoverParams) -> lsp.Hover | None:
+        place = await server.place_now(params)
         if place is None:
             return None
         found = hover.hover(*place)
@@ -351,31 +441,31 @@ def _questions(server: Server) -> None:
         return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, found.text), server.range(found.span))
 
     @server.feature(lsp.TEXT_DOCUMENT_DEFINITION)
-    def definition(params: lsp.DefinitionParams) -> list[lsp.Location] | None:
-        place = server.place(params)
+    async def definition(params: lsp.DefinitionParams) -> list[lsp.Location] | None:
+        place = await server.place_now(params)
         if place is None:
             return None
         view, offset = place
         return server.locations(navigation.definition_or_python(view, offset, _folders(server, view)))
 
     @server.feature(lsp.TEXT_DOCUMENT_DECLARATION)
-    def declaration(params: lsp.DeclarationParams) -> list[lsp.Location] | None:
-        place = server.place(params)
+    async def declaration(params: lsp.DeclarationParams) -> list[lsp.Location] | None:
+        place = await server.place_now(params)
         if place is None:
             return None
         return server.locations(navigation.definition(*place))
 
     @server.feature(lsp.TEXT_DOCUMENT_IMPLEMENTATION)
-    def implementation(params: lsp.ImplementationParams) -> list[lsp.Location] | None:
-        place = server.place(params)
+    async def implementation(params: lsp.ImplementationParams) -> list[lsp.Location] | None:
+        place = await server.place_now(params)
         if place is None:
             return None
         view, offset = place
         return server.locations(navigation.implementation(view, offset, _folders(server, view)))
 
     @server.feature(lsp.TEXT_DOCUMENT_REFERENCES)
-    def references(params: lsp.ReferenceParams) -> list[lsp.Location] | None:
-        place = server.place(params)
+    async def references(params: lsp.ReferenceParams) -> list[lsp.Location] | None:
+        place = await server.place(params)
         if place is None:
             return None
         view, offset = place
@@ -384,8 +474,8 @@ def _questions(server: Server) -> None:
         return server.locations(places)
 
     @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
-    def highlights(params: lsp.DocumentHighlightParams) -> list[lsp.DocumentHighlight] | None:
-        place = server.place(params)
+    async def highlights(params: lsp.DocumentHighlightParams) -> list[lsp.DocumentHighlight] | None:
+        place = await server.place_now(params)
         if place is None:
             return None
         server.moved(params.text_document.uri, params.position)
@@ -393,9 +483,9 @@ def _questions(server: Server) -> None:
         return [lsp.DocumentHighlight(server.range(span), _HIGHLIGHTS[use]) for span, use in found]
 
     @server.feature(lsp.WORKSPACE_SYMBOL)
-    def symbols(params: lsp.WorkspaceSymbolParams) -> list[lsp.SymbolInformation]:
+    async def symbols(params: lsp.WorkspaceSymbolParams) -> list[lsp.SymbolInformation]:
         roots = {root for path in server.files.files() for root in server.files.roots(path)}
-        programs = tuple(server.files.program(root) for root in sorted(roots))
+        programs = [await server.in_pieces(server.files.programming(root)) for root in sorted(roots)]
         return [
             lsp.SymbolInformation(
                 server.location(path, span),
@@ -403,7 +493,7 @@ def _questions(server: Server) -> None:
                 _SYMBOLS.get(symbol.kind, lsp.SymbolKind.Variable),
                 container_name=symbol.owner or None,
             )
-            for symbol, path, span in outline.workspace_symbols(programs, params.query)
+            for symbol, path, span in outline.workspace_symbols(tuple(programs), params.query)
         ]
 
 
@@ -416,8 +506,8 @@ def _folders(server: Server, view: View) -> navigation.PythonFolders:
 
 def _changes(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_PREPARE_RENAME)
-    def prepare(params: lsp.PrepareRenameParams) -> lsp.Range | None:
-        place = server.place(params)
+    async def prepare(params: lsp.PrepareRenameParams) -> lsp.Range | None:
+        place = await server.place(params)
         if place is None:
             return None
         found = rename.renameable(server.files, *place)
@@ -426,8 +516,8 @@ def _changes(server: Server) -> None:
         return server.range(found)
 
     @server.feature(lsp.TEXT_DOCUMENT_RENAME, lsp.RenameOptions(prepare_provider=True))
-    def on_rename(params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
-        place = server.place(params)
+    async def on_rename(params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
+        place = await server.place(params)
         if place is None:
             return None
         found = rename.rename(server.files, *place, params.new_name)
@@ -439,18 +529,18 @@ def _changes(server: Server) -> None:
 
     @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
     def formatting(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
-        view = server.view(params.text_document.uri)
-        return server.text_edits(layout.layout(view.source)) if view is not None else None
+        source = server.text_of(params.text_document.uri)
+        return server.text_edits(layout.layout(source)) if source is not None else None
 
     @server.feature(lsp.TEXT_DOCUMENT_RANGE_FORMATTING)
     def range_formatting(params: lsp.DocumentRangeFormattingParams) -> list[lsp.TextEdit] | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+        source = server.text_of(params.text_document.uri)
+        if source is None:
             return None
         first, last = params.range.start.line + 1, params.range.end.line + 1
         if params.range.end.character == 0 and last > first:
             last -= 1
-        return server.text_edits(layout.layout(view.source, first, last))
+        return server.text_edits(layout.layout(source, first, last))
 
 
 # ---- structure -------------------------------------------------------------------------------------
@@ -458,13 +548,13 @@ def _changes(server: Server) -> None:
 
 def _structure(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
-    def document_symbols(params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol] | None:
-        view = server.view(params.text_document.uri)
+    async def document_symbols(params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol] | None:
+        view = await server.view(params.text_document.uri)
         return [_entry(server, item) for item in outline.outline(view)] if view is not None else None
 
     @server.feature(lsp.TEXT_DOCUMENT_FOLDING_RANGE)
-    def folding(params: lsp.FoldingRangeParams) -> list[lsp.FoldingRange] | None:
-        view = server.view(params.text_document.uri)
+    async def folding(params: lsp.FoldingRangeParams) -> list[lsp.FoldingRange] | None:
+        view = await server.view(params.text_document.uri)
         if view is None:
             return None
         return [
@@ -473,22 +563,23 @@ def _structure(server: Server) -> None:
         ]
 
     @server.feature(lsp.TEXT_DOCUMENT_SELECTION_RANGE)
-    def selection(params: lsp.SelectionRangeParams) -> list[lsp.SelectionRange] | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+    async def selection(params: lsp.SelectionRangeParams) -> list[lsp.SelectionRange] | None:
+        places = await server.places(params.text_document.uri, *params.positions)
+        if places is None:
             return None
+        view, offsets = places
         found = []
-        for position in params.positions:
+        for offset in offsets:
             around: lsp.SelectionRange | None = None
-            for span in reversed(outline.selections(view, server.offset(view, position))):
+            for span in reversed(outline.selections(view, offset)):
                 around = lsp.SelectionRange(server.range(span), around)
             assert around is not None
             found.append(around)
         return found
 
     @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_LINK)
-    def document_links(params: lsp.DocumentLinkParams) -> list[lsp.DocumentLink] | None:
-        view = server.view(params.text_document.uri)
+    async def document_links(params: lsp.DocumentLinkParams) -> list[lsp.DocumentLink] | None:
+        view = await server.view(params.text_document.uri)
         if view is None:
             return None
         return [
@@ -503,18 +594,18 @@ def _structure(server: Server) -> None:
             legend=legend, full=lsp.SemanticTokensFullDelta(delta=True), range=True
         ),
     )
-    def semantic_tokens(params: lsp.SemanticTokensParams) -> lsp.SemanticTokens | None:
-        view = server.view(params.text_document.uri)
+    async def semantic_tokens(params: lsp.SemanticTokensParams) -> lsp.SemanticTokens | None:
+        view = await server.view(params.text_document.uri)
         if view is None:
             return None
         data = tokens.encoded(server.lines(view.source), tokens.tokens(view))
         return lsp.SemanticTokens(data, _remember(server, view, data))
 
     @server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA)
-    def semantic_tokens_delta(
+    async def semantic_tokens_delta(
         params: lsp.SemanticTokensDeltaParams,
     ) -> lsp.SemanticTokens | lsp.SemanticTokensDelta | None:
-        view = server.view(params.text_document.uri)
+        view = await server.view(params.text_document.uri)
         if view is None:
             return None
         data = tokens.encoded(server.lines(view.source), tokens.tokens(view))
@@ -528,20 +619,20 @@ def _structure(server: Server) -> None:
         return lsp.SemanticTokensDelta([lsp.SemanticTokensEdit(start, count, inserted)], name)
 
     @server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE)
-    def semantic_tokens_range(params: lsp.SemanticTokensRangeParams) -> lsp.SemanticTokens | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+    async def semantic_tokens_range(params: lsp.SemanticTokensRangeParams) -> lsp.SemanticTokens | None:
+        found = await server.places(params.text_document.uri, params.range.start, params.range.end)
+        if found is None:
             return None
-        start, end = server.offsets(view, params.range)
-        found = [item for item in tokens.tokens(view) if item.end > start and item.start < end]
-        return lsp.SemanticTokens(tokens.encoded(server.lines(view.source), found))
+        view, (start, end) = found
+        within = [item for item in tokens.tokens(view) if item.end > start and item.start < end]
+        return lsp.SemanticTokens(tokens.encoded(server.lines(view.source), within))
 
     @server.feature(lsp.TEXT_DOCUMENT_INLAY_HINT)
-    def inlay_hints(params: lsp.InlayHintParams) -> list[lsp.InlayHint] | None:
-        view = server.view(params.text_document.uri)
-        if view is None:
+    async def inlay_hints(params: lsp.InlayHintParams) -> list[lsp.InlayHint] | None:
+        found = await server.places(params.text_document.uri, params.range.start, params.range.end)
+        if found is None:
             return None
-        start, end = server.offsets(view, params.range)
+        view, (start, end) = found
         return [
             lsp.InlayHint(
                 server.range(Span(view.source, item.offset, item.offset)).start,
@@ -553,8 +644,8 @@ def _structure(server: Server) -> None:
         ]
 
     @server.feature(lsp.TEXT_DOCUMENT_CODE_LENS)
-    def code_lens(params: lsp.CodeLensParams) -> list[lsp.CodeLens] | None:
-        view = server.view(params.text_document.uri)
+    async def code_lens(params: lsp.CodeLensParams) -> list[lsp.CodeLens] | None:
+        view = await server.view(params.text_document.uri)
         if view is None:
             return None
         return [
@@ -590,17 +681,19 @@ def _remember(server: Server, view: View, data: Sequence[int]) -> str:
 
 def _hierarchy(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY)
-    def prepare(params: lsp.CallHierarchyPrepareParams) -> list[lsp.CallHierarchyItem] | None:
-        place = server.place(params)
+    async def prepare(params: lsp.CallHierarchyPrepareParams) -> list[lsp.CallHierarchyItem] | None:
+        place = await server.place(params)
         if place is None:
             return None
         found = calls.prepared(*place)
         return [_item(server, place[0].path, found)] if found is not None else None
 
     @server.feature(lsp.CALL_HIERARCHY_INCOMING_CALLS)
-    def incoming(params: lsp.CallHierarchyIncomingCallsParams) -> list[lsp.CallHierarchyIncomingCall] | None:
+    async def incoming(
+        params: lsp.CallHierarchyIncomingCallsParams,
+    ) -> list[lsp.CallHierarchyIncomingCall] | None:
         path, symbol = _asked(params.item)
-        view = server.files.view(path)
+        view = await server.settled(path)
         if view is None:
             return None
         return [
@@ -611,9 +704,11 @@ def _hierarchy(server: Server) -> None:
         ]
 
     @server.feature(lsp.CALL_HIERARCHY_OUTGOING_CALLS)
-    def outgoing(params: lsp.CallHierarchyOutgoingCallsParams) -> list[lsp.CallHierarchyOutgoingCall] | None:
+    async def outgoing(
+        params: lsp.CallHierarchyOutgoingCallsParams,
+    ) -> list[lsp.CallHierarchyOutgoingCall] | None:
         path, symbol = _asked(params.item)
-        view = server.files.view(path)
+        view = await server.settled(path)
         if view is None:
             return None
         return [
@@ -658,7 +753,7 @@ def _drawings(server: Server) -> None:
     async def drawn(uri: str, position: lsp.Position) -> tuple[View, LiveDrawing] | None:
         """The picture for a place, with the view that it belongs to."""
         async with server.drawing:
-            view = server.view(uri)
+            view = await server.view(uri)
             if view is None:
                 return None
             offset = server.offset(view, position)

@@ -61,6 +61,9 @@ _TYPE_OF = {
 }
 
 
+_NUMBER = {kind: TYPES.index(name) for kind, name in _TYPE_OF.items()}
+
+
 @dataclass(frozen=True, slots=True)
 class Token:
     """A name of a file: where it begins, its length, and the numbers of its type and modifiers."""
@@ -77,8 +80,7 @@ def tokens(view: View) -> tuple[Token, ...]:
     for item in view.occurrences:
         span = view.whole(item.span)
         if span.end > span.start and (not found or span.start >= found[-1].end):
-            kind = TYPES.index(_TYPE_OF[item.symbol.kind])
-            found.append(Token(span.start, span.end, kind, _modifiers(view, item)))
+            found.append(Token(span.start, span.end, _NUMBER[item.symbol.kind], _modifiers(view, item)))
     return tuple(found)
 
 

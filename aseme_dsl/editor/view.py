@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.editor.carrying import Carry, carry
 from aseme_dsl.editor.index import Occurrence
 from aseme_dsl.editor.positions import Lines
 from aseme_dsl.editor.program import Program
@@ -14,6 +15,7 @@ from aseme_dsl.grammar import tree
 from aseme_dsl.source import Source, Span
 
 _WORD = re.compile(r"\w*", re.ASCII)
+_TWO = re.compile(r"\w\w", re.ASCII)
 _LONGEST = 200
 """How long a word is at most."""
 
@@ -24,6 +26,10 @@ def _word_at(text: str, offset: int) -> tuple[int, int]:
     behind = _WORD.match(text, offset)
     assert before is not None and behind is not None  # it may be empty
     return offset - before.end(), behind.end()
+
+
+def _is_in_a_word(text: str, offset: int) -> bool:
+    return _TWO.match(text, offset - 1) is not None if offset > 0 else False
 
 
 def _name_of(declaration: tree.Declaration | None) -> str:
@@ -47,6 +53,8 @@ class View:
     """What there is to say of this file, in all programs that it is in."""
     earlier: View | None = None
     """The last view in which the file had no mistake of syntax, if it has one now."""
+    carry: Carry | None = None
+    """Where the text has changed since the program was compiled; None if it has not."""
 
     @cached_property
     def lines(self) -> Lines:
@@ -64,6 +72,8 @@ class View:
 
     def at(self, offset: int) -> tuple[Source, int]:
         """The part that `offset` is in, and the offset in the part."""
+        if self.carry is not None:
+            offset = self.carry.back(offset)
         found, base = self.file.source if self.file is not None else self.source, 0
         for start, part in self.parts:
             if start > offset:
@@ -73,7 +83,10 @@ class View:
 
     def whole(self, span: Span) -> Span:
         """The place in its file of a span of a tree or model."""
-        return self.program.whole(span)
+        span = self.program.whole(span)
+        if self.carry is not None and self.file is not None and span.source is self.file.source:
+            return self.carry.span(span, self.source)
+        return span
 
     def declaration_at(self, offset: int) -> tree.Declaration | None:
         """The declaration around an offset."""
@@ -86,19 +99,35 @@ class View:
     def occurrence_at(self, offset: int) -> Occurrence | None:
         """The name at an offset, or just before it; in what cannot be read now, what it meant before."""
         part, inside = self.at(offset)
-        return self.program.index.at(part, inside) or self._meant_before(offset)
+        found = self.program.index.at(part, inside)
+        if found is not None and self.carry is not None:
+            span = self.whole(found.span)
+            found = found if self.stands(found) and span.start <= offset <= span.end else None
+        return found or self._meant_before(offset)
+
+    def stands(self, item: Occurrence) -> bool:
+        """Whether a name has not been edited since the program was compiled."""
+        if self.carry is None:
+            return True
+        span, text = self.whole(item.span), self.source.text
+        if span.source is not self.source:
+            return True
+        if span.text != item.span.text:
+            return False
+        return not any(_is_in_a_word(text, place) for place in (span.start, span.end))
 
     def _meant_before(self, offset: int) -> Occurrence | None:
-        """What the word at an offset meant in its block when the file had no mistake of syntax."""
+        """What the word at an offset meant in its block before the last edits, or mistakes of syntax."""
         start, end = _word_at(self.source.text, offset)
-        name = _name_of(self.declaration_at(offset))
-        if start == end or self.earlier is None or self.earlier.file is None:
+        if start == end:
             return None
-        for block in self.earlier.file.declarations:
-            if _name_of(block) == name:
-                for item in self.earlier.program.index.part(block.span.source):
-                    if item.span.text == self.source.text[start:end]:
-                        return replace(item, span=Span(self.source, start, end))
+        name = _name_of(self.declaration_at(offset))
+        for view in (self if self.carry is not None else None, self.earlier):
+            for block in view.file.declarations if view is not None and view.file is not None else ():
+                if view is not None and _name_of(block) == name:
+                    for item in view.program.index.part(block.span.source):
+                        if item.span.text == self.source.text[start:end]:
+                            return replace(item, span=Span(self.source, start, end))
         return None
 
     @cached_property
@@ -108,3 +137,10 @@ class View:
             return ()
         parts = [part for _, part in self.parts] or [self.file.source]
         return tuple(item for part in parts for item in self.program.index.part(part))
+
+
+def carried(view: View, text: str) -> View:
+    """The same file with the text of this moment, which may have changed since `view` was made."""
+    if text == view.source.text:
+        return view
+    return replace(view, source=Source(view.source.path, text), carry=carry(view.source.text, text))

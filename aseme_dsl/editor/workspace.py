@@ -7,20 +7,24 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import TypeVar, cast
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import Options
 from aseme_dsl.compiler.memory import Memory
-from aseme_dsl.compiler.phases import Inspection, inspect_files
+from aseme_dsl.compiler.phases import Inspection, inspecting
+from aseme_dsl.compiler.pieces import InPieces, finished
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
 from aseme_dsl.editor.index import Occurrence, Symbol, World, occurrences
 from aseme_dsl.editor.program import Indexer, Program
-from aseme_dsl.editor.view import View
+from aseme_dsl.editor.view import View, carried
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import InParts, Parts
 from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
+
+_T = TypeVar("_T")
 
 MOST_FILES = 2000
 """How many files of a folder are looked at for what imports what."""
@@ -95,6 +99,8 @@ class Workspace:
     _headers: dict[str, tuple[object, Header]] = field(default_factory=dict)
     _memories: dict[str, Memory] = field(default_factory=dict)
     _parts: dict[str, Parts] = field(default_factory=dict)
+    _carried: dict[str, View] = field(default_factory=dict)
+    _moment: int = 0
 
     # ---- what the editor says ------------------------------------------------------------------
 
@@ -107,7 +113,7 @@ class Workspace:
         """The file counts as it is on disk again."""
         path = os.path.realpath(path)
         self.buffers.pop(path, None)
-        for known in (self._good, self._recent, self._memories, self._parts, self._headers):
+        for known in (self._good, self._recent, self._carried, self._memories, self._parts, self._headers):
             known.pop(path, None)
         if not self.buffers:
             self._memories.clear()
@@ -116,6 +122,7 @@ class Workspace:
 
     def forget(self) -> None:
         """Something has changed, here or on disk."""
+        self._moment += 1
         self._programs.clear()
         self._views.clear()
 
@@ -123,18 +130,41 @@ class Workspace:
 
     def view(self, path: str) -> View | None:
         """The file as it is now; None if it is not open and cannot be read."""
+        return finished(self.viewing(path))
+
+    def viewing(self, path: str) -> InPieces[View | None]:
+        """The same in pieces; if something changes in between, it begins anew."""
         path = os.path.realpath(path)
-        if path not in self._views:
-            text = self.text(path)
-            if text is None:
-                return None
-            self._views[path] = self._recent[path] = self._viewed(path, text)
-        return self._views[path]
+        return (yield from self._steadily(lambda: self._viewing(path)))
+
+    def _steadily(self, begin: Callable[[], InPieces[_T]]) -> InPieces[_T]:
+        """Work that counts for one moment: it begins anew if something changes in between."""
+        while True:
+            moment, work = self._moment, begin()
+            while self._moment == moment:
+                try:
+                    next(work)
+                except StopIteration as end:
+                    return cast(_T, end.value)
+                yield
 
     def recent(self, path: str) -> View | None:
-        """The file as it was when it was last looked at, for what must not wait until all is compiled."""
+        """The file as it is now, with what was known when all was last compiled: nobody waits for this.
+
+        Only a file that was never looked at is compiled for it.
+        """
         path = os.path.realpath(path)
-        return self._recent.get(path) or self.view(path)
+        known, text = self._recent.get(path), self.text(path)
+        if known is None or text is None:
+            return self.view(path)
+        found = self._carried.get(path, known)
+        if found.program is not known.program or found.source.text != text.removeprefix("\ufeff"):
+            found = self._carried[path] = carried(known, text.removeprefix("\ufeff"))
+        return found
+
+    def is_known(self, path: str) -> bool:
+        """Whether `recent` has something to go by."""
+        return os.path.realpath(path) in self._recent
 
     def text(self, path: str) -> str | None:
         """The text of a file: as it is open, else as it is on disk."""
@@ -159,21 +189,29 @@ class Workspace:
 
     def program(self, root: str) -> Program:
         """All that is known of a root."""
+        return finished(self.programming(root))
+
+    def programming(self, root: str) -> InPieces[Program]:
+        """The same in pieces; if something changes in between, it begins anew."""
+        return (yield from self._steadily(lambda: self._programming(root)))
+
+    def _programming(self, root: str) -> InPieces[Program]:
         if root not in self._programs:
-            self._programs[root] = self._compiled(root)
+            self._programs[root] = yield from self._compiling(root)
         return self._programs[root]
 
     def _read(self, source: Source) -> InParts:
         return self._parts.setdefault(source.path, Parts()).read(source)
 
-    def _compiled(self, root: str) -> Program:
+    def _compiling(self, root: str) -> InPieces[Program]:
         options, problems = self.project.options(Path(root))
         texts = {path: buffer.text for path, buffer in self.buffers.items()}
         memory = self._memories.setdefault(root, Memory())
-        inspection = inspect_files(root, texts, options, memory, self._read)
+        inspection = yield from inspecting(root, texts, options, memory, self._read)
         analysis = inspection.analysis
         diagnostics = in_order((*problems, *analysis.diagnostics))
         suppressed = analysis.suppressed
+        yield
         if analysis.system is not None and not has_errors(diagnostics):
             found, allowed = self.project.code(Path(root), analysis.system)
             diagnostics = in_order((*diagnostics, *options.policy.apply(found)))
@@ -197,8 +235,15 @@ class Workspace:
 
         return indexed
 
-    def _viewed(self, path: str, text: str) -> View:
-        programs = [self.program(root) for root in self.roots(path)]
+    def _viewing(self, path: str) -> InPieces[View | None]:
+        if path in self._views:
+            return self._views[path]
+        text = self.text(path)
+        if text is None:
+            return None
+        programs = []
+        for root in self.roots(path):
+            programs.append((yield from self._programming(root)))
         found = in_order(
             item for program in programs for item in program.diagnostics if _is_about(program, item, path)
         )
@@ -209,8 +254,10 @@ class Workspace:
         version = buffer.version if buffer is not None else None
         view = View(path, source, version, program, found)
         if any(item.code.startswith("E1") for item in found):
-            return replace(view, earlier=self._good.get(path))
-        self._good[path] = view
+            view = replace(view, earlier=self._good.get(path))
+        else:
+            self._good[path] = view
+        self._views[path] = self._recent[path] = view
         return view
 
     # ---- which files belong together -----------------------------------------------------------

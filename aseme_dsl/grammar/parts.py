@@ -11,7 +11,7 @@ import re
 import secrets
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import count
+from itertools import count, pairwise
 
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar import tree
@@ -138,6 +138,13 @@ _BEGINNING = re.compile(
 """Where a declaration may begin at the margin; what is in comments, texts and braces does not count."""
 
 
+_NO_BEGINNING = re.compile(
+    r"""(?x) \w+\s+ (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes
+      |plays|capability|liveness|activities|modules|functionality|state )\b"""
+)
+"""What an expression before it is not ended by, though it looks like a declaration (see expressions.tx)."""
+
+
 @dataclass(frozen=True, slots=True)
 class InParts:
     """A file that was read in parts. The comments have whole places, all else has those of the parts."""
@@ -198,6 +205,8 @@ class Parts:
             return None
         ends = [*starts[1:], len(source.text)]
         texts = [source.text[start:end] for start, end in zip(starts, ends, strict=True)]
+        if any(one.startswith("let") and _NO_BEGINNING.match(other) for one, other in pairwise(texts)):
+            return None
         alone = [self._alone(source.path, text, number) for text, number in _numbered(texts)]
         read: list[tuple[int, _Read]] = []
         index = 0

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import os
 import random
 import sys
 from pathlib import Path
 
 import psutil
+import pytest
 from lsprotocol import types as lsp
 from pygls.lsp.client import LanguageClient
 
 from aseme_dsl.compiler import analyse
+from aseme_dsl.editor import server
+from aseme_dsl.editor.navigation import PythonFolders
 from aseme_dsl.editor.positions import Lines
+from aseme_dsl.editor.workspace import Project
 from aseme_dsl.source import Source
 from tests.support.edits import KINDS, TOKENS, Edit, edited
 
@@ -21,6 +26,10 @@ ROOT = Path(__file__).parents[2]
 EDITS = int(os.environ.get("EDITOR_EDITS", "60"))
 
 TEXT = (ROOT / "tests/acceptance/kouretes.aseme").read_text("utf-8")
+
+
+PATH = "/nowhere/team.aseme"
+SERVER = server.make_server("1", Project(), lambda root: PythonFolders())
 
 
 def change(before: str, after: str) -> lsp.TextDocumentContentChangePartial:
@@ -110,3 +119,30 @@ def test_a_server_that_is_typed_at_wildly_goes_on(tmp_path: Path) -> None:
     assert said == [code for code in cold if code != "E008"] or said == cold
     if EDITS > 1000:  # nothing is settled before
         assert end < half * 1.3
+
+
+async def objects_kept(edits: int, first: int) -> int:
+    """How many objects a server has left after so many edits, each of which it has published."""
+    text = TEXT[: TEXT.index("srm ")]
+    for number in range(first, first + edits):
+        SERVER.files.open(
+            "/nowhere/team.aseme", f"{text}\nlet l{number} = {number} < 3 {'{' * (number % 3 == 0)}\n"
+        )
+        SERVER.files.recent("/nowhere/team.aseme")
+        await SERVER.publish("/nowhere/team.aseme")
+    SERVER.tidy_all()
+    return SERVER.kept
+
+
+def test_what_a_server_keeps_does_not_grow(monkeypatch: pytest.MonkeyPatch) -> None:
+    async def edited_long() -> tuple[int, int]:
+        await objects_kept(70, 0)  # until as much is kept as ever
+        return await objects_kept(30, 100), await objects_kept(60, 200)
+
+    monkeypatch.setattr(server, "DEBOUNCE", 0)
+    monkeypatch.setattr(SERVER, "publish_one", lambda path, view: None)  # nobody is there
+    try:
+        before, after = asyncio.run(edited_long())
+    finally:
+        gc.unfreeze()
+    assert after < before * 1.02

@@ -133,6 +133,10 @@ class Project:
     def close(self, name: str) -> None:
         self.client.text_document_did_close(lsp.DidCloseTextDocumentParams(self.document(name)))
 
+    async def settled(self, name: str = "team.aseme") -> None:
+        """Wait until the server has compiled the text as it is now: some answers do not wait for that."""
+        await self.client.text_document_document_symbol_async(lsp.DocumentSymbolParams(self.document(name)))
+
     async def diagnostics(self, name: str, errors: int = 1) -> list[lsp.Diagnostic]:
         """The diagnostics of the text as it is now, as soon as there are so many errors among them.
 
@@ -200,6 +204,7 @@ def project(client: LanguageClient, folder: Path) -> Project:
 
 
 async def hovered(project: Project, marked: str) -> str:
+    await project.settled()
     found = await project.client.text_document_hover_async(lsp.HoverParams(project.document(), at(marked)))
     assert found is not None and isinstance(found.contents, lsp.MarkupContent)
     return found.contents.value
