@@ -11,6 +11,7 @@ from aseme_dsl.compiler.builtins import NOWHERE
 from aseme_dsl.compiler.flow import Contradict
 from aseme_dsl.compiler.formulas import cut
 from aseme_dsl.compiler.memory import Recall
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.proofs.choice import (
@@ -52,7 +53,7 @@ def vocabulary_of(symbols: Symbols) -> Vocabulary:
 
 def check_conditions(
     charts: Iterable[Statechart], prover: Prover, recall: Recall
-) -> tuple[tuple[Diagnostic, ...], int]:
+) -> InPieces[tuple[tuple[Diagnostic, ...], int]]:
     """What cannot be right in the conditions; and how many choices went unchecked, without z3."""
     found: list[Diagnostic] = []
     unchecked = 0
@@ -64,6 +65,7 @@ def check_conditions(
             seen.add(situation.key)
             if prover.is_there:
                 found += recall(_said, situation, prover)
+                yield
             else:
                 unchecked += 1
     return tuple(found), unchecked

@@ -86,7 +86,7 @@ class _Loader:
     paths: dict[str, str] = field(default_factory=dict)
     read: Read | None = None
     read_before: KnownProtos = field(default_factory=dict)
-    places: dict[Source, tuple[Source, int]] = field(default_factory=dict)
+    places: dict[Source, tuple[Source, int, int]] = field(default_factory=dict)
 
 
 Read = Callable[[Source], InParts]

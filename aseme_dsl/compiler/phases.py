@@ -157,20 +157,21 @@ def _inspecting(
     blocks = replace(inclusion.blocks, roles=roles_now)
     is_damaged = inclusion.damaged(is_damaged)
     top = keep(recall(global_scope, symbols))
-
     yield
+
     # Requirements: goals and use cases.
     sag = keep(read_sag(blocks.sags, symbols))
     suc = keep(sag_to_suc(sag, blocks.sucs, _places_of_roles(blocks), _places(inclusion.abstract), symbols))
-
     yield
+
     # Analysis: protocols and roles, with the activities that they describe.
     largest = options.largest
     participants = {item.name.text: keep(recall(protocol_scopes, item, top)) for item in blocks.aips}
-    protocols = {
-        item.name.text: keep(recall(read_protocol, item, participants[item.name.text], largest, is_damaged))
-        for item in blocks.aips
-    }
+    protocols: dict[str, Protocol] = {}
+    for aip in blocks.aips:
+        parties = participants[aip.name.text]
+        protocols[aip.name.text] = keep(recall(read_protocol, aip, parties, largest, is_damaged))
+        yield
     yield
     aips = [
         keep(recall(read_aip, item, participants[name], protocols[name].parts, is_damaged))
@@ -179,10 +180,11 @@ def _inspecting(
     yield
     scopes = {item.name.text: keep(recall(role_scope, item, top)) for item in blocks.roles}
     teams = keep(settle(symbols.teams, loaded.files, scopes, top))
-    roles = {
-        item.name.text: keep(recall(read_role, item, scopes[item.name.text], protocols, largest, is_damaged))
-        for item in blocks.srms
-    }
+    roles: dict[str, Role] = {}
+    for item in blocks.srms:
+        role = keep(recall(read_role, item, scopes[item.name.text], protocols, largest, is_damaged))
+        roles[item.name.text] = role
+        yield
     yield
     found += [
         problem
@@ -215,19 +217,22 @@ def _inspecting(
     yield
     eacs = {item.name: recall(_eac, item, *world) for item in protocols.values()}
     yield
-    iacs = {item.name: recall(_iac, item, *world) for item in roles.values()}
+    iacs: dict[str, Statechart | None] = {}
+    for role in roles.values():
+        iacs[role.name] = recall(_iac, role, *world)
+        yield
     iacs |= {item.name: recall(_given_chart, item, *world) for item in given}
     yield
     charts = [chart for chart in (*eacs.values(), *iacs.values()) if chart is not None]
     prover = recall(Prover, memory.same("vocabulary", vocabulary_of(resolved)))
     for chart in charts:
         found += recall(_flow, chart, prover)
-    yield
+        yield
     found += check_outcomes(charts, described, recall)
     yield
     found += check_states(charts, recall)
-
     yield
+
     # What is used but not declared, described but not used, expected but not written.
     used = used_activities((*_built(iacs), *_built(eacs)))
     formulas = _formulas(blocks)
@@ -275,7 +280,7 @@ def _inspecting(
             found += check_agents(_alone(inclusion), symbols)
             found += check_exchange(blocks.aips)
         yield
-        compared, unchecked = check_conditions(charts, prover, recall)
+        compared, unchecked = yield from check_conditions(charts, prover, recall)
         found += compared
 
     yield

@@ -39,7 +39,7 @@ DIAGRAM, CURSOR = "aseme/diagram", "aseme/cursor"
 VIEW = "asemec.view"
 """The command that opens a page in a browser, which follows the cursor."""
 
-DEBOUNCE = 0.02
+DEBOUNCE = 0.04
 """Seconds without a change after which there is something to say of a file."""
 
 IDLE = 5.0

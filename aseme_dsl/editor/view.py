@@ -66,8 +66,8 @@ class View:
         return self.program.files.get(self.path)
 
     @cached_property
-    def parts(self) -> tuple[tuple[int, Source], ...]:
-        """The parts of the file with the offsets at which they begin, in the order of the text."""
+    def parts(self) -> tuple[tuple[int, int, Source], ...]:
+        """The parts of the file as `Layout.parts_of` has them."""
         return self.program.layout.parts_of(self.file.source) if self.file is not None else ()
 
     def at(self, offset: int) -> tuple[Source, int]:
@@ -75,8 +75,8 @@ class View:
         if self.carry is not None:
             offset = self.carry.back(offset)
         found, base = self.file.source if self.file is not None else self.source, 0
-        for start, part in self.parts:
-            if start > offset:
+        for start, own, part in self.parts:
+            if own > offset:
                 break
             found, base = part, start
         return found, offset - base
@@ -135,7 +135,7 @@ class View:
         """All names of the file, in the order of the text."""
         if self.file is None:
             return ()
-        parts = [part for _, part in self.parts] or [self.file.source]
+        parts = [part for *_, part in self.parts] or [self.file.source]
         return tuple(item for part in parts for item in self.program.index.part(part))
 
 

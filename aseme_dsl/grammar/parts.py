@@ -22,21 +22,25 @@ from aseme_dsl.source import Source, Span
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """The file of each part, and the offset at which it begins there; other texts are their own files."""
+    """The file of each part, and where in it the part is; other texts are their own files.
 
-    places: Mapping[Source, tuple[Source, int]] = field(default_factory=dict)
+    A part that was read with what is around it has two offsets there: at which its text begins, and at which
+    begins what it was read for.
+    """
+
+    places: Mapping[Source, tuple[Source, int, int]] = field(default_factory=dict)
 
     def whole(self, span: Span) -> Span:
         """The same place in the file."""
         place = self.places.get(span.source)
         if place is None:
             return span
-        file, base = place
+        file, base, _ = place
         return Span(file, span.start + base, span.end + base)
 
-    def parts_of(self, file: Source) -> tuple[tuple[int, Source], ...]:
-        """The parts of a file, each with the offset at which it begins; empty if it was read in one piece."""
-        return tuple((base, part) for part, (other, base) in self.places.items() if other is file)
+    def parts_of(self, file: Source) -> tuple[tuple[int, int, Source], ...]:
+        """The parts of a file, in its order, each with its two offsets; empty if it was read in one piece."""
+        return tuple((base, own, part) for part, (other, base, own) in self.places.items() if other is file)
 
     def diagnostic(self, item: Diagnostic) -> Diagnostic:
         """The same with all its places in files."""
@@ -106,7 +110,7 @@ class Lines:
         self._known, self._used = self._used, {}
         self._above = {
             str(part.above)[-2 * _DIGITS : -_DIGITS]: file.position(base)[0] - 1
-            for part, (file, base) in layout.places.items()
+            for part, (file, base, _) in layout.places.items()
             if isinstance(part, Part)
         }
 
@@ -139,8 +143,8 @@ _BEGINNING = re.compile(
 
 
 _NO_BEGINNING = re.compile(
-    r"""(?x) \w+\s+ (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes
-      |plays|capability|liveness|activities|modules|functionality|state )\b"""
+    r"""(?x) \w+\s+ (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process
+      |includes|plays|capability|liveness|activities|modules|functionality|state )\b"""
 )
 """What an expression before it is not ended by, though it looks like a declaration (see expressions.tx)."""
 
@@ -288,7 +292,7 @@ def _joined(source: Source, read: Sequence[tuple[int, _Read]]) -> InParts | None
     diagnostics = tuple(item for _, one in read for item in one.diagnostics)
     if len(diagnostics) > MOST_MISTAKES:
         return None
-    layout = Layout({one.part: (source, start - one.base) for start, one in read})
+    layout = Layout({one.part: (source, start - one.base, start) for start, one in read})
     comments = tuple(
         tree.Comment(item.text, layout.whole(item.span)) for _, one in read for item in one.comments
     )

@@ -133,6 +133,17 @@ def test_the_editor_says_what_a_cold_check_says(name: str, changes: list[Edit]) 
             answer_all(view, change.place * len(text) // 999, workspace)
 
 
+def test_what_stands_before_something_broken_is_found() -> None:
+    text = TEXTS["small"].replace("srm robot {", "srm robot { control control")
+    workspace = Workspace()
+    workspace.open(PATH, text)
+    view = workspace.view(PATH)
+    assert view is not None and [item.code for item in view.diagnostics] == ["E100"]
+    for name in ("low", "Note2 {", "walk =", "Step .", "robot {", "Twins {", "high"):
+        found = view.occurrence_at(text.index(name))
+        assert found is not None and view.whole(found.span).start == text.index(name)
+
+
 def words_that_no_declaration_is_called() -> list[str]:
     """Those that the grammar of expressions takes for more of the expression."""
     grammar = (ROOT / "aseme_dsl/grammar/expressions.tx").read_text("utf-8")
