@@ -35,6 +35,7 @@ COMMANDS = (
     "swap",
     "trace",
     "optimise",
+    "sniff",
     "scaffold",
     "import",
     "doctor",

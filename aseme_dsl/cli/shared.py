@@ -71,6 +71,16 @@ def activities_option(command: CommandT) -> CommandT:
     return folder_option("--activities", text=text)(command)
 
 
+def moment_of(context: click.Context, parameter: click.Parameter, value: str | None) -> int | None:
+    """A time on the command line, in ns."""
+    from aseme_dsl.build.duration import duration
+
+    try:
+        return None if value is None else duration(value)
+    except ValueError as problem:
+        raise click.BadParameter(f"{problem}.") from problem
+
+
 def wants_colour(choice: str, stream: IO[str]) -> bool:
     """Whether to colour what goes to `stream`."""
     if choice != "auto":

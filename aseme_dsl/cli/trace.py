@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from aseme_dsl.cli.shared import FilePath, json_option, plural, print_json
+from aseme_dsl.cli.shared import FilePath, json_option, moment_of, plural, print_json
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -18,15 +18,6 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.trace_reading import TraceReader
 
 _NANOSECONDS = 1e9
-
-
-def _moment(context: click.Context, parameter: click.Parameter, value: str | None) -> int | None:
-    from aseme_dsl.build.duration import duration
-
-    try:
-        return None if value is None else duration(value)
-    except ValueError as problem:
-        raise click.BadParameter(f"{problem}.") from problem
 
 
 def _kinds(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
@@ -85,8 +76,8 @@ def _known_kinds(
     metavar="STATE",
     help="Only this state: a label, or an activity.",
 )
-@click.option("--from", "since", metavar="TIME", callback=_moment, help="Only from this time on: 12.5s.")
-@click.option("--to", "until", metavar="TIME", callback=_moment, help="Only up to this time.")
+@click.option("--from", "since", metavar="TIME", callback=moment_of, help="Only from this time on: 12.5s.")
+@click.option("--to", "until", metavar="TIME", callback=moment_of, help="Only up to this time.")
 @click.option(
     "-o",
     "--output",

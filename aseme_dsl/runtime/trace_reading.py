@@ -55,7 +55,7 @@ class TraceReader:
             texts = lines_in(self._file, self.path) if self._is_mcap else self._texts()
             try:
                 for number, text in enumerate(texts, 1):
-                    record = _record(text)
+                    record = record_of(text)
                     if record is None or (number == 1 and record["kind"] != "header"):
                         what = "the header of a trace" if number == 1 else "a line of a trace"
                         raise TraceError(f"{self.path}:{number}: {what} is wanted, not {_short(text)}")
@@ -80,7 +80,7 @@ class TraceReader:
             before = data
         if before is not None:
             text = _decoded(before)
-            if not before.endswith(b"\n") and _record(text) is None:
+            if not before.endswith(b"\n") and record_of(text) is None:
                 raise Torn(number, f"{_short(text)} is not a whole line")
             yield text
 
@@ -94,7 +94,7 @@ def _decoded(data: bytes) -> str:
     return data.decode("utf-8", "replace").rstrip("\n")
 
 
-def _record(text: str) -> Record | None:
+def record_of(text: str) -> Record | None:
     """What a line says, or None if it is none."""
     try:
         found = json.loads(text)

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+from aseme_dsl.build.sniff import Sniffer
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import render_text
+from aseme_dsl.diagrams.sequence_svg import drawn
 from aseme_dsl.runtime import Context
 from aseme_dsl.source import Source
 from tests.conftest import Snapshot
@@ -19,6 +22,7 @@ from tests.support.generated import Generated, generate
 
 LAST = {"LearnOutcome", "LearnAnswer", "EndSubscription", "CloseAuction", "LearnReply", "LearnResult"}
 """The last activities of those who begin: they know how it ended."""
+PICTURES = Path(__file__).parents[2] / "docs" / "pictures"
 LIMIT = 20 * 60 * SECOND
 """No conversation of these is longer, whatever happens."""
 
@@ -81,7 +85,7 @@ class Protocol:
     def __str__(self) -> str:
         return self.name
 
-    def text(self, named: Mapping[str, str] | None = None) -> str:
+    def text(self) -> str:
         roles = dict.fromkeys(self.parts.values())
         lines = [f"system {self.name.title().replace('_', '')}", "import protocols"]
         lines += [
@@ -425,6 +429,21 @@ def test_what_is_said(item: Protocol, snapshot: Snapshot) -> None:
             run = played(end)
             lines += [f"{end.name}:", *(f"  {line}" for line in said(run)), ""]
     snapshot("\n".join(lines), f"{item.name}.txt")
+
+
+@pytest.mark.parametrize("item", PROTOCOLS, ids=str)
+def test_the_pictures_of_the_documentation(item: Protocol, request: pytest.FixtureRequest) -> None:
+    """What is said if all goes well, as `asemec sniff` draws it."""
+    run = played(next(end for end in ENDS if end.protocol == item.name))
+    sniffer = Sniffer()
+    sniffer.header(run.of("header")[0])
+    diagram = sniffer.diagram([row for record in run.records for row in sniffer.rows(record)])
+    lifelines = tuple(replace(line, role=item.parts[line.name]) for line in diagram.lifelines)
+    picture = drawn(replace(diagram, title=item.name, lifelines=lifelines))
+    path = PICTURES / f"talk_{item.name}.svg"
+    if request.config.getoption("--snapshot-update"):
+        path.write_text(picture, "utf-8")
+    assert path.read_text("utf-8") == picture, "if the new one is right: --snapshot-update"
 
 
 def test_an_order_to_somebody_who_has_ended_is_not_understood() -> None:

@@ -1,0 +1,79 @@
+"""Following: the lines of a trace while it is being written."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import BinaryIO
+
+from aseme_dsl.runtime.trace_files import TraceError, part_of, reason_of
+from aseme_dsl.runtime.trace_mcap import MAGIC
+from aseme_dsl.runtime.trace_reading import Record, record_of
+
+
+class TraceFollower:
+    """A trace that a run writes, or will write: `NAME.part` until it is complete, `NAME` then.
+
+    Whoever begins before the run waits for it; one that begins anew in the same place is followed from its
+    begin. What is there already when it is looked at for the first time is told, too.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.finished = False
+        """Whether the run has ended: its last line was read."""
+        self._file: BinaryIO | None = None
+        self._rest = b""
+
+    def poll(self) -> Iterator[Record]:
+        """The records that were written since it was looked at last; it waits for nothing.
+
+        Raises:
+            TraceError: it cannot be read, or is an MCAP file, which is no text.
+        """
+        try:
+            if self._file is None or self._is_another(self._file):
+                self._open()
+            if self._file is None:
+                return
+            data = self._rest + self._file.read()
+        except OSError as problem:
+            raise TraceError(f"{self.path} cannot be read: {reason_of(problem)}") from problem
+        if data.startswith(MAGIC):
+            raise TraceError(f"{self.path} is MCAP: it can be read when the run has ended, and not followed")
+        *lines, self._rest = data.split(b"\n")
+        for line in lines:
+            record = record_of(line.decode("utf-8", "replace"))
+            if record is not None:
+                self.finished = record["kind"] == "finish"
+                yield record
+
+    def close(self) -> None:
+        """Let the file go."""
+        if self._file is not None:
+            self._file.close()
+            self._file = None
+
+    def _open(self) -> None:
+        self.close()
+        self._rest = b""
+        self.finished = False
+        for path in (part_of(self.path), self.path):
+            with suppress(FileNotFoundError):
+                self._file = path.open("rb")
+                return
+
+    def _is_another(self, file: BinaryIO) -> bool:
+        """Whether another run writes there now than the one that is being read."""
+        mine = os.fstat(file.fileno())
+        if mine.st_size < file.tell():
+            return True
+        with suppress(FileNotFoundError):
+            there = part_of(self.path).stat()
+            return (there.st_dev, there.st_ino) != (mine.st_dev, mine.st_ino)
+        return False
+
+
+__all__ = ["TraceFollower"]

@@ -1,0 +1,249 @@
+"""`asemec sniff`: what the agents of a run say to each other, as text, as Mermaid or as a picture."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+import time
+from collections.abc import Collection, Sequence
+from dataclasses import asdict
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from aseme_dsl.cli.shared import FilePath, json_option, moment_of, plural, print_json
+
+if TYPE_CHECKING:
+    from aseme_dsl.build.sniff import Wanted
+    from aseme_dsl.diagrams.sequence import Row, SequenceDiagram
+    from aseme_dsl.runtime.trace_reading import Record
+
+_PAUSE = 0.1
+"""Seconds between two looks at a trace that is being written."""
+_SUFFIXES = {".svg": "svg", ".mmd": "mermaid", ".mermaid": "mermaid", ".txt": "text"}
+
+
+@click.command(
+    short_help="Show what agents say to each other.",
+    help="Show the agent messages of a run: as lines of text, as a Mermaid sequence diagram, or as an SVG"
+    " picture. TRACE is a trace, or a folder with a trace.jsonl in it; several are the processes of one run."
+    " The filters go together; of several of one kind, any. What they leave out is counted.",
+    epilog="Example: asemec sniff out --protocol contract_net -o talk.svg   ·   asemec sniff out --follow",
+)
+@click.argument("traces", nargs=-1, required=True, metavar="TRACE...", type=FilePath(path_type=Path))
+@click.option("-f", "--follow", is_flag=True, help="Show them as they come, until the run ends.")
+@click.option(
+    "--conversation",
+    "conversations",
+    multiple=True,
+    metavar="NAME",
+    help="Only this conversation, or these: 'auction-*'.",
+)
+@click.option("--protocol", "protocols", multiple=True, metavar="NAME", help="Only those of this protocol.")
+@click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only what this agent says or hears.")
+@click.option("--from", "since", metavar="TIME", callback=moment_of, help="Only from this time on: 12.5s.")
+@click.option("--to", "until", metavar="TIME", callback=moment_of, help="Only up to this time.")
+@click.option(
+    "--format",
+    "format_",
+    type=click.Choice(["text", "mermaid", "svg"]),
+    help="What to write.  [default: what the output file is called, else text]",
+)
+@click.option(
+    "-o",
+    "--output",
+    type=FilePath(path_type=Path),
+    metavar="FILE",
+    help="Where to write: .svg, .mmd or .txt. What is too long for one picture goes on in FILE-2, FILE-3, ….",
+)
+@click.option("--each", is_flag=True, help="A picture for each conversation: FILE-CONVERSATION.")
+@json_option
+def command(
+    traces: tuple[Path, ...],
+    follow: bool,
+    conversations: tuple[str, ...],
+    protocols: tuple[str, ...],
+    agents: tuple[str, ...],
+    since: int | None,
+    until: int | None,
+    format_: str | None,
+    output: Path | None,
+    each: bool,
+    as_json: bool,
+) -> int:
+    """Show or write; 1 if a trace cannot be read or is not whole."""
+    from aseme_dsl.build.sniff import Wanted
+    from aseme_dsl.runtime.trace_files import TraceError
+
+    format_ = _format(format_, output)
+    if each and output is None:
+        raise click.UsageError("--each writes files: name one with -o.")
+    if follow and (output is not None or format_ != "text"):
+        raise click.UsageError("--follow shows text as it comes: leave --format and -o out.")
+    wanted = Wanted(conversations, protocols, agents, since, until)
+    paths = [path / "trace.jsonl" if path.is_dir() else path for path in traces]
+    try:
+        if follow:
+            return _follow(paths, wanted, as_json)
+        return _show(paths, wanted, format_, output, each, as_json)
+    except TraceError as problem:
+        click.echo(f"asemec: {problem}", err=True)
+        return 1
+
+
+def _format(given: str | None, output: Path | None) -> str:
+    if given is not None or output is None:
+        return given or "text"
+    found = _SUFFIXES.get(output.suffix.lower())
+    if found is None:
+        raise click.UsageError(f"{output} cannot be written: it is called .svg, .mmd or .txt.")
+    return found
+
+
+# ---- as it comes ---------------------------------------------------------------------------------
+
+
+def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool) -> int:
+    """Until all runs have ended, or somebody ends it."""
+    from aseme_dsl.build.following import TraceFollower
+    from aseme_dsl.build.sniff import Sniffer, line_of
+
+    followers = [TraceFollower(path) for path in paths]
+    sniffer = Sniffer(wanted)
+    began: dict[Path, datetime | None] = {}
+    width = 5
+    try:
+        while not all(item.finished for item in followers):
+            for item in followers:
+                for record in item.poll():
+                    if record["kind"] == "header":
+                        began[item.path] = _start(record)
+                        sniffer.header(record)
+                        width = max([width, *(len(agent["name"]) for agent in record["agents"])])
+                    shifted = _shifted(record, began.get(item.path), began.values())
+                    for row in sniffer.rows(shifted):
+                        text = json.dumps(_row(row), ensure_ascii=False) if as_json else line_of(row, width)
+                        sys.stdout.write(f"{text}\n")
+            sys.stdout.flush()
+            if not all(item.finished for item in followers):
+                time.sleep(_PAUSE)
+    except KeyboardInterrupt:
+        return 0
+    finally:
+        for item in followers:
+            item.close()
+        for text in sniffer.remarks():
+            click.echo(text, err=True)
+    return 0
+
+
+# ---- after the run -------------------------------------------------------------------------------
+
+
+def _show(
+    paths: Sequence[Path], wanted: Wanted, format_: str, output: Path | None, each: bool, as_json: bool
+) -> int:
+    from aseme_dsl.build.sniff import Sniffer, line_of
+    from aseme_dsl.runtime.trace_reading import TraceReader
+
+    sniffer = Sniffer(wanted)
+    readers = [TraceReader(path) for path in paths]
+    records: list[Record] = []
+    began: dict[Path, datetime | None] = {}
+    for reader in readers:
+        for line in reader:
+            if line.number == 1:
+                began[reader.path] = _start(line.record)
+                sniffer.header(line.record)
+            records.append(line.record | {"trace": reader.path} if len(readers) > 1 else line.record)
+    if len(readers) > 1:
+        records = [_shifted(item, began[item["trace"]], began.values()) for item in records]
+        records.sort(key=lambda item: int(item["time"]))
+    rows = [row for record in records for row in sniffer.rows(record)]
+    problems = [reader.problem for reader in readers if reader.problem is not None]
+    diagram = sniffer.diagram(rows)
+    if output is None:
+        if as_json:
+            print_json({"rows": [_row(row) for row in rows], "remarks": list(diagram.remarks)})
+        elif format_ == "text":
+            width = max([5, *(len(line.name) for line in diagram.lifelines)])
+            click.echo("\n".join(line_of(row, width) for row in rows) or "nobody says anything")
+            for text in diagram.remarks:
+                click.echo(text, err=True)
+        else:
+            click.echo(_drawn(diagram, format_), nl=False)
+    else:
+        files = _write(diagram, format_, output, each)
+        if as_json:
+            print_json({"files": [str(path) for path in files], "remarks": list(diagram.remarks)})
+        else:
+            shown = f"{plural(len(rows), 'row')} of {plural(len(diagram.conversations), 'conversation')}"
+            click.echo(f"{', '.join(map(str, files))}: {shown}")
+            for text in diagram.remarks:
+                click.echo(text, err=True)
+    for problem in problems:
+        click.echo(f"asemec: {problem}", err=True)
+    return int(bool(problems))
+
+
+def _write(diagram: SequenceDiagram, format_: str, output: Path, each: bool) -> list[Path]:
+    """The files: one a page of each picture."""
+    from aseme_dsl.build.sniff import of_conversation
+    from aseme_dsl.diagrams.sequence import pages
+
+    pictures = [(output, diagram)]
+    if each:
+        pictures = [(_named(output, name), of_conversation(diagram, name)) for name in diagram.conversations]
+    files: list[Path] = []
+    for path, picture in pictures:
+        parts = [picture] if format_ == "text" else list(pages(picture))
+        for number, part in enumerate(parts, 1):
+            file = path if number == 1 else _named(path, str(number))
+            try:
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(_drawn(part, format_), "utf-8")
+            except OSError as problem:
+                raise click.ClickException(f"{file} cannot be written: {problem.strerror}") from problem
+            files.append(file)
+    return files
+
+
+def _named(path: Path, what: str) -> Path:
+    """A file beside another one, called after something else besides."""
+    return path.with_name(f"{path.stem}-{re.sub(r'[^A-Za-z0-9_.-]', '_', what)}{path.suffix}")
+
+
+def _drawn(diagram: SequenceDiagram, format_: str) -> str:
+    from aseme_dsl.build.sniff import line_of
+    from aseme_dsl.diagrams.sequence_mermaid import mermaid
+    from aseme_dsl.diagrams.sequence_svg import drawn
+
+    if format_ == "svg":
+        return drawn(diagram)
+    if format_ == "mermaid":
+        return mermaid(diagram)
+    width = max([5, *(len(line.name) for line in diagram.lifelines)])
+    return "".join(f"{line}\n" for line in (*(line_of(row, width) for row in diagram.rows), *diagram.remarks))
+
+
+def _row(row: Row) -> dict[str, Any]:
+    """A row as data: what is empty is left out."""
+    return {name: value for name, value in asdict(row).items() if value not in ("", False)}
+
+
+# ---- the times of several processes ----------------------------------------------------------------
+
+
+def _start(header: Record) -> datetime | None:
+    return datetime.fromisoformat(header["start"]) if isinstance(header.get("start"), str) else None
+
+
+def _shifted(record: Record, began: datetime | None, all_of_them: Collection[datetime | None]) -> Record:
+    """A line with the time since the first of the processes began; they count from their own begin."""
+    first = min((item for item in all_of_them if item is not None), default=None)
+    if began is None or first is None or began == first:
+        return record
+    return record | {"time": record["time"] + int((began - first).total_seconds() * 1e9)}

@@ -1,0 +1,292 @@
+"""`asemec sniff`: what agents have said to each other, as text, as Mermaid and as a picture."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from tests.cli.support import Here
+from tests.conftest import Snapshot
+
+SYSTEM = """
+system Kitchen
+import protocols
+srm boss {
+  plays contract_net.manager
+  liveness { boss = manager }
+  activities { AnnounceJob takes 1s  CollectProposals takes 2s  AwardContract takes 1s  AwaitOutcome takes 1s
+               LearnOutcome takes 1s }
+}
+srm cook {
+  plays contract_net.contractor
+  liveness { cook = contractor }
+  activities { EvaluateJob takes 100ms  MakeProposal takes 100ms  CarryOut takes 3s  ReportOutcome takes 1s
+               DeclineJob takes 1s  StopWork takes 1s }
+}
+team Kitchen { ann : boss  bob, cid : cook }
+"""
+
+DECIDE = """
+class EvaluateJob:
+    def execute(self, context):
+        context.wait(0.1)
+        context.set("able", context.agent == "bob")
+"""
+BREAK = """
+class CarryOut:
+    def execute(self, context):
+        context.wait(1)
+        raise RuntimeError("the pan is hot")
+"""
+
+
+@pytest.fixture
+def run(folder: Path, here: Here) -> Path:
+    """A folder with the trace of a contract net: one cook refuses, the other one breaks down."""
+    Path("kitchen.aseme").write_text(SYSTEM, "utf-8")
+    Path("activities").mkdir()
+    Path("activities/evaluate_job.py").write_text(DECIDE, "utf-8")
+    Path("activities/carry_out.py").write_text(BREAK, "utf-8")
+    here("run", "kitchen.aseme", "--activities", "activities", "-q")
+    return folder / "out"
+
+
+def lines(text: str) -> list[str]:
+    return [" ".join(line.split()) for line in text.splitlines()]
+
+
+def test_what_is_said_as_lines(run: Path, here: Here) -> None:
+    done = here("sniff", "out")
+    assert lines(done.out) == [
+        "1 s ann -- cfp Job --> bob, cid [contract_net-ann-1]",
+        "1.1 s cid -- refuse Job --> ann [contract_net-ann-1]",
+        "1.2 s bob -- propose Proposal (cost 0.0) --> ann [contract_net-ann-1]",
+        "4 s ann -- accept_proposal Contract (contractor bob) --> bob [contract_net-ann-1]",
+        "5 s ann ! hears that bob is gone [contract_net-ann-1]",
+        "5 s bob x breaks down: CarryOut: RuntimeError: the pan is hot [contract_net-ann-1]",
+    ]
+    assert done.code == 0
+
+
+def test_a_deadline_that_passes_is_shown(run: Path, here: Here) -> None:
+    Path("activities/carry_out.py").write_text(BREAK.replace("wait(1)", "wait(600)"), "utf-8")
+    here("run", "kitchen.aseme", "--activities", "activities", "-q", "--for", "5min")
+    assert lines(here("sniff", "out/trace.jsonl", "--from", "10s").out) == [
+        "124 s ann ! waits no longer (2min) [contract_net-ann-1]",
+        "124 s ann -- cancel Contract --> bob [contract_net-ann-1]",
+        "125 s bob -- inform Contract --> ann [contract_net-ann-1]",
+    ]
+
+
+def test_filters_say_what_they_leave_out(run: Path, here: Here) -> None:
+    done = here("sniff", "out", "--agent", "cid")
+    assert [line.split(" -- ")[1].split()[0] for line in lines(done.out)] == ["cfp", "refuse"]
+    assert done.err == "left out: 2 messages and 2 events of 1 conversation\n"
+    assert here("sniff", "out", "--protocol", "auction").out == "nobody says anything\n"
+    assert len(lines(here("sniff", "out", "--conversation", "contract_net-*", "--to", "2s").out)) == 3
+
+
+def test_as_mermaid(run: Path, here: Here, snapshot: Snapshot) -> None:
+    snapshot(here("sniff", "out", "--format", "mermaid").out, "kitchen.mmd")
+
+
+def test_as_a_picture(run: Path, here: Here, snapshot: Snapshot) -> None:
+    done = here("sniff", "out", "-o", "pictures/talk.svg")
+    assert done.out == "pictures/talk.svg: 6 rows of 1 conversation\n".replace(
+        "/", "\\" if sys.platform == "win32" else "/"
+    )
+    picture = Path("pictures/talk.svg").read_text("utf-8")
+    ElementTree.fromstring(picture)
+    snapshot(picture, "kitchen.svg")
+
+
+def test_as_data(run: Path, here: Here) -> None:
+    found = json.loads(here("sniff", "out", "--json", "--agent", "cid").out)
+    assert found["rows"][1] == {
+        "moment": 1_100_000_000,
+        "sender": "cid",
+        "receivers": ["ann"],
+        "performative": "refuse",
+        "message": "Job",
+        "whole": '{"id": "", "what": ""}',
+        "conversation": "contract_net-ann-1",
+    }
+    assert found["remarks"] == ["left out: 2 messages and 2 events of 1 conversation"]
+
+
+# ---- long ones -----------------------------------------------------------------------------------
+
+
+def header(*agents: str, **members: object) -> dict[str, object]:
+    team = [{"name": name, "role": "robot", "model": "m", "source": "w.aseme"} for name in agents]
+    return {
+        "kind": "header",
+        "time": 0,
+        "format": 1,
+        "system": "Talk",
+        "seed": 1,
+        "clock": "virtual",
+        "agents": team,
+        **members,
+    }
+
+
+def mail(seconds: float, sender: str, to: Sequence[str], number: int, **members: object) -> dict[str, object]:
+    return {
+        "kind": "mail",
+        "time": int(seconds * 1e9),
+        "agent": sender,
+        "sequence": number,
+        "performative": "inform",
+        "message": "Note",
+        "content": {"n": number},
+        "protocol": "talk",
+        "conversation": f"talk-one-{number % 3 + 1}",
+        "participant": "speaker",
+        "receiver": "listener",
+        "to": list(to),
+        **members,
+    }
+
+
+FINISH = {"kind": "finish", "time": 99_000_000_000, "reason": "finished", "agents": []}
+
+
+def write(path: Path, *records: object) -> None:
+    path.write_text("".join(f"{json.dumps(record)}\n" for record in records), "utf-8")
+
+
+def test_a_long_talk_has_pages_and_each_conversation_may_have_its_own(folder: Path, here: Here) -> None:
+    write(Path("t.jsonl"), header("one", "two"), *(mail(n, "one", ["two"], n) for n in range(150)), FINISH)
+    here("sniff", "t.jsonl", "-o", "talk.svg")
+    texts = [Path(name).read_text("utf-8") for name in ("talk.svg", "talk-2.svg", "talk-3.svg")]
+    assert not Path("talk-4.svg").exists()
+    assert "page 1 of 3" in texts[0] and "page 3 of 3" in texts[2]
+    assert sum(text.count(">inform Note") for text in texts) == 150
+    here("sniff", "t.jsonl", "-o", "one.svg", "--each")
+    assert sorted(path.name for path in folder.glob("one-*")) == [f"one-talk-one-{n}.svg" for n in (1, 2, 3)]
+
+
+def test_nine_agents_and_sixty_messages_do_not_overlap(folder: Path, here: Here) -> None:
+    """Each label is in a row of its own, and inside the picture."""
+    names = [f"agent{n}" for n in range(9)]
+    said = [
+        mail(n, names[n % 9], [names[(n * 4 + 1) % 9]], n, content={"text": "what is said here is long " * 9})
+        for n in range(60)
+    ]
+    write(Path("t.jsonl"), header(*names), *said, FINISH)
+    here("sniff", "t.jsonl", "-o", "talk.svg")
+    root = ElementTree.parse("talk.svg").getroot()
+    assert not Path("talk-2.svg").exists()
+    width = float(root.attrib["width"])
+    labels = [item for item in root.iter("{http://www.w3.org/2000/svg}text") if item.get("paint-order")]
+    assert len({item.attrib["y"] for item in labels}) == len(labels) == 60
+    for item in labels:
+        room = 6 * len("".join(item.itertext()))
+        x = float(item.attrib["x"])
+        left, right = (x - room, x) if item.get("text-anchor") == "end" else (x, x + room)
+        assert left >= 0 and right <= width
+
+
+def test_names_that_mean_something_to_mermaid(folder: Path, here: Here) -> None:
+    said = mail(1, "end", ["r-2"], 1, content={"text": "a; b # c <d>"})
+    write(Path("t.jsonl"), header("end", "r-2"), said, FINISH)
+    text = here("sniff", "t.jsonl", "--format", "mermaid").out
+    assert "participant agent_1 as end<br/>robot: speaker" in text
+    assert "agent_1->>agent_2: 1 s inform Note (text a#59; b #35; c #lt;d#gt;)" in text
+
+
+# ---- several processes, strangers ------------------------------------------------------------------
+
+
+def test_the_processes_of_a_run_are_put_together(folder: Path, here: Here) -> None:
+    early = header("one", clock="real", start="2026-01-01T10:00:00.000000", elsewhere=["two"])
+    late = header("two", clock="real", start="2026-01-01T10:00:02.000000", elsewhere=["one"])
+    got = {**mail(1.1, "two", [], 1), "kind": "received", "input": ["one", 1]}
+    write(Path("a.jsonl"), early, mail(3, "one", ["two"], 1), FINISH)
+    write(Path("b.jsonl"), late, got, mail(1.5, "two", ["one"], 2), FINISH)
+    assert lines(here("sniff", "a.jsonl", "b.jsonl").out) == [
+        "3 s one -- inform Note (n 1) --> two [talk-one-2]",
+        "3.5 s two -- inform Note (n 2) --> one [talk-one-3]",
+    ]
+    # without the other trace, the sender is somebody else
+    assert lines(here("sniff", "b.jsonl").out)[0] == "1.1 s one -- inform Note (n 1) --> two [talk-one-2]"
+
+
+# ---- while it is written ---------------------------------------------------------------------------
+
+
+def test_a_run_is_followed_from_before_its_begin_to_its_end(folder: Path) -> None:
+    command = [sys.executable, "-m", "aseme_dsl", "sniff", "out", "--follow"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, encoding="utf-8") as sniffing:
+        try:
+            assert sniffing.stdout is not None
+            Path("out").mkdir()
+            part = Path("out/trace.jsonl.part")
+            with part.open("w", encoding="utf-8") as file:
+                text = json.dumps(mail(1, "one", ["two"], 1))
+                file.write(f"{json.dumps(header('one', 'two'))}\n{text[:40]}")
+                file.flush()
+                time.sleep(0.3)
+                file.write(f"{text[40:]}\n")
+                file.flush()
+                assert lines(sniffing.stdout.readline()) == [
+                    "1 s one -- inform Note (n 1) --> two [talk-one-2]"
+                ]
+                file.write(f"{json.dumps(mail(2, 'two', ['one'], 2))}\n{json.dumps(FINISH)}\n")
+            part.replace("out/trace.jsonl")
+            assert "2 s two" in " ".join(sniffing.stdout.read().split())
+            assert sniffing.wait(20) == 0
+        finally:
+            sniffing.kill()
+
+
+def test_a_team_that_runs_is_followed(run: Path) -> None:
+    """In real time: what is said is seen before the run is over."""
+    Path("activities/carry_out.py").unlink()
+    (run / "trace.jsonl").unlink()
+    asemec = [sys.executable, "-m", "aseme_dsl"]
+    command = [*asemec, "run", "kitchen.aseme", "--activities", "activities", "--real", "-q", "--for", "20s"]
+    playing = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    sniffing = subprocess.Popen([*asemec, "sniff", "out", "-f"], stdout=subprocess.PIPE, encoding="utf-8")
+    watch = threading.Timer(60, lambda: (playing.kill(), sniffing.kill()))
+    watch.start()
+    try:
+        assert sniffing.stdout is not None
+        assert "cfp Job" in sniffing.stdout.readline()
+        assert playing.poll() is None
+        assert "failure Outcome" in sniffing.stdout.read()
+        assert sniffing.wait(20) == 0
+    finally:
+        watch.cancel()
+        for process in (playing, sniffing):
+            process.kill()
+            process.wait(20)
+        assert sniffing.stdout is not None
+        sniffing.stdout.close()
+
+
+# ---- what cannot be shown --------------------------------------------------------------------------
+
+
+def test_what_cannot_be_shown_is_said(folder: Path, here: Here) -> None:
+    assert "no such file" in here("sniff", "no.jsonl").err.lower()
+    Path("torn.jsonl.part").write_text(
+        f"{json.dumps(header('one'))}\n{json.dumps(mail(1, 'one', [], 1))}\n", "utf-8"
+    )
+    torn = here("sniff", "torn.jsonl")
+    assert torn.code == 1 and "did not come to its end" in torn.err
+    assert lines(torn.out) == ["1 s one -- inform Note (n 1) --> nobody [talk-one-2]"]
+    write(Path("t.jsonl"), header("one"), FINISH)
+    assert "is called .svg, .mmd or .txt" in here("sniff", "t.jsonl", "-o", "t.gif").err
+    assert "name one with -o" in here("sniff", "t.jsonl", "--each").err
+    assert "leave --format and -o out" in here("sniff", "t.jsonl", "-f", "-o", "t.svg").err
+    assert here("sniff", "t.jsonl").out == "nobody says anything\n"
