@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections import Counter
 from itertools import pairwise
 from pathlib import Path
@@ -11,7 +13,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.amola.system import System
-from aseme_dsl.backends.backend import backend_names, find_backend
+from aseme_dsl.backends.backend import BackendOptions, backend_names, find_backend
 from aseme_dsl.backends.jade_like import BACKEND
 from aseme_dsl.compiler import analyse
 from aseme_dsl.runtime.behaviours import (
@@ -26,6 +28,7 @@ from aseme_dsl.runtime.behaviours import (
     WakerBehaviour,
 )
 from aseme_dsl.runtime.plan import Plan
+from tests.conftest import Snapshot
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices
 from tests.oracle.test_agreement import forget
@@ -203,3 +206,38 @@ def test_a_chart_given_state_by_state() -> None:
         "    Right: OneShotBehaviour",
         "  Class: OneShotBehaviour",
     ]
+
+
+@pytest.mark.parametrize("role", ["dispatcher", "robot"])
+def test_the_agents_of_contract_net(role: str, snapshot: Snapshot) -> None:
+    """For people to read: what somebody who knows JADE sees first."""
+    system = analyse(ROOT / "tests/acceptance/contract_net.aseme").system
+    assert system is not None
+    texts = {item.path: item.text for item in BACKEND.generate(system, BackendOptions())}
+    snapshot(texts[f"Warehouse/{role}/agent.py"], f"{role}.agent.py.txt")
+    snapshot(texts[f"Warehouse/{role}/behaviours.py"], f"{role}.behaviours.py.txt")
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What is generated from the acceptance files, the classes of the user among it."""
+    folder = tmp_path_factory.mktemp("written")
+    files = (path for path in FILES if path.parent.name == "acceptance")
+    systems = [system for path in files if (system := analyse(path).system) is not None]
+    for system in systems:
+        for artefact in BACKEND.generate(system, BackendOptions()):
+            if not artefact.kept or artefact.path.endswith("_agent.py"):
+                path = folder / "jade_like" / artefact.path
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(artefact.text, encoding="utf-8")
+    return folder
+
+
+@pytest.mark.parametrize(
+    "command",
+    [("ruff", "check", "--isolated", "--no-cache", "."), ("mypy", "--strict", "-p", "jade_like")],
+    ids=lambda command: command[0],
+)
+def test_the_usual_checkers_find_nothing_in_generated_code(written: Path, command: tuple[str, ...]) -> None:
+    done = subprocess.run([sys.executable, "-m", *command], cwd=written, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr

@@ -1,0 +1,254 @@
+"""Which backend is built and played: on the command line, in a project, for all roles or for one."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import GOOD, Here, asemec
+
+TWO = """\
+system Pair
+message Seen { bool ball }
+topic eyes { state Seen }
+srm walker { liveness { walker = Walk~ } activities { Walk takes 1s writes eyes.state.Seen } }
+srm watcher { liveness { watcher = Watch~ } activities { Watch takes 1s reads eyes.state.Seen } }
+team Pair { a : walker  b : watcher }
+"""
+
+OWN = """\
+from jade_like.Walker.robot import behaviours
+from jade_like.Walker.robot.agent import RobotAgent as Generated
+
+
+class Walk(behaviours.Walk):
+    def on_start(self) -> None:
+        self.log(f"{self.agent.name} sets out")
+
+
+class RobotAgent(Generated):
+    def setup(self) -> None:
+        self.use(Walk)
+"""
+
+SEEN = '{"at": "0s", "channel": "eyes.state.Seen", "message": {"ball": true}}\n'
+
+
+def files(folder: Path) -> set[str]:
+    """The generated Python in an output folder."""
+    return {path.relative_to(folder).as_posix() for path in folder.rglob("*.py")}
+
+
+def test_what_jade_like_writes(here: Here, folder: Path) -> None:
+    done = here("build", "good.aseme", "--backend", "jade_like", "-o", "out")
+    assert done.code == 0
+    assert files(folder / "out") == {
+        "jade_like/Walker/__init__.py",
+        "jade_like/Walker/messages.py",
+        "jade_like/Walker/robot/__init__.py",
+        "jade_like/Walker/robot/agent.py",
+        "jade_like/Walker/robot/behaviours.py",
+        "jade_like/Walker/robot/plan.py",
+        "jade_like/Walker/robot/step.py",
+        "monas/activities/robot_agent.py",
+        "monas/activities/stand.py",
+        "monas/activities/walk.py",
+    }
+
+
+def test_both_backends_have_the_same_plans_steps_messages_and_activities(here: Here, folder: Path) -> None:
+    done = here(
+        "build",
+        "good.aseme",
+        "--backend",
+        "jade_like",
+        "--backend",
+        "monas",
+        "--only",
+        "monas",
+        "--only",
+        "jade_like",
+    )
+    assert done.code == 0
+    written = files(folder / "out")
+    for path in ("messages.py", "robot/plan.py", "robot/step.py"):
+        one, other = (folder / "out" / name / "Walker" / path for name in ("monas", "jade_like"))
+        assert one.read_bytes() == other.read_bytes()
+    assert {path for path in written if "activities" in path} == {
+        "monas/activities/robot_agent.py",
+        "monas/activities/stand.py",
+        "monas/activities/walk.py",
+    }
+    assert "files: 15 created" in done.out
+
+
+def test_what_is_the_users_stays_whichever_backend_is_built(here: Here, folder: Path) -> None:
+    here("build", "good.aseme", "--backend", "jade_like")
+    own = folder / "out/monas/activities/robot_agent.py"
+    own.write_text(OWN)
+    walk = folder / "out/monas/activities/walk.py"
+    walk.write_text("class Walk:\n    def execute(self, context):\n        context.wait(0.5)\n")
+    for backend in ("monas", "jade_like"):
+        assert here("build", "good.aseme", "--backend", backend).code == 0
+        assert own.read_text() == OWN
+        assert "wait(0.5)" in walk.read_text()
+
+
+def test_an_own_behaviour_is_heard_in_a_run(here: Here, folder: Path) -> None:
+    here("build", "good.aseme", "--backend", "jade_like")
+    (folder / "out/monas/activities/robot_agent.py").write_text(OWN)
+    (folder / "in.jsonl").write_text(SEEN)
+    done = asemec("run", "out", "--for", "2500ms", "--input", "in.jsonl", cwd=folder)
+    assert done.code == 0, done.err
+    trace = [json.loads(line) for line in (folder / "out/trace.jsonl").read_text().splitlines()]
+    logs = [(line["time"], line["text"]) for line in trace if line["kind"] == "log"]
+    assert logs[:3] == [(0, "one sets out"), (0, "two sets out"), (1_000_000_000, "one sets out")]
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ("import nothing_of_that_name", "robot_agent.py cannot be imported: ModuleNotFoundError"),
+        ("class Robot:\n    pass", "robot_agent.py has no class RobotAgent"),
+        (
+            "class RobotAgent:\n    pass",
+            "RobotAgent is no subclass of jade_like.Walker.robot.agent.RobotAgent",
+        ),
+    ],
+)
+def test_a_class_of_the_user_that_does_not_fit_is_said_before_the_run(
+    folder: Path, wrong: str, said: str
+) -> None:
+    asemec("build", "good.aseme", "--backend", "jade_like", cwd=folder)
+    (folder / "out/monas/activities/robot_agent.py").write_text(wrong + "\n")
+    done = asemec("run", "out", cwd=folder)
+    assert done.code == 1
+    assert said in done.err
+    assert "Traceback" not in done.err
+
+
+@pytest.mark.parametrize("name", ["monas", "jade_like"])
+@pytest.mark.parametrize("backend", ["monas", "jade_like"])
+def test_activities_import_messages_under_either_name(folder: Path, name: str, backend: str) -> None:
+    """Also in processes of their own."""
+    (folder / "pair.aseme").write_text(TWO)
+    (folder / "activities").mkdir()
+    (folder / "activities/walk.py").write_text(
+        f"from {name}.Pair.messages import Seen\n\n\nclass Walk:\n    kind = 'process'\n\n"
+        "    def execute(self, context):\n        context.publish('eyes.state.Seen', Seen(ball=True))\n"
+        "        context.wait(0.05)\n"
+    )
+    (folder / "activities/watch.py").write_text(
+        f"from {name}.Pair.messages import Seen\n\n\nclass Watch:\n"
+        "    def execute(self, context):\n        seen = context.state('eyes.state.Seen')\n"
+        "        if seen is not None:\n            assert type(seen) is Seen\n"
+        "            context.log('seen')\n"
+        "        context.wait(0.05)\n"
+    )
+    done = asemec(
+        "run",
+        "pair.aseme",
+        "--backend",
+        backend,
+        "--activities",
+        "activities",
+        "--real",
+        "--for",
+        "1500ms",
+        cwd=folder,
+    )
+    assert done.code == 0, done.out + done.err
+    assert '"text":"seen"' in (folder / "out/trace.jsonl").read_text()
+
+
+# ---- which one ----------------------------------------------------------------------------------
+
+
+def played(folder: Path) -> set[str]:
+    """The backends whose packages a folder has."""
+    return {path.parent.parent.name for path in folder.glob("*/*/messages.py")}
+
+
+def test_the_project_says_which_backend_and_which_for_a_role(here: Here, folder: Path) -> None:
+    (folder / "good.aseme").write_text(TWO)
+    (folder / "pyproject.toml").write_text(
+        '[tool.asemec]\nfiles = ["good.aseme"]\nbackends = ["jade_like"]\n'
+        '[tool.asemec.roles]\nwalker = "monas"\n'
+    )
+    assert here("run", ".", "--for", "2s").code == 0
+    assert played(folder / "out") == {"monas", "jade_like"}
+    assert here("run", ".", "--for", "2s", "--backend", "jade_like", "-o", "other").code == 0
+    assert played(folder / "other") == {"jade_like"}
+    assert (
+        here(
+            "run", ".", "--for", "2s", "--backend", "watcher=monas", "--backend", "monas", "-o", "third"
+        ).code
+        == 0
+    )
+    assert played(folder / "third") == {"monas"}
+
+
+def test_a_role_that_there_is_not(here: Here, folder: Path) -> None:
+    (folder / "pyproject.toml").write_text('[tool.asemec]\n\n[tool.asemec.roles]\nrobbot = "jade_like"\n')
+    done = here("build", "good.aseme")
+    assert done.code == 1
+    assert done.err.startswith(
+        "pyproject.toml:4:1: error[E010]: [tool.asemec.roles] names a role `robbot`, which the system"
+        " does not have\n"
+    )
+    assert "hint: did you mean `robot`?" in done.err
+
+
+def test_a_role_of_one_of_several_systems(here: Here, folder: Path) -> None:
+    (folder / "pair.aseme").write_text(TWO)
+    (folder / "pyproject.toml").write_text(
+        '[tool.asemec]\nfiles = ["good.aseme", "pair.aseme"]\n[tool.asemec.roles]\nwalker = "jade_like"\n'
+    )
+    assert here("build").code == 0
+    done = here("run", "out/Pair", "--for", "1s")
+    assert done.code == 0, done.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--backend", "jadelike"], "There is no backend 'jadelike'. Did you mean 'jade_like'?"),
+        (["--backend", "robot=jadelike"], "There is no backend 'jadelike'. Did you mean 'jade_like'?"),
+        (["--backend", "robt=jade_like"], "There is no role 'robt'. Did you mean 'robot'?"),
+    ],
+)
+@pytest.mark.parametrize("command", ["build", "run"])
+def test_what_there_is_not_is_wrong_use(
+    here: Here, folder: Path, command: str, arguments: list[str], said: str
+) -> None:
+    done = here(command, "good.aseme", *arguments)
+    assert done.code == 2
+    assert said in done.err
+    assert not (folder / "out").exists()
+
+
+def test_roles_must_be_a_table_of_names(here: Here, folder: Path) -> None:
+    (folder / "pyproject.toml").write_text('[tool.asemec]\nroles = "jade_like"\n')
+    done = here("build", "good.aseme")
+    assert done.code == 1
+    assert '`roles` must be a table of backends by role, such as { dispatcher = "jade_like" }' in done.err
+
+
+def test_what_runs_from_an_output_folder_is_what_is_there(here: Here, folder: Path) -> None:
+    here("build", "good.aseme", "--backend", "jade_like")
+    assert here("run", "out", "--for", "1s").code == 0
+    done = here("run", "out", "--for", "1s", "--backend", "robot=monas")
+    assert done.code == 1
+    assert "there is no generated package in" in done.err
+    assert "build it first" in done.err
+
+
+def test_packages_of_different_models_are_no_team(here: Here, folder: Path) -> None:
+    here("build", "good.aseme", "--backend", "jade_like")
+    (folder / "good.aseme").write_text(GOOD.replace("Walk takes 1s", "Walk takes 2s"))
+    here("build", "good.aseme", "--backend", "monas")
+    done = here("run", "out", "--backend", "monas", "--backend", "robot=jade_like")
+    assert done.code == 1
+    assert "are of different models: build both" in done.err
