@@ -10,10 +10,15 @@ from pathlib import Path
 from typing import Protocol, TypeVar
 
 from aseme_dsl.amola.system import System
+from aseme_dsl.diagnostics import Diagnostic
 
 GROUP = "aseme_dsl.backends"
 """The entry point group under which another package offers its backend."""
-OWN = {"monas": "aseme_dsl.backends.monas", "jade_like": "aseme_dsl.backends.jade_like"}
+OWN = {
+    "monas": "aseme_dsl.backends.monas",
+    "jade_like": "aseme_dsl.backends.jade_like",
+    "plain": "aseme_dsl.backends.plain",
+}
 """Our own backends, with the module whose `BACKEND` each is."""
 AGENTS = ("monas", "jade_like")
 """The backends whose output is played: what they generate are agents that `aseme_dsl.runtime` runs."""
@@ -90,7 +95,19 @@ class Backend(Protocol):
         """The name of the output folder and of `--backend`."""
 
     def generate(self, system: System, options: BackendOptions) -> tuple[Artefact, ...]:
-        """All files of the system, generated ones and first versions of the user's."""
+        """All files of the system, generated ones and first versions of the user's.
+
+        Raises:
+            Refused: it cannot do what the system needs.
+        """
+
+
+class Refused(Exception):
+    """A backend cannot do what a system needs; it writes nothing then, not even a part."""
+
+    def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
+        super().__init__("; ".join(problem.message for problem in diagnostics))
+        self.diagnostics = diagnostics
 
 
 def message_modules(system: str) -> frozenset[str]:

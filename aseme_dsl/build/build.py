@@ -100,6 +100,8 @@ def build(
     Raises:
         UnknownBackend: a backend is asked for that is not installed.
     """
+    from aseme_dsl.backends.backend import Refused
+
     before = earlier or Earlier()
     known = before.known
     system = with_labels(system, choice.labels)
@@ -115,11 +117,18 @@ def build(
         files += _diagrams(system, choice, before, notes, diagnostics)
     if PROTO in parts:
         files += _proto(system, known)
+    refused = False
     for name in backends:
         homes = {file.home for file in files if file.home is not None}
-        files += (file for file in _code(system, name, folder, choice, known) if file.home not in homes)
+        try:
+            code = list(_code(system, name, folder, choice, known))
+        except Refused as refusal:
+            diagnostics += refusal.diagnostics
+            refused = True
+            continue
+        files += (file for file in code if file.home not in homes)
     problems = choice.policy.apply(diagnostics)
-    if has_errors(problems):
+    if refused or has_errors(problems):
         return Report(system.name, folder, notes=tuple(notes), diagnostics=in_order(problems))
     written = write(
         folder,
@@ -132,8 +141,8 @@ def build(
         seen=before.seen,
     )
     found = in_order((*problems, *choice.policy.apply(written.diagnostics)))
-    code = [file for file in files if file.part in backends]
-    count = _count(system, code, written) if code and earlier is None else None
+    generated = [file for file in files if file.part in backends]
+    count = _count(system, generated, written) if generated and earlier is None else None
     return Report(system.name, folder, written, count, tuple(notes), found)
 
 

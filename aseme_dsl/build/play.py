@@ -497,7 +497,7 @@ def _bodies(
 
 def function_of(name: str) -> Callable[..., Any]:
     """A function of the project, `module:name`. Raises PlayError if it cannot be had."""
-    from aseme_dsl.runtime.chart import FunctionError, find_function
+    from aseme_dsl.runtime.functions import FunctionError, find_function
 
     try:
         return find_function(name)

@@ -6,7 +6,7 @@ condition under which it is true, its negation as the one under which it is fals
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
@@ -66,6 +66,10 @@ def _nowhere(value: StateValue) -> str:
     raise LookupError(f"no transition asks {value.question}({value.state})")
 
 
+def _by_key(call: Call, arguments: Sequence[str]) -> str:
+    return f"self.call({', '.join([repr(function_key(call)), *arguments])})"
+
+
 @dataclass
 class Names:
     """The names of one generated method and what the emitted code turned out to use."""
@@ -81,6 +85,8 @@ class Names:
     """The states whose outcome is asked for by an activity's name."""
     states: Callable[[StateValue], str] = _nowhere
     """The code that answers a question about a state."""
+    called: Callable[[Call, Sequence[str]], str] = _by_key
+    """The code that calls a function of the document."""
     prefix: str = ""
     mail: str = ""
     """The local name of the agent message that the transition takes."""
@@ -344,7 +350,7 @@ def _call(value: Call, names: Names, known: Known) -> Piece:
     if value.function.target.startswith("builtin:"):
         return Piece(f"{value.function.target[8:]}({', '.join(codes)})", needs, known)
     names.may_raise = True
-    return Piece(f"self.call({', '.join([repr(function_key(value)), *codes])})", needs, known)
+    return Piece(names.called(value, codes), needs, known)
 
 
 def _arithmetic(value: Arithmetic, names: Names, known: Known) -> Piece:

@@ -6,7 +6,7 @@ is active. The leaves of a composite have consecutive numbers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -78,14 +78,23 @@ class FlatRegion:
 class FlatChart:
     """A statechart with everything that the generator asks about it."""
 
-    def __init__(self, chart: Statechart, activities: Iterable[Activity] = ()) -> None:
-        """`activities` are those of the system: of those in the chart, what is said of them counts."""
+    def __init__(
+        self,
+        chart: Statechart,
+        activities: Iterable[Activity] = (),
+        width: Callable[[Node], int] | None = None,
+    ) -> None:
+        """`activities` are those of the system: of those in the chart, what is said of them counts.
+
+        `width` says how many numbers a leaf needs, none if it is never active between two rounds.
+        """
         self.chart = chart
+        self._width = width or _width
         self.activities = {activity.name: activity for activity in activities}
         self.region_number: dict[str, int] = {}
         """The number of the innermost region around each state."""
         self.leaf: dict[str, int] = {}
-        """The number of each leaf in its region; a BASIC that is complete has the next one."""
+        """The number of each leaf in its region; a BASIC that is complete has the next one, if it has two."""
         self.range: dict[str, tuple[int, int]] = {}
         """The first and last number of the leaves of each state inside its region."""
         self.regions: tuple[FlatRegion, ...] = self._number()
@@ -105,7 +114,9 @@ class FlatChart:
             if node.type in (NodeType.OR, NodeType.CONDITION):
                 continue
             region = self.region_number[node.label]
-            width = 2 if node.type is NodeType.BASIC else 1
+            width = self._width(node)
+            if not width:
+                continue
             first, last = sizes[region], sizes[region] + width - 1
             self.leaf[node.label] = first
             sizes[region] += width
@@ -367,6 +378,10 @@ class FlatChart:
                     channel = str(message.channel)
                     found[channel] = max(found.get(channel, 0), _extent(extent))
         return found
+
+
+def _width(leaf: Node) -> int:
+    return 2 if leaf.type is NodeType.BASIC else 1
 
 
 def _by_channel(key: tuple[str, str | None]) -> tuple[str, str]:

@@ -98,6 +98,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E308": ("error", "a parameter whose type nothing says"),
     "E309": ("error", "a parameter with two types"),
     "E310": ("error", "parameters that nothing gives a value"),
+    "E320": ("error", "what a plain statechart cannot do"),
     "W300": ("warning", "operators mixed without parentheses"),
     "W301": ("warning", "something can never be reached"),
     # Control (E4xx)

@@ -7,12 +7,12 @@ carries its effects out; simulation, replay and tests do the same.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from importlib import import_module
 from random import Random
 from typing import Any, ClassVar
 
 from aseme_dsl.runtime.board import QUEUE, Board, built
 from aseme_dsl.runtime.clock import shown
+from aseme_dsl.runtime.functions import checked, find_function, results_of
 from aseme_dsl.runtime.inputs import (
     Arrived,
     Cancel,
@@ -44,38 +44,8 @@ ABSENT = "absent value"
 INACTIVE = -1
 """A region's number while its AND is not active."""
 
-_RESULTS: dict[str, tuple[type, ...]] = {
-    "bool": (bool,),
-    "int": (int,),
-    "double": (int, float),
-    "string": (str,),
-    "bytes": (bytes,),
-    "duration": (int,),
-}
-
-
 Seen = tuple[tuple[object, ...], tuple[object, ...]]
 """What a condition reads: messages, and the values of variables and timers."""
-
-
-class FunctionError(Exception):
-    """A function of the document cannot be found, or gives something else than it declares."""
-
-
-def find_function(target: str) -> Callable[..., Any]:
-    """The Python function `module:name`.
-
-    Raises:
-        FunctionError: there is no such module or function.
-    """
-    module, _, name = target.partition(":")
-    try:
-        function = getattr(import_module(module), name)
-    except (ImportError, AttributeError) as error:
-        raise FunctionError(f"no function {name} in module {module}: {error}") from error
-    if not callable(function):
-        raise FunctionError(f"{target} is not a function")
-    return function  # type: ignore[no-any-return]
 
 
 class Chart:
@@ -398,11 +368,8 @@ class Chart:
         known = self._functions.get(name)
         if known is None:
             target, result = next((t, r) for n, t, r in self.PLAN.functions if n == name)
-            known = self._functions[name] = (find_function(target), _RESULTS.get(result, (object,)))
-        function, expected = known
-        value = function(*arguments)
-        if not isinstance(value, expected) or (isinstance(value, bool) and bool not in expected):
-            raise FunctionError(f"{name} gave {value!r}, which is not a {expected[-1].__name__}")
+            known = self._functions[name] = (find_function(target), results_of(result))
+        value = checked(name, known[0](*arguments), known[1])
         self.effects.append(FunctionResult(name, value))
         return value
 

@@ -1,0 +1,106 @@
+"""The plain backend: fills its templates with what `codegen/plain.py` says, or says what it cannot do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.system import System
+from aseme_dsl.backends.backend import Artefact, BackendOptions, Refused
+from aseme_dsl.backends.shared.generate import environment, messages_file, rendered, source_of, tidy
+from aseme_dsl.codegen.plain import PlainOptions, generate_plain
+from aseme_dsl.codegen.plain_limits import limits
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.runtime.naming import class_name, usable
+
+_STANDARD = (("collections.abc", ("Callable", "Mapping")), ("typing", ("Any", "ClassVar")))
+_RUNTIME = ("ABSENT", "ROUNDS", "Plain")
+"""What a module imports where it uses it."""
+
+
+@dataclass(frozen=True, slots=True)
+class PlainBackend:
+    """Emits one module a role with the class of its statechart and of its blackboard, and `messages.py`."""
+
+    name: str = "plain"
+
+    def generate(self, system: System, options: BackendOptions) -> tuple[Artefact, ...]:
+        """The package of a system.
+
+        Raises:
+            Refused: a role does what only an agent can do.
+        """
+        problems = [problem for chart in system.iacs for problem in problems_of(chart)]
+        if problems:
+            raise Refused(tuple(problems))
+        templates = environment(options, Path(__file__).parent / "templates")
+        roles = [
+            (
+                chart.name,
+                module_of(chart.name),
+                (class_name(chart.name), f"{class_name(chart.name)}Blackboard"),
+            )
+            for chart in system.iacs
+        ]
+        exported = (
+            "[" + ", ".join(f'"{name}"' for name in sorted(n for _, _, names in roles for n in names)) + "]"
+        )
+        known = {"system": system, "source": source_of(system), "roles": roles, "exported": exported}
+        artefacts = [
+            rendered(templates, "plain_system.py.j2", f"{system.name}/__init__.py", known),
+            messages_file(system),
+        ]
+        for chart in system.iacs:
+            text = module_text(system, chart, options)
+            artefacts.append(Artefact(f"{system.name}/{module_of(chart.name)}.py", text))
+        return tuple(artefacts)
+
+
+def module_of(role: str) -> str:
+    """The name of the module of a role."""
+    return f"{role}_" if role == "messages" else usable(role)
+
+
+def module_text(
+    system: System, chart: Statechart, options: BackendOptions, plain: PlainOptions | None = None
+) -> str:
+    """The module with the class of a role."""
+    templates = environment(options, Path(__file__).parent / "templates")
+    code = generate_plain(system, chart, class_name(chart.name), plain)
+    standard = [
+        f"from {module} import {', '.join(found)}"
+        for module, names in _STANDARD
+        if (found := [name for name in names if code.uses(name)])
+    ]
+    used = [name for name in _RUNTIME if code.uses(name)]
+    known = {
+        "system": system,
+        "chart": chart,
+        "source": source_of(system),
+        "code": code,
+        "standard": standard,
+        "used": used,
+    }
+    return tidy(rendered(templates, "plain.py.j2", "", known).text)
+
+
+def problems_of(chart: Statechart) -> Iterator[Diagnostic]:
+    """One problem for each thing that a statechart cannot do here, with all its places."""
+    places: dict[str, list[Diagnostic | Related]] = {}
+    for limit in limits(chart):
+        found = places.setdefault(limit.what, [])
+        if found:
+            found.append(Related(limit.span, "and here"))
+        else:
+            message = f"a plain statechart such as `{chart.name}` cannot do this: {limit.what}"
+            hint = "the other backends make agents of the roles, which can"
+            found.append(Diagnostic("E320", message, limit.span, hint=hint))
+    for first, *others in places.values():
+        assert isinstance(first, Diagnostic)
+        related = tuple(item for item in others if isinstance(item, Related))
+        yield Diagnostic(first.code, first.message, first.span, related, first.hint)
+
+
+BACKEND = PlainBackend()

@@ -1,0 +1,1224 @@
+"""A statechart to the class that a program without agents runs: one integer a region, everything in line.
+
+The semantics is that of the agent's class (`step.py`); what is left away is what such a program does not use:
+boards, effects, traces. What the compiler knows becomes code that is not there: an event has a body of its
+own, a START that is always left has no number, and a second round is only looked for where one could be.
+
+What region 3 writes it sees at once, others see it in the next step. A variable has one place, the
+blackboard, where no other region can look at it or write it afterwards in the same step; otherwise each
+region that uses it has a copy (`v3_x`) during the step.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+
+from aseme_dsl.amola.expression import (
+    NEVER,
+    Action,
+    After,
+    Arithmetic,
+    Assign,
+    Call,
+    Element,
+    Evaluate,
+    Event,
+    Member,
+    Outcome,
+    Raised,
+    TransitionExpression,
+    Value,
+    VariableValue,
+    values_of,
+)
+from aseme_dsl.amola.messages import AGENT, DURATION
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart, TransitionKind
+from aseme_dsl.amola.system import System
+from aseme_dsl.codegen.expressions import Names, Piece, converted, enum_name, function_key
+from aseme_dsl.codegen.face import Face, Identifiers, Method, docstring, natural
+from aseme_dsl.codegen.flat import FlatChart, Way
+from aseme_dsl.codegen.resting import is_open, resting
+
+TABLE = 64
+"""Regions with more numbers than this dispatch through a tuple of functions, others through comparisons."""
+
+IN_LINE = 400
+"""An event whose body has more lines than this has a method of its own."""
+
+BRANCHES = 8
+"""More events than this are found in a table, fewer by comparisons."""
+
+DEEP = 24
+"""Code that is indented further moves into a method (CPython refuses more than 100 levels)."""
+
+STEP = ""
+"""The mode of a step without an event."""
+
+
+@dataclass(frozen=True, slots=True)
+class PlainOptions:
+    """How the class is to be.
+
+    `mapping`: the blackboard is a dictionary instead of a class with slots. `watched`: each activity has a
+    method that is called as it starts, and one that is called when it is cut short, and `took` is told of
+    each transition.
+    """
+
+    mapping: bool = False
+    watched: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class PlainCode:
+    """The parts of a module: what it imports, and its lines."""
+
+    class_name: str
+    board_name: str
+    messages: tuple[str, ...]
+    constants: tuple[tuple[str, str], ...]
+    """Module-level names of enum constants with the expression they stand for."""
+    functions: tuple[tuple[str, tuple[str, str, str]], ...]
+    """Module-level names of functions, each with the target, the name in errors and the declared result."""
+    board: tuple[str, ...]
+    body: tuple[str, ...]
+    tables: tuple[str, ...]
+
+    def uses(self, name: str) -> bool:
+        """Whether the module's lines mention a name."""
+        pattern = re.compile(rf"\b{name}\b")
+        return any(pattern.search(line) for line in (*self.board, *self.body, *self.tables))
+
+
+def generate_plain(
+    system: System, chart: Statechart, class_name: str, options: PlainOptions | None = None
+) -> PlainCode:
+    """The class of a role's statechart; it must be one of which nothing is refused (`plain_limits.py`)."""
+    return _Generator(system, chart, class_name, options or PlainOptions()).generate()
+
+
+@dataclass(frozen=True, slots=True)
+class _Candidate:
+    """A compound transition with what must hold for it, besides that its source is active."""
+
+    source: str
+    tests: tuple[str, ...]
+    taken: tuple[int, ...]
+    spends: str
+    """"" if it spends no event, "yes", or the condition under which it does not."""
+
+
+@dataclass(slots=True)
+class _Mode:
+    """What a step is made for: an event, or none. It `loops` if one round may not be enough."""
+
+    event: str
+    loops: bool = False
+    flags: tuple[str, ...] = ("moved",)
+    """The locals that are set when something moves."""
+    direct: bool = False
+    """Whether a transition that is taken ends the method."""
+    again: bool = False
+    """Whether a transition was written after which another round is needed."""
+    inside: int = 0
+    """How many locals tell whether something inside an AND has moved."""
+    functions: dict[str, list[str]] = field(default_factory=dict)
+    """Methods that the body calls, by their names."""
+    tables: dict[str, list[str]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class _Body:
+    """What a round does while a region has one of these numbers."""
+
+    first: int
+    last: int
+    title: str
+    lines: tuple[str, ...]
+
+
+class _Generator(Face):
+    def __init__(self, system: System, chart: Statechart, class_name: str, options: PlainOptions) -> None:
+        self.rests = resting(chart, watched=options.watched)
+        super().__init__(system, chart, FlatChart(chart, system.activities, self.rests.width))
+        self.class_name = class_name
+        self.board_name = f"{class_name}Blackboard"
+        self.options = options
+        self.board_names = Identifiers()
+        self.function_names = Identifiers()
+        self.functions: dict[str, tuple[str, str, str]] = {}
+        self.event_methods: dict[str, str] = {}
+        self.leaving: dict[str, bool] = {}
+        """Which methods that leave a region there are; False for those with nothing to do."""
+        self.spends = False
+        self.modes = self._modes()
+        self.faults = any(_may_fail(value) for _, value in chart.values())
+        self.copied = self._copied()
+        self.seen = {key: self._place_on_board(slot) for key, (slot, _) in self._message_slots().items()}
+        self.names = {region.number: self._names_of(region.number) for region in self.flat.regions}
+
+    # ---- names -----------------------------------------------------------------------------
+
+    def _modes(self) -> tuple[str, ...]:
+        names = dict.fromkeys(
+            event.name
+            for transition in self.chart.transitions
+            for event in transition.expression.events
+            if isinstance(event, Raised)
+        )
+        return (*names, STEP)
+
+    def _place_on_board(self, name: str) -> str:
+        return f"bb[{name!r}]" if self.options.mapping else f"bb.{name}"
+
+    def _message_slots(self) -> dict[tuple[str, str | None], tuple[str, str]]:
+        """The places of the messages that conditions read, by channel and host, with their types."""
+        found: dict[tuple[str, str | None], tuple[str, str]] = {}
+        for variable in self.variables:
+            self.board_names.name(("variable", variable), variable)
+        for members in self.flat.members.values():
+            for member in members:
+                key = str(member.channel), member.host
+                wish = f"{member.host}_{key[0]}" if member.host else key[0]
+                found[key] = self.board_names.name(key, wish), member.channel.message
+        return found
+
+    def _copy(self, name: str, region: int) -> str:
+        return self.identifiers.name(("variable", name, region), f"v{region}_{name}")
+
+    def _names_of(self, region: int) -> dict[str, str]:
+        return {
+            name: f"self.{self._copy(name, region)}" if name in self.copied else self._place_on_board(name)
+            for name in self.variables
+        }
+
+    def _names(self, region: int, prefix: str = "") -> Names:
+        variables = self.names[region]
+        return Names(self.seen, variables, self.fields, self.enums, called=self._called_by, prefix=prefix)
+
+    def _called_by(self, call: Call, arguments: Sequence[str]) -> str:
+        """The call of a function of the document, which stands under a name of its own in the module."""
+        key = function_key(call)
+        name = self.function_names.name(key, f"_{call.function.name}")
+        self.functions[name] = (call.function.target, key, str(call.type))
+        return f"{name}({', '.join(arguments)})"
+
+    def _held(self, region: int) -> tuple[str, str]:
+        return f"bb: {self._board_type()}", "bb"
+
+    def _board_type(self) -> str:
+        return "dict[str, Any]" if self.options.mapping else self.board_name
+
+    def _is_active(self, node: Node) -> str | None:
+        """The code for a state being active: what is left keeps its number, so what is around it counts."""
+        found = self.flat.range.get(node.label)
+        if found is None:
+            return None
+        return self._inside(self.flat.region_number[node.label], *found)
+
+    def _inside(self, region: int, first: int, last: int) -> str:
+        tests: list[str] = []
+        name, size = f"self.r{region}", self.flat.regions[region].size
+        if last - first + 1 < size:
+            tests.append(f"{name} == {first}" if first == last else f"{first} <= {name} <= {last}")
+        outer = self.flat.enclosing(region)
+        if outer is not None:
+            parent = self.chart.node(self.flat.regions[region].label).parent
+            assert parent is not None
+            around = self._inside(outer, self.flat.leaf[parent], self.flat.leaf[parent])
+            tests = [around, *tests] if around != "True" else tests
+        return " and ".join(tests) or "True"
+
+    def _is_done(self, node: Node) -> str | None:
+        region = self.flat.region_number[node.label]
+        if node.type is NodeType.OR:
+            end = self.chart.end_of(node.label)
+            return None if end is None else self._is_active(end)
+        number = self.flat.leaf.get(node.label)
+        if number is None:
+            return None
+        if node.type is NodeType.BASIC:
+            return self._inside(region, number + 1, number + 1)
+        complete = self._complete(node, number)
+        if complete is False:
+            return None
+        active = self._inside(region, number, number)
+        return " and ".join(str(test) for test in (active, complete) if str(test) != "True") or "True"
+
+    def _method(self, signature: str, document: str, method: Method) -> None:
+        self.methods.append(self._written(signature, document, method.lines))
+
+    def _written(self, signature: str, document: str, lines: Sequence[str]) -> list[str]:
+        """A method with those locals that its lines use."""
+        head = [f"    def {signature}:", f'        """{document}"""']
+        return [*head, *self._locals(lines, 2, signature), *lines]
+
+    def _locals(self, lines: Sequence[str], depth: int, signature: str = "") -> list[str]:
+        text = "\n".join(line for line in lines if not line.lstrip().startswith("#"))
+        found = []
+        if re.search(r"\bbb\b", text) and "bb:" not in signature:
+            found.append("    " * depth + "bb = self.bb")
+        if re.search(r"\bnow\b(?! =)", text):
+            found.append("    " * depth + "now = self.now")
+        return found
+
+    # ---- what may follow -------------------------------------------------------------------
+
+    def _copied(self) -> frozenset[str]:
+        """The variables of which each region needs a copy during the step."""
+        found: set[str] = set()
+        for mode in self.modes:
+            reads, writes = self._uses(mode)
+            loops = self._may_loop(mode)
+            for name, writers in writes.items():
+                readers = reads.get(name, set())
+                others = {(w, u) for w in writers for u in readers | (writers if loops else set()) if u != w}
+                if any(loops or self._looks_later(u, w) for w, u in others):
+                    found.add(name)
+        for transition in self.chart.transitions:
+            if transition.kind is TransitionKind.EXIT:
+                found |= {
+                    name
+                    for name in _written_by(transition.expression)
+                    if len(self.flat.variable_regions[name]) > 1
+                }
+        return frozenset(found)
+
+    def _uses(self, mode: str) -> tuple[dict[str, set[int]], dict[str, set[int]]]:
+        """The regions that may read, and those that may write each variable in a step of a mode."""
+        reads: dict[str, set[int]] = {}
+        writes: dict[str, set[int]] = {}
+        for transition in self.chart.transitions:
+            expression = transition.expression
+            raised = [event for event in expression.events if isinstance(event, Raised)]
+            only_raised = raised and len(raised) == len(expression.events) and not expression.when
+            if only_raised and not any(event.name == mode for event in raised):
+                continue
+            region = self.flat.region_number[transition.source]
+            for value in values_of(expression):
+                if isinstance(value, VariableValue):
+                    reads.setdefault(value.name, set()).add(region)
+            for name in _written_by(expression):
+                writes.setdefault(name, set()).add(region)
+        for node in self.chart.nodes if self.options.watched else ():
+            for argument in node.arguments:
+                for value in values_of(TransitionExpression(condition=argument.value)):
+                    if isinstance(value, VariableValue):
+                        reads.setdefault(value.name, set()).add(self.flat.region_number[node.label])
+        return reads, writes
+
+    def _looks_later(self, region: int, writer: int) -> bool:
+        """Whether a region is looked at after another in a round in which both may move."""
+        one, other = self.flat.regions[region].label, self.flat.regions[writer].label
+        if one.startswith(f"{other}.") or other.startswith(f"{one}."):
+            return False
+        return region > writer
+
+    def _may_loop(self, mode: str) -> bool:
+        """Whether some transition of a mode may need another round after it."""
+        for leaf in self.chart.nodes:
+            if leaf.label not in self.flat.leaf:
+                continue
+            region = self.flat.region_number[leaf.label]
+            for source in (leaf, *self.flat.around(leaf.label)):
+                if source is leaf:
+                    complete = leaf.type is not NodeType.BASIC or not (mode and self._is_left(leaf))
+                else:
+                    complete = leaf.type is NodeType.END and leaf.parent == source.label
+                for way in (*self.flat.first_ways(source.label), *self.flat.ways(source.label)):
+                    if not complete and not self.flat.waits_for_event(way):
+                        continue
+                    for taken in _paths(way):
+                        spends = self._spends(mode, taken)
+                        if spends is not None and self._again(mode, region, taken, spends == "yes"):
+                            return True
+        return False
+
+    def _spends(self, mode: str, taken: tuple[int, ...]) -> str | None:
+        """What the transitions of a way spend in a mode (see `_Candidate.spends`); None if it is shut."""
+        spends = ""
+        for number in taken:
+            expression = self.flat.transition(number).expression
+            if expression is NEVER:
+                return None
+            if not expression.events:
+                continue
+            raised = any(isinstance(e, Raised) and e.name == mode for e in expression.events)
+            timed = any(not isinstance(e, Raised) for e in expression.events)
+            if not raised and not timed and not expression.when:
+                return None
+            if raised:
+                spends = "perhaps" if timed else "yes"
+        return spends
+
+    def _scope(self, taken: tuple[int, ...]) -> str:
+        """The lowest OR state that holds source and target of a compound transition."""
+        return min((self.chart.scope_of(self.flat.transition(number)) for number in taken), key=len)
+
+    def _rest(self, target: str) -> str:
+        """The leaf at which its region rests when `target` has been entered."""
+        node = self.chart.node(target)
+        while True:
+            if node.type is NodeType.OR:
+                start = self.chart.start_of(node.label)
+                assert start is not None
+                node = start
+            elif node.label in self.rests.passed:
+                node = self.chart.node(self.rests.passed[node.label].target)
+            else:
+                return node.label
+
+    def _again(self, mode: str, region: int, taken: tuple[int, ...], spent: bool) -> bool:
+        """Whether something may be enabled after a transition that could not be taken before."""
+        if self.rests.asked:
+            return True
+        target = self.flat.transition(taken[-1]).target
+        leaf = self._rest(target)
+        entered = self._scope(taken)
+        if self._open_at(mode, leaf, spent, entered):
+            return True
+        ends = self.chart.node(leaf)
+        around_region = self.flat.regions[region].label
+        complete = ends.type is NodeType.END and ends.parent == around_region
+        for around in self.chart.ancestors(around_region):
+            for way in self.flat.ways(around.label):
+                if self._is_open(mode, way, complete, spent=False, entered=False):
+                    return True
+            complete = False
+        return False
+
+    def _open_at(self, mode: str, label: str, spent: bool, scope: str) -> bool:
+        """Whether something may be enabled at a leaf that was entered, or around it in its region."""
+        leaf = self.chart.node(label)
+        complete = leaf.type is NodeType.START
+        if leaf.type is NodeType.AND:
+            rests = [self._rest(region.label) for region in self.flat.regions_of(label)]
+            complete = all(self.chart.node(rest).type is NodeType.END for rest in rests)
+            for region, rest in zip(self.flat.regions_of(label), rests, strict=True):
+                if self._open_at(mode, rest, False, region.label):
+                    return True
+        for source in (leaf, *self.flat.around(label)):
+            is_new = source.label != scope and source.label.startswith(f"{scope}.")
+            ended = leaf.type is NodeType.END and leaf.parent == source.label
+            done = complete if source is leaf else ended
+            for way in (*self.flat.first_ways(source.label), *self.flat.ways(source.label)):
+                if self._is_open(mode, way, done, spent=spent, entered=is_new):
+                    return True
+        return False
+
+    def _is_open(self, mode: str, way: Way, complete: bool, *, spent: bool, entered: bool) -> bool:
+        expression = self.flat.transition(way.number).expression
+        if expression is NEVER:
+            return False
+        if expression.when:
+            return True
+        if not expression.events:
+            return complete
+        return any(
+            (event.name == mode and not spent)
+            if isinstance(event, Raised)
+            else not (entered and isinstance(event, After) and event.duration > 0)
+            for event in expression.events
+        )
+
+    # ---- the whole -------------------------------------------------------------------------
+
+    def generate(self) -> PlainCode:
+        methods: list[list[str]] = []
+        bodies = {event: self._mode(event) for event in self.modes}
+        methods.append(self._start())
+        methods.append(self._send(bodies))
+        methods.append(self._written("step(self) -> bool", "One step without an event.", bodies[STEP][0]))
+        for _, mode in bodies.values():
+            methods += mode.functions.values()
+            self.tables += [line for table in mode.tables.values() for line in table]
+        head = self._head()
+        methods += self._hooks()
+        board = tuple(self._board())
+        body = [line for method in [head, *methods, *self.methods] for line in [*method, ""]]
+        constants = tuple(
+            (enum_name(enum, constant), f"{enum}.{constant}") for enum, constant in sorted(self.enums)
+        )
+        functions = tuple(sorted(self.functions.items()))
+        used = self.messages | {enum for enum, _ in self.enums}
+        return PlainCode(
+            self.class_name,
+            self.board_name,
+            tuple(sorted(used)),
+            constants,
+            functions,
+            board,
+            tuple(body),
+            tuple(self.tables),
+        )
+
+    def _board(self) -> list[str]:
+        """The class of the blackboard, or the function that makes a dictionary."""
+        values = [(v.name, self._python(v.type), self._initial(v)) for v in self.chart.variables]
+        for slot, message in self._message_slots().values():
+            self.messages.add(message)
+            values.append((slot, f"{message} | None", "None"))
+        document = f'"""What {docstring(self.chart.name)} knows."""'
+        if self.options.mapping:
+            entries = ", ".join(f"{name!r}: {initial}" for name, _, initial in values)
+            return [
+                f"def {self.board_name}() -> dict[str, Any]:",
+                f"    {document}",
+                f"    return {{{entries}}}",
+            ]
+        lines = [f"class {self.board_name}:", f"    {document}", ""]
+        lines.append(f"    __slots__ = {_tuple([name for name, _, _ in values])}")
+        if values:
+            lines += ["", "    def __init__(self) -> None:"]
+            lines += [f"        self.{name}: {kind} = {initial}" for name, kind, initial in values]
+        return lines
+
+    def _head(self) -> list[str]:
+        regions = [region for region in self.flat.regions if region.size > 1]
+        slots = ["bb", *(f"r{region.number}" for region in regions)]
+        annotations = [f"    bb: {self._board_type()}"]
+        annotations += [f"    r{region.number}: int" for region in regions]
+        for label in sorted(self.flat.timed):
+            slots.append(self._time(label))
+            annotations.append(f"    {self._time(label)}: int")
+        if self.flat.timed:
+            slots.append("now")
+        for label in self.flat.counted:
+            slots.append(self._count(label))
+            annotations.append(f"    {self._count(label)}: int")
+        kinds = {name: self._python(self.variables[name].type) for name in self.copied}
+        for name in sorted(self.copied):
+            for region in self.flat.variable_regions[name]:
+                slots.append(self._copy(name, region))
+                annotations.append(f"    {self._copy(name, region)}: {kinds[name]}")
+        if self.copied:
+            slots.append("writes")
+        if self.faults:
+            slots.append("faulty")
+        if self.spends:
+            slots.append("spent")
+            annotations.append("    spent: int")
+        inner = [
+            (
+                region.number,
+                self.flat.leaf[leaf.label],
+                tuple(r.number for r in self.flat.regions_of(leaf.label)),
+            )
+            for region in self.flat.regions
+            for leaf in self.flat.leaves(region.number)
+            if leaf.type is NodeType.AND
+        ]
+        running = {
+            node.label: (self.flat.region_number[node.label], self.flat.leaf[node.label])
+            for node in self.chart.nodes
+            if node.label in self.rests.completing and node.label in self.flat.leaf
+        }
+        lines = [
+            f"class {self.class_name}(Plain):",
+            f'    """The statechart {docstring(self.chart.name)} of {self.chart.system}."""',
+            "",
+            f"    __slots__ = {_tuple(slots)}",
+            "",
+            "    LEAVES = (",
+            *(f"        {labels!r}," for labels in self._leaf_labels()),
+            "    )",
+        ]
+        if inner:
+            table = {(region, number): numbers for region, number, numbers in inner}
+            lines.append(f"    INNER: ClassVar[Mapping[tuple[int, int], tuple[int, ...]]] = {table!r}")
+        if running:
+            lines.append(f"    RUNNING: ClassVar[Mapping[str, tuple[int, int]]] = {running!r}")
+        messages = tuple((slot, *key) for key, (slot, _) in self._message_slots().items())
+        if messages:
+            lines.append(f"    MESSAGES = {messages!r}")
+        if self.options.watched:
+            texts = [f"        {self._place(number)!r}," for number in range(len(self.chart.transitions))]
+            lines += ["    TRANSITIONS = (", *texts, "    )"]
+        end = self.chart.end_of(self.chart.root.label)
+        if end is not None and end.label in self.flat.leaf:
+            lines.append(f"    END = {self.flat.leaf[end.label]}")
+        lines += ["", *annotations]
+        lines += ["", f"    def __init__(self, bb: {self._board_type()} | None = None) -> None:"]
+        lines.append(f"        self.bb = {self.board_name}() if bb is None else bb")
+        if self.flat.timed:
+            lines.append("        self.now = 0")
+        if self.copied:
+            lines.append("        self.writes: list[tuple[int, str, Any]] = []")
+        if self.faults:
+            lines.append("        self.faulty: set[int] = set()")
+        return lines
+
+    def _leaf_labels(self) -> list[tuple[str, ...]]:
+        """The labels of each region's leaves by their numbers."""
+        return [
+            tuple(
+                label
+                for node in self.flat.leaves(region.number)
+                for label in [node.label] * self.rests.width(node)
+            )
+            for region in self.flat.regions
+        ]
+
+    # ---- the interface ---------------------------------------------------------------------
+
+    def _start(self) -> list[str]:
+        """The method that enters the root and goes on until nothing is enabled."""
+        mode = _Mode(STEP)
+        root = self.chart.root
+        lines = [f"self.{self._count(label)} = 0" for label in self.flat.counted]
+        for name in sorted(self.copied):
+            lines += self._taken_copies(name)
+        lines += [*self._on_entry(0, root), *self._enter_inside(mode, 0, root.label)]
+        rest = self._rest(root.label)
+        if (
+            self.rests.asked
+            or self._open_at(STEP, rest, False, root.label)
+            or self.chart.outgoing(root.label)
+        ):
+            lines.append("self.step()")
+        elif self.copied:
+            lines += _EPILOGUE_OF_COPIES
+        lines = _indented(lines or ["pass"], 2)
+        return self._written(
+            "start(self) -> None", "Enter the root, and go on until nothing is enabled.", lines
+        )
+
+    def _send(self, bodies: dict[str, tuple[list[str], _Mode]]) -> list[str]:
+        """The method that makes a step with an event: a body for each."""
+        events = [event for event in bodies if event != STEP]
+        idle = bodies[STEP][0] == _NOTHING
+        document = "One step with an event; whether anything was taken."
+        signature = "send(self, event: str) -> bool"
+        lines: list[str] = []
+        in_line = sum(len(bodies[event][0]) for event in events) <= IN_LINE and len(events) <= BRANCHES
+        for event in events if not in_line else ():
+            name = self.identifiers.name(("event", event), f"_on_{event}")
+            self.event_methods[event] = name
+            self.methods.append(
+                self._written(f"{name}(self) -> bool", f"One step with `{event}`.", bodies[event][0])
+            )
+        if len(events) > BRANCHES:
+            entries = [f"    {event!r}: {self.class_name}.{self.event_methods[event]}," for event in events]
+            kind = f"dict[str, Callable[[{self.class_name}], bool]]"
+            self.tables += ["", f"_EVENTS: {kind} = {{", *entries, "}"]
+            lines = ["        method = _EVENTS.get(event)", "        if method is not None:"]
+            lines += ["            return method(self)"]
+        for index, event in enumerate(events if len(events) <= BRANCHES else ()):
+            body = bodies[event][0] if in_line else [f"        return self.{self.event_methods[event]}()"]
+            lines.append(f"        {'elif' if index else 'if'} event == {event!r}:")
+            lines += _indented([*self._locals(body, 2), *body], 1)
+            if in_line and body[-1] == "        return False":
+                del lines[-1]  # there is one at the end
+                if lines[-1].endswith(":"):
+                    lines.append("            pass")
+        falls = in_line and any(bodies[event][0][-1] == "        return False" for event in events)
+        if idle:
+            lines.append("        return False")
+        elif falls:
+            lines += ["        else:", "            return self.step()", "        return False"]
+        else:
+            lines.append("        return self.step()")
+        return [f"    def {signature}:", f'        """{document}"""', *lines]
+
+    # ---- a step ----------------------------------------------------------------------------
+
+    def _mode(self, event: str) -> tuple[list[str], _Mode]:
+        """The body of a step, as it stands in a method."""
+        mode = _Mode(event, self._may_loop(event))
+        mode.direct = not mode.loops and len(self.flat.regions) == 1 and not self.copied and not self.faults
+        lines = self._region(mode, 0, 3 if mode.loops else 2)
+        if not lines:
+            return list(_NOTHING), mode
+        if mode.direct:
+            ends = (
+                [] if lines[-1].lstrip().startswith("return") and not lines[-1].startswith(" ") else _NOTHING
+            )
+            return [*_indented(lines, 2), *ends], mode
+        head: list[str] = []
+        for name in sorted(self.copied):
+            head += self._taken_copies(name)
+        tail = list(_EPILOGUE_OF_COPIES) if self.copied else []
+        if self.faults:
+            tail += ["if self.faulty:", "    self.faulty.clear()"]
+        if mode.loops:
+            every = [lines, *mode.functions.values()]
+            if any("self.spent" in line for text in every for line in text):
+                self.spends = True
+                head.append("self.spent = 0")
+            head += ["rounds = 0", "moved = False", "while True:", "    again = False"]
+            lines = [*_indented(lines, 1), "    if not again:", "        break", "    rounds += 1"]
+            lines += ["    if rounds == ROUNDS:", "        raise self.unsettled()"]
+        else:
+            head.append("moved = False")
+        return _indented([*head, *lines, *tail, "return moved"], 2), mode
+
+    def _taken_copies(self, name: str) -> list[str]:
+        """The copies of a variable at the beginning of a step."""
+        copies = [f"self.{self._copy(name, region)}" for region in self.flat.variable_regions[name]]
+        return [f"{' = '.join(copies)} = {self._place_on_board(name)}"]
+
+    def _region(self, mode: _Mode, region: int, depth: int) -> list[str]:
+        """One round of a region: by its active leaf, what can be taken from there."""
+        if depth > DEEP:
+            return self._apart(mode, region)
+        if self.flat.regions[region].size > TABLE:
+            return self._by_table(mode, region)
+        bodies = self._bodies(mode, region, depth)
+        return self._dispatch(region, bodies)
+
+    def _bodies(self, mode: _Mode, region: int, depth: int) -> list[_Body]:
+        """What is done for each number of a region; neighbours that do the same are one."""
+        found: list[_Body] = []
+        for leaf in self.flat.leaves(region):
+            for number in range(self.flat.leaf[leaf.label], self._last(leaf) + 1):
+                if mode.event and self._is_left(leaf) and number > self.flat.leaf[leaf.label]:
+                    if found:
+                        found[-1] = replace(found[-1], last=number)
+                    continue
+                lines = tuple(self._from_leaf(mode, region, leaf, number, depth + 3))
+                title = self._title(leaf, number)
+                if found and found[-1].lines == lines:
+                    begin = found[-1].title.split(" to ")[0]
+                    found[-1] = _Body(found[-1].first, number, f"{begin} to {title}", lines)
+                else:
+                    found.append(_Body(number, number, title, lines))
+        return found
+
+    def _is_left(self, leaf: Node) -> bool:
+        """Whether a BASIC state is left as soon as it is complete: no step with an event finds it so."""
+        ways = self.chart.ways_from(leaf.label) if leaf.type is NodeType.BASIC else ()
+        return any(
+            is_open(way.expression) and self.chart.node(way.target).type is not NodeType.CONDITION
+            for way in ways
+        )
+
+    def _last(self, leaf: Node) -> int:
+        return self.flat.leaf[leaf.label] + self.rests.width(leaf) - 1
+
+    def _title(self, leaf: Node, number: int) -> str:
+        if self.rests.width(leaf) == 1 and leaf.type is NodeType.BASIC:
+            return f"{leaf.label} {leaf.name}"
+        return self._leaf_title(leaf, number)
+
+    def _dispatch(self, region: int, bodies: list[_Body]) -> list[str]:
+        """Find the body of the active leaf by comparisons; halves where there are many."""
+        filled = [body for body in bodies if body.lines]
+        if not filled:
+            return []
+        if len(bodies) == 1:
+            return list(bodies[0].lines)
+        name = f"self.r{region}"
+        if len(bodies) == 2:
+            return self._either(name, *bodies)
+        local = f"r{region}"
+        return [f"{local} = {name}", *self._tree(local, bodies)]
+
+    def _either(self, name: str, one: _Body, other: _Body) -> list[str]:
+        """One of two bodies; truth is the cheapest comparison."""
+        alone = one.first == 0 and other.first == 1
+        later = name if alone else f"{name} > {one.last}"
+        if not one.lines:
+            return [f"if {later}:  # {other.title}", *_indented(other.lines, 1)]
+        if not other.lines:
+            earlier = f"not {name}" if alone else f"{name} < {other.first}"
+            return [f"if {earlier}:  # {one.title}", *_indented(one.lines, 1)]
+        lines = [f"if {later}:  # {other.title}", *_indented(other.lines, 1)]
+        return [*lines, f"else:  # {one.title}", *_indented(one.lines, 1)]
+
+    def _tree(self, name: str, bodies: list[_Body]) -> list[str]:
+        filled = [body for body in bodies if body.lines]
+        if not filled:
+            return []
+        if len(bodies) == 1:
+            return list(bodies[0].lines)
+        if len(bodies) == 2:
+            return self._either(name, *bodies)
+        if len(filled) <= 3:
+            lines: list[str] = []
+            for index, body in enumerate(filled):
+                is_last = index == len(filled) - 1 and len(filled) == len(bodies)
+                test = (
+                    f"{name} == {body.first}"
+                    if body.first == body.last
+                    else f"{body.first} <= {name} <= {body.last}"
+                )
+                word = "else" if is_last else f"{'elif' if index else 'if'} {test}"
+                lines += [f"{word}:  # {body.title}", *_indented(body.lines, 1)]
+            return lines
+        middle = len(bodies) // 2
+        lower, upper = self._tree(name, bodies[:middle]), self._tree(name, bodies[middle:])
+        if not lower:
+            return [f"if {name} >= {bodies[middle].first}:", *_indented(upper, 1)]
+        lines = [f"if {name} < {bodies[middle].first}:", *_indented(lower, 1)]
+        return [*lines, "else:", *_indented(upper, 1)] if upper else lines
+
+    def _by_table(self, mode: _Mode, region: int) -> list[str]:
+        """Find the body of the active leaf in a tuple of functions."""
+        word = mode.event or "step"
+        table = self.identifiers.name(("table", mode.event, region), f"_{word.upper()}_{region}")
+        entries: list[str] = []
+        inner = self._called(mode)
+        filled = False
+        for body in self._bodies(inner, region, 3):
+            entry = "None"
+            if body.lines:
+                name = self.identifiers.name(
+                    ("leaf", mode.event, region, body.first), f"_{word}_{region}_{body.first}"
+                )
+                self._function(inner, name, f"{word} while {body.title}.", list(body.lines))
+                entry, filled = f"{self.class_name}.{name}", True
+            entries += [entry] * (body.last - body.first + 1)
+        if not filled:
+            return []
+        kind = f"tuple[Callable[[{self.class_name}], int] | None, ...]"
+        mode.tables[table] = ["", f"{table}: {kind} = (", *(f"    {entry}," for entry in entries), ")"]
+        if mode.direct:
+            return [
+                f"leaf = {table}[self.r{region}]",
+                "if leaf is not None:",
+                "    return leaf(self)",
+            ]
+        return [
+            f"leaf = {table}[self.r{region}]",
+            "if leaf is not None:",
+            *_indented(self._after_call(mode, "leaf(self)"), 1),
+        ]
+
+    def _apart(self, mode: _Mode, region: int) -> list[str]:
+        """A region whose code is in a method of its own."""
+        word = mode.event or "step"
+        name = self.identifiers.name(("region", mode.event, region), f"_{word}_region_{region}")
+        inner = self._called(mode)
+        lines = self._region(inner, region, 3)
+        if not lines:
+            return []
+        self._function(inner, name, f"{word} in region {self.flat.regions[region].label}.", lines)
+        return self._after_call(mode, f"self.{name}()")
+
+    def _called(self, mode: _Mode) -> _Mode:
+        """The mode for what is written into methods that the body calls."""
+        return _Mode(mode.event, mode.loops, direct=mode.direct, functions=mode.functions, tables=mode.tables)
+
+    def _function(self, mode: _Mode, name: str, document: str, lines: list[str]) -> None:
+        """A method that gives 0, 1 if something moved, 2 if another round is needed after it."""
+        kind = "bool" if mode.direct else "int"
+        if mode.direct:
+            if not _returns(lines):
+                lines = [*lines, "return False"]
+        elif mode.loops:
+            lines = ["moved = again = False", *lines, "return moved + again"]
+        else:
+            lines = ["moved = False", *lines, "return moved"]
+        signature = f"{name}(self) -> {kind}"
+        mode.functions[name] = self._written(signature, docstring(document), _indented(lines, 2))
+
+    def _after_call(self, mode: _Mode, call: str) -> list[str]:
+        flags = " = ".join(mode.flags)
+        if not mode.loops:
+            return [f"if {call}:", f"    {flags} = True"]
+        lines = [f"found = {call}", "if found:", f"    {flags} = True"]
+        return [*lines, "    if found > 1:", "        again = True"]
+
+    # ---- from a leaf -----------------------------------------------------------------------
+
+    def _from_leaf(self, mode: _Mode, region: int, leaf: Node, number: int, depth: int) -> list[str]:
+        """What one round may do while `leaf` is active: what cuts short, the outermost first; then innermost
+        source first."""
+        complete = self._complete(leaf, number)
+        cuts: list[_Candidate] = []
+        for around in reversed(self.flat.around(leaf.label)):
+            for way in self.flat.first_ways(around.label):
+                cuts += self._candidates(mode, region, around.label, False, way)
+        for way in self.flat.first_ways(leaf.label):
+            cuts += self._candidates(mode, region, leaf.label, complete, way)
+        ways: list[_Candidate] = []
+        for way in self.flat.ways(leaf.label):
+            ways += self._candidates(mode, region, leaf.label, complete, way)
+        for around in self.flat.around(leaf.label):
+            ended = leaf.type is NodeType.END and leaf.parent == around.label
+            for way in self.flat.ways(around.label):
+                ways += self._candidates(mode, region, around.label, ended, way)
+        inside: list[str] = []
+        if leaf.type is NodeType.AND:
+            flags = mode.flags
+            if ways:
+                mode.inside += 1
+                flag = f"inside_{region}_{mode.inside}"
+                mode.flags = (*flags, flag)
+            deeper = depth + (1 if cuts else 0)
+            was_direct, mode.direct = mode.direct, False
+            for inner in self.flat.regions_of(leaf.label):
+                inside += self._region(mode, inner.number, deeper)
+            mode.direct = was_direct
+            mode.flags = flags
+        rest = self._chain(mode, region, leaf, number, ways)
+        if inside and rest:
+            rest = [f"{flag} = False", *inside, f"if not {flag}:", *_indented(rest, 1)]
+        else:
+            rest = inside or rest
+        return self._chain(mode, region, leaf, number, cuts, rest) if cuts else rest
+
+    def _complete(self, leaf: Node, number: int) -> str | bool:
+        if leaf.type is NodeType.BASIC:
+            return number != self.flat.leaf[leaf.label]
+        if leaf.type is NodeType.AND:
+            tests = []
+            for region in self.flat.regions_of(leaf.label):
+                end = self.chart.end_of(region.label)
+                if end is None or end.label not in self.flat.leaf:
+                    return False
+                if region.size > 1:
+                    tests.append(f"self.r{region.number} == {self.flat.leaf[end.label]}")
+            return " and ".join(tests) or True
+        return leaf.type is NodeType.START
+
+    def _chain(
+        self,
+        mode: _Mode,
+        region: int,
+        leaf: Node,
+        number: int,
+        candidates: list[_Candidate],
+        otherwise: Sequence[str] = (),
+    ) -> list[str]:
+        """The first candidate that is open is taken; `otherwise` is done where none is."""
+        lines: list[str] = []
+        word = "if"
+        for candidate in candidates:
+            taken = self._take(mode, region, leaf, number, candidate)
+            notes = [f"# {self._place(step)}" for step in candidate.taken]
+            if not candidate.tests:
+                if word == "if":
+                    return [*notes, *taken]
+                return [*lines, "else:", *_indented([*notes, *taken], 1)]
+            test = " and ".join(candidate.tests)
+            lines += [*notes, f"{word} {test}:", *_indented(taken, 1)]
+            word = "elif"
+        if otherwise:
+            return [*lines, "else:", *_indented(otherwise, 1)] if lines else list(otherwise)
+        return lines
+
+    def _candidates(
+        self,
+        mode: _Mode,
+        region: int,
+        source: str,
+        complete: str | bool,
+        way: Way,
+        before: tuple[int, ...] = (),
+        tests: tuple[str, ...] = (),
+        spends: str = "",
+    ) -> Iterator[_Candidate]:
+        """The compound transitions of a way, each with all of its tests."""
+        transition = self.flat.transition(way.number)
+        expression = transition.expression
+        if expression is NEVER:
+            return
+        if expression.events and not expression.when:
+            found = self._there(mode, region, source, expression.events)
+            if found is None:
+                return
+            tests = (*tests, *found)
+        elif not expression.events and not expression.when and not before:
+            if complete is False:
+                return
+            if isinstance(complete, str):
+                tests = (*tests, complete)
+        spends = self._spending(mode, source, expression.events) or spends
+        if expression.every is not None:
+            tests = (*tests, f"now - self.{self._time(source)} >= {expression.every}")
+        if expression.condition is not None:
+            prefix = f"{region}_{way.number}_"
+            method = Method(self._names(region, prefix))
+            guard = self._guard(method, region, way.number, expression.condition)
+            if guard != "True":
+                tests = (*tests, guard)
+        taken = (*before, way.number)
+        if self.chart.node(transition.target).type is NodeType.CONDITION:
+            for branch in way.branches:
+                yield from self._candidates(mode, region, source, complete, branch, taken, tests, spends)
+            return
+        yield _Candidate(source, tests, taken, spends)
+
+    def _there(
+        self, mode: _Mode, region: int, source: str, events: Iterable[Event]
+    ) -> tuple[str, ...] | None:
+        """What must hold for one of the events to be there; None if it cannot be."""
+        tests: list[str] = []
+        for event in events:
+            if isinstance(event, After):
+                tests.append(f"now - self.{self._time(source)} >= {event.duration}")
+            elif isinstance(event, Raised) and event.name == mode.event:
+                if not mode.loops:
+                    return ()
+                tests.append(f"not self.spent & {1 << region}")
+        if not tests:
+            return None
+        return (tests[0] if len(tests) == 1 else f"({' or '.join(tests)})",)
+
+    def _spending(self, mode: _Mode, source: str, events: Iterable[Event]) -> str:
+        """Whether the event is spent (see `_Candidate.spends`): the first of several that is there counts."""
+        before: list[str] = []
+        for event in events:
+            if isinstance(event, Raised) and event.name == mode.event:
+                return f"not ({' or '.join(before)})" if before else "yes"
+            if isinstance(event, After):
+                before.append(f"now - self.{self._time(source)} >= {event.duration}")
+        return ""
+
+    # ---- taking a transition ---------------------------------------------------------------
+
+    def _take(self, mode: _Mode, region: int, leaf: Node, number: int, candidate: _Candidate) -> list[str]:
+        taken = candidate.taken
+        lines: list[str] = []
+        if mode.loops and candidate.spends:
+            spend = f"self.spent |= {1 << region}"
+            lines += [spend] if candidate.spends == "yes" else [f"if {candidate.spends}:", f"    {spend}"]
+        scope = self._scope(taken)
+        lines += self._took(taken)
+        lines += self._leave(region, scope, leaf, number)
+        for step in taken:
+            lines += self._actions(region, step)
+        lines += self._enter(mode, region, scope, self.flat.transition(taken[-1]).target, number)
+        if mode.direct:
+            return [*lines, "return True"]
+        flags = list(mode.flags)
+        if mode.loops and self._again(mode.event, region, taken, candidate.spends == "yes"):
+            flags.append("again")
+        return [*lines, f"{' = '.join(flags)} = True"]
+
+    def _leave(self, region: int, scope: str, leaf: Node, number: int | None) -> list[str]:
+        """What is done as everything inside `scope` is left; None for a BASIC state that may be complete."""
+        lines: list[str] = []
+        if leaf.type is NodeType.BASIC and self.options.watched:
+            lines += self._stop(region, leaf, number)
+        elif leaf.type is NodeType.AND:
+            for inner in self.flat.regions_of(leaf.label):
+                lines += self._leave_region(inner.number)
+        for node in (leaf, *self.flat.around(leaf.label)):
+            if len(node.label) > len(scope) and node.type in (NodeType.BASIC, NodeType.OR):
+                lines += self._left(region, node)
+        return lines
+
+    def _left(self, region: int, node: Node) -> list[str]:
+        """What is done when a state is left, after what is inside it."""
+        lines: list[str] = []
+        for transition in self.chart.exits_of(node.label):
+            number = self.flat.transition_number[id(transition)]
+            done = [*self._took((number,)), *self._actions(region, number)]
+            lines += [f"# {self._place(number)}", *done] if done else []
+        return lines
+
+    def _took(self, taken: tuple[int, ...]) -> list[str]:
+        """The call that tells of a transition that is taken."""
+        return [f"self.took({', '.join(map(str, taken))})"] if self.options.watched else []
+
+    def _leave_region(self, region: int) -> list[str]:
+        """The call of the method that leaves a region, if there is anything to do."""
+        name = f"_leave_{region}"
+        if name not in self.leaving:
+            label = self.flat.regions[region].label
+            bodies: list[_Body] = []
+            self.leaving[name] = False
+            for leaf in self.flat.leaves(region):
+                for number in range(self.flat.leaf[leaf.label], self._last(leaf) + 1):
+                    lines = self._leave(region, label, leaf, number)
+                    bodies.append(_Body(number, number, self._title(leaf, number), tuple(lines)))
+            outermost = self._left(region, self.chart.node(label))
+            lines = [*self._dispatch(region, bodies), *outermost]
+            if lines:
+                self.leaving[name] = True
+                written = self._written(
+                    f"{name}(self) -> None", f"Leave region {label}.", _indented(lines, 2)
+                )
+                self.methods.append(written)
+        return [f"self.{name}()"] if self.leaving[name] else []
+
+    # ---- entering --------------------------------------------------------------------------
+
+    def _enter(
+        self, mode: _Mode, region: int, scope: str, target: str, number: int | None = None
+    ) -> list[str]:
+        """Enter a state inside `scope`, outermost first; `number` is that of the region so far."""
+        path = [target]
+        while (parent := self.chart.node(path[-1]).parent) not in (scope, None):
+            assert parent is not None
+            path.append(parent)
+        lines = [line for label in reversed(path) for line in self._on_entry(region, self.chart.node(label))]
+        return [*lines, *self._enter_inside(mode, region, target, number)]
+
+    def _enter_inside(self, mode: _Mode, region: int, target: str, number: int | None = None) -> list[str]:
+        """Make the leaf of a state active that has been entered."""
+        node = self.chart.node(target)
+        if node.type is NodeType.OR:
+            start = self.chart.start_of(target)
+            assert start is not None
+            return [*self._on_entry(region, start), *self._enter_inside(mode, region, start.label, number)]
+        if target in self.rests.passed:
+            return self._pass(mode, region, node, number)
+        lines = self._stand(region, node, number)
+        if node.type is NodeType.BASIC and self.options.watched:
+            lines += self._begin(region, node)
+        elif node.type is NodeType.AND:
+            for inner in self.flat.regions_of(target):
+                lines += self._enter_region(mode, inner.number)
+        return lines
+
+    def _stand(self, region: int, leaf: Node, number: int | None) -> list[str]:
+        """Note which leaf is active, where that is not known."""
+        entered = self.flat.leaf[leaf.label]
+        if self.flat.regions[region].size == 1 or entered == number:
+            return []
+        return [f"self.r{region} = {entered}  # {self._title(leaf, entered)}"]
+
+    def _pass(self, mode: _Mode, region: int, node: Node, number: int | None) -> list[str]:
+        """Go on at once from a START or an END that is never rested at."""
+        way = self.rests.passed[node.label]
+        step = self.flat.transition_number[id(way)]
+        scope = self.chart.scope_of(way)
+        actions = self._actions(region, step)
+        note = [f"# {self._place(step)}"] if actions else []
+        lines = [*self._took((step,)), *self._leave(region, scope, node, None)]
+        return [*lines, *note, *actions, *self._enter(mode, region, scope, way.target, number)]
+
+    def _enter_region(self, mode: _Mode, region: int) -> list[str]:
+        """Enter a region of an AND, with its copies of variables."""
+        lines: list[str] = []
+        outer = self.flat.enclosing(region)
+        for name in sorted(self.copied):
+            regions = self.flat.variable_regions[name]
+            if region in regions:
+                around = outer
+                while around is not None and around not in regions:
+                    around = self.flat.enclosing(around)
+                if around is not None:
+                    lines.append(f"self.{self._copy(name, region)} = self.{self._copy(name, around)}")
+        label = self.flat.regions[region].label
+        lines += self._on_entry(region, self.chart.node(label))
+        return [*lines, *self._enter_inside(mode, region, label)]
+
+    def _on_entry(self, region: int, node: Node) -> list[str]:
+        lines = []
+        if node.label in self.flat.timed:
+            lines.append(f"self.{self._time(node.label)} = now")
+        for label, loop in self.flat.counted.items():
+            if loop == node.label:
+                lines.append(f"self.{self._count(label)} = 0")
+        if node.label in self.flat.counted:
+            lines.append(f"self.{self._count(node.label)} += 1")
+        return lines
+
+    def _begin(self, region: int, node: Node) -> list[str]:
+        """The call that starts the activity of a state."""
+        return [f"self.{self._hook('start', node)}({node.label!r})"]
+
+    def _stop(self, region: int, node: Node, number: int | None) -> list[str]:
+        """The call that cuts an activity short, unless it has returned."""
+        if number != self.flat.leaf[node.label]:
+            return []
+        return [f"self.{self._hook('stop', node)}({node.label!r})"]
+
+    def _hooks(self) -> Iterator[list[str]]:
+        """What subclasses override: `took`, and two methods for each activity."""
+        if self.options.watched:
+            yield [
+                "    def took(self, *transitions: int) -> None:",
+                '        """A transition is taken, given by the numbers of its parts in `TRANSITIONS`."""',
+            ]
+        activities = {node.activity: node for node in self.chart.nodes if node.activity is not None}
+        for node in activities.values() if self.options.watched else ():
+            for word, document in (("start", "begins"), ("stop", "is cut short")):
+                told = f"{docstring(node.activity or '')} {document}, the activity of the state `label`."
+                yield [
+                    f"    def {self._hook(word, node)}(self, label: str) -> None:",
+                    f'        """{told}"""',
+                ]
+
+    def _hook(self, word: str, node: Node) -> str:
+        """The method by which an activity is told something."""
+        return f"{word}_{node.activity}"
+
+    # ---- actions ---------------------------------------------------------------------------
+
+    def _actions(self, region: int, number: int) -> list[str]:
+        method = Method(self._names(region, f"{region}_{number}_"))
+        for action in self.flat.transition(number).expression.actions:
+            self._action(method, region, number, action)
+        return method.lines
+
+    def _action(self, method: Method, region: int, number: int, action: Action) -> None:
+        match action:
+            case Assign(target=VariableValue() as target, value=value):
+                self._computed(
+                    method,
+                    0,
+                    number,
+                    (value,),
+                    lambda piece: self._assignment(region, target, value, piece),
+                )
+            case Evaluate(value=value):
+                self._computed(method, 0, number, (value,), lambda piece: [piece.code])
+            case _:
+                raise AssertionError(f"{action} is refused")
+
+    def _assignment(self, region: int, target: VariableValue, value: Value, piece: Piece) -> list[str]:
+        code = converted(piece, value.type, target.type)
+        if target.name not in self.copied:
+            return [f"{self._place_on_board(target.name)} = {code}"]
+        copy = f"self.{self._copy(target.name, region)}"
+        return [f"{copy} = {code}", f"self.writes.append(({region}, {target.name!r}, {copy}))"]
+
+
+_NOTHING = ["        return False"]
+_EPILOGUE_OF_COPIES = ["if self.writes:", "    self.spread()"]
+
+
+def _indented(lines: Iterable[str], depth: int) -> list[str]:
+    return ["    " * depth + line for line in lines]
+
+
+def _tuple(names: Iterable[str]) -> str:
+    """Names as a tuple of texts, in order."""
+    found = [f'"{name}"' for name in sorted(names, key=lambda name: natural((name, "", None)))]
+    return f"({', '.join(found)}{',' if len(found) == 1 else ''})"
+
+
+def _returns(lines: Sequence[str]) -> bool:
+    """Whether the last line always ends the method."""
+    return bool(lines) and lines[-1].startswith("return ")
+
+
+def _paths(way: Way) -> Iterator[tuple[int, ...]]:
+    """The compound transitions of a way, as the numbers of their segments."""
+    if not way.branches:
+        yield (way.number,)
+    for branch in way.branches:
+        for path in _paths(branch):
+            yield (way.number, *path)
+
+
+def _may_fail(value: Value) -> bool:
+    """Whether a value may raise or be absent."""
+    match value:
+        case Call(function=function):
+            return not function.target.startswith("builtin:")
+        case Arithmetic(operator=operator, type=kind):
+            return operator in ("/", "%") or kind == DURATION
+        case Member() | Element() | Outcome():
+            return True
+        case VariableValue(type=kind):
+            return kind == AGENT
+    return False
+
+
+def _written_by(expression: TransitionExpression) -> set[str]:
+    """The variables that an expression assigns."""
+    return {
+        action.target.name
+        for action in expression.actions
+        if isinstance(action, Assign) and isinstance(action.target, VariableValue)
+    }
+
+
+__all__ = ["PlainCode", "PlainOptions", "generate_plain"]

@@ -1,0 +1,68 @@
+"""Functions: those of the document, which are Python functions, found by `module:name`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any
+
+_RESULTS: dict[str, tuple[type, ...]] = {
+    "bool": (bool,),
+    "int": (int,),
+    "double": (int, float),
+    "string": (str,),
+    "bytes": (bytes,),
+    "duration": (int,),
+}
+
+
+class FunctionError(Exception):
+    """A function of the document cannot be found, or gives something else than it declares."""
+
+
+def find_function(target: str) -> Callable[..., Any]:
+    """The Python function `module:name`.
+
+    Raises:
+        FunctionError: there is no such module or function.
+    """
+    module, _, name = target.partition(":")
+    try:
+        function = getattr(import_module(module), name)
+    except (ImportError, AttributeError) as error:
+        raise FunctionError(f"no function {name} in module {module}: {error}") from error
+    if not callable(function):
+        raise FunctionError(f"{target} is not a function")
+    return function  # type: ignore[no-any-return]
+
+
+def results_of(declared: str) -> tuple[type, ...]:
+    """The Python types of a declared result; anything for a message or an enum."""
+    return _RESULTS.get(declared, (object,))
+
+
+def checked(name: str, value: Any, expected: tuple[type, ...]) -> Any:
+    """What a function has given, if it is of the expected types.
+
+    Raises:
+        FunctionError: it is not.
+    """
+    if not isinstance(value, expected) or (isinstance(value, bool) and bool not in expected):
+        raise FunctionError(f"{name} gave {value!r}, which is not a {expected[-1].__name__}")
+    return value
+
+
+def function_at(target: str, name: str, declared: str) -> Callable[..., Any]:
+    """The function `module:name`, which is looked for at the first call, and whose results are checked."""
+    found: list[Callable[..., Any]] = []
+    expected = results_of(declared)
+
+    def call(*arguments: Any) -> Any:
+        if not found:
+            found.append(find_function(target))
+        return checked(name, found[0](*arguments), expected)
+
+    return call
+
+
+__all__ = ["FunctionError", "checked", "find_function", "function_at", "results_of"]

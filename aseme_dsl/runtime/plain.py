@@ -1,0 +1,140 @@
+"""Plain: what the generated classes of plain statecharts have in common.
+
+A plain chart is an ordinary object: it is given events and says whether it took them. It has no thread, no
+queue, no agent; `Machine` (`machine.py`) makes a complete runtime of it.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Iterator, Mapping
+from typing import Any, ClassVar
+
+ROUNDS = 1000
+"""A step that has not settled after so many rounds never will."""
+
+ABSENT = "absent value"
+"""Why an action was not done that needs a message which is not there."""
+
+_log = logging.getLogger("aseme_dsl.plain")
+
+
+class Unsettled(RuntimeError):
+    """A step does not come to an end: its transitions enable each other."""
+
+
+class Plain:
+    """A running statechart. Subclasses are generated; `semantics.md` says what a step does.
+
+    A region is an integer slot with the number of its active leaf. Nothing is active before `start`: until
+    then these slots have no value (`AttributeError`). The methods may not be called while one of them runs
+    (from a function of a condition, or from the method of an activity): `Machine` is for that.
+    """
+
+    __slots__ = ()
+
+    bb: Any
+    """The blackboard: what the program and the statechart tell each other."""
+    writes: list[tuple[int, str, Any]]
+    """What regions have written that others see in the next step."""
+    faulty: set[int]
+    """The transitions of which something could not be done in this step."""
+
+    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = ()
+    """The labels of each region's leaves by their numbers."""
+    INNER: ClassVar[Mapping[tuple[int, int], tuple[int, ...]]] = {}
+    """For each AND, as its region and number, the regions inside it."""
+    RUNNING: ClassVar[Mapping[str, tuple[int, int]]] = {}
+    """The BASIC states whose completion matters: their region, and their number until they are complete."""
+    MESSAGES: ClassVar[tuple[tuple[str, str, str | None], ...]] = ()
+    """The places of messages on the blackboard, each with its channel, and whose it is (None: anybody's)."""
+    TRANSITIONS: ClassVar[tuple[str, ...]] = ()
+    """The transitions by their numbers, in words; in classes that are watched only."""
+    END: ClassVar[int] = -1
+    """The number of the root's END."""
+
+    # ---- generated -------------------------------------------------------------------------
+
+    def start(self) -> None:
+        """Enter the root, and go on until nothing is enabled."""
+        raise NotImplementedError
+
+    def send(self, event: str) -> bool:
+        """One step with an event; whether anything was taken."""
+        raise NotImplementedError
+
+    def step(self) -> bool:
+        """One step without an event, for what the blackboard says; whether anything was taken."""
+        raise NotImplementedError
+
+    # ---- the same for all ------------------------------------------------------------------
+
+    def done(self, label: str) -> bool:
+        """One step, before which the activity of a BASIC state has returned; whether anything was taken.
+
+        That is of no account if the state is not active, or its activity has returned before.
+
+        Raises:
+            KeyError: the statechart has no such state, or can never be in it.
+        """
+        found = self.RUNNING.get(label)
+        if found is not None:
+            region, number = found
+            if found in self._active():
+                setattr(self, f"r{region}", number + 1)
+        elif not any(label in labels for labels in self.LEAVES):
+            raise KeyError(f"{type(self).__name__} has no state {label}")
+        return self.step()
+
+    def configuration(self) -> tuple[str, ...]:
+        """The labels of the active leaves, region by region in document order."""
+        return tuple(self.LEAVES[region][number] for region, number in sorted(self._active()))
+
+    @property
+    def finished(self) -> bool:
+        """Whether the root's END is active."""
+        return self._number(0) == self.END
+
+    def _active(self) -> Iterator[tuple[int, int]]:
+        """The active regions with the numbers of their leaves."""
+        stack = [0]
+        while stack:
+            region = stack.pop()
+            found = region, self._number(region)
+            yield found
+            stack += self.INNER.get(found, ())
+
+    def _number(self, region: int) -> int:
+        """The number of a region's leaf; one that has a single leaf has no slot."""
+        return 0 if len(self.LEAVES[region]) == 1 else getattr(self, f"r{region}")
+
+    # ---- what generated code calls ---------------------------------------------------------
+
+    def spread(self) -> None:
+        """Let all regions see what some have written: of several writes, the last in document order."""
+        board = self.bb
+        for _, name, value in sorted(self.writes, key=lambda write: write[0]):
+            if isinstance(board, dict):
+                board[name] = value
+            else:
+                setattr(board, name, value)
+        self.writes.clear()
+
+    def fault(self, transition: int, reason: object) -> bool:
+        """Something of a transition could not be done; always False.
+
+        Told to the logger `aseme_dsl.plain`, once a step; override it to do something else.
+        """
+        if transition not in self.faulty:
+            self.faulty.add(transition)
+            text = f"{type(reason).__name__}: {reason}" if isinstance(reason, Exception) else str(reason)
+            _log.warning("%s, transition %d: %s", type(self).__name__, transition, text)
+        return False
+
+    def unsettled(self) -> Unsettled:
+        """The error of a step that does not settle."""
+        active = ", ".join(self.configuration())
+        return Unsettled(f"{type(self).__name__} does not settle after {ROUNDS} rounds, at {active}")
+
+
+__all__ = ["ABSENT", "ROUNDS", "Plain", "Unsettled"]

@@ -1,0 +1,115 @@
+"""The plain backend: what it writes, and what it refuses."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.backends.backend import BackendOptions, Refused
+from aseme_dsl.backends.plain import BACKEND
+from tests.support.generated import generate, system_of
+
+LAMP = """
+system Lamp
+
+enum Colour { WHITE RED }
+message Room { bool dark }
+topic room { state Room }
+
+srm lamp {
+  var touched : int = 0
+  var colour : Colour = Colour.WHITE
+  liveness { lamp = (Dark . Shine)~ }
+  control lamp {
+    enter Shine : touch [room.state.Room.dark] / touched = touched + 1; colour = Colour.RED
+    leave Shine : touch
+  }
+}
+"""
+
+
+def built(tmp_path: Path, text: str) -> Path:
+    for artefact in BACKEND.generate(system_of(text), BackendOptions()):
+        path = tmp_path / "plain" / artefact.path
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(artefact.text, encoding="utf-8")
+    return tmp_path / "plain"
+
+
+def test_a_statechart_is_an_ordinary_class(tmp_path: Path) -> None:
+    folder = built(tmp_path, LAMP)
+    program = """
+from Lamp import Lamp
+from Lamp.messages import Room
+
+lamp = Lamp()
+lamp.start()
+print(lamp.configuration(), lamp.send("touch"))
+lamp.bb.room_state_Room = Room(dark=True)
+print(lamp.send("touch"), lamp.configuration(), lamp.bb.touched, lamp.bb.colour.name)
+print(lamp.send("touch"), lamp.send("other"), lamp.configuration())
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        cwd=folder,
+        env={"PYTHONPATH": str(Path(__file__).parents[2])},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stdout.splitlines() == [
+        "('0.2.2',) False",
+        "True ('0.2.3',) 1 RED",
+        "True False ('0.2.2',)",
+    ], done.stderr
+
+
+def test_what_is_generated_passes_the_checkers(tmp_path: Path) -> None:
+    built(tmp_path, LAMP)
+    for command in (["ruff", "check", "--isolated", "plain"], ["mypy", "--strict", "plain/Lamp"]):
+        done = subprocess.run(
+            [sys.executable, "-m", *command], cwd=tmp_path, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stdout
+
+
+def test_the_same_text_gives_the_same_bytes() -> None:
+    one, other = (BACKEND.generate(system_of(LAMP), BackendOptions()) for _ in range(2))
+    assert one == other
+
+
+def test_what_it_cannot_do_is_refused_with_every_place() -> None:
+    text = """
+system S
+message M { int x }
+topic t { signal M  state M }
+srm R {
+  liveness { R = A . B . C }
+  control R {
+    enter B : when [has(t.signal.M)]
+    enter C : when [t.signal.M.x > 1 || expired(pace)] / write_messages.t.state.M
+    leave C : go / start_timer(pace, 1s)
+  }
+}
+"""
+    with pytest.raises(Refused) as refused:
+        BACKEND.generate(system_of(text), BackendOptions())
+    told = [
+        (problem.message.rpartition(": ")[2], 1 + len(problem.related))
+        for problem in refused.value.diagnostics
+    ]
+    assert told == [
+        ("signals (a program sends events)", 2),
+        ("timers (there is `after`)", 2),
+        ("publishing", 1),
+    ]
+
+
+def test_without_conditions_over_it_a_message_has_no_place() -> None:
+    made = generate(LAMP)
+    text = next(a.text for a in BACKEND.generate(made.system, BackendOptions()) if a.path == "Lamp/lamp.py")
+    assert "room_state_Room: Room | None = None" in text
+    assert "bb.room_state_Room" in text

@@ -1,0 +1,95 @@
+"""Random charts without what the plain face refuses."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from aseme_dsl.amola.expression import (
+    After,
+    Age,
+    Assign,
+    At,
+    Evaluate,
+    Event,
+    Expired,
+    Index,
+    Literal,
+    Mean,
+    Member,
+    Outcome,
+    Raised,
+    Random,
+    Value,
+    VariableValue,
+    rewritten_expression,
+    values_of,
+)
+from aseme_dsl.amola.messages import Channel, Comm, Kind
+from aseme_dsl.amola.statechart import OriginKind, Statechart, Transition, TransitionKind
+from aseme_dsl.amola.system import System
+from aseme_dsl.codegen.plain_limits import limits
+
+
+def without_limits(system: System) -> System | None:
+    """The system with something else wherever the plain face would refuse; None for one with protocols."""
+    if any(node.origin.kind is OriginKind.PROTOCOL for chart in system.iacs for node in chart.nodes):
+        return None
+    changed = replace(system, iacs=tuple(_tamed(chart) for chart in system.iacs))
+    assert not any(limits(chart) for chart in changed.iacs)
+    return changed
+
+
+def _tamed(chart: Statechart) -> Statechart:
+    transitions = tuple(_tame(item) for item in chart.transitions if item.kind is not TransitionKind.ON)
+    channels = {value.channel for value in _members(transitions)}
+    reads = tuple(sorted(channels, key=str))
+    regions = tuple(replace(region, reads=reads, writes=()) for region in chart.regions)
+    return replace(chart, transitions=transitions, regions=regions)
+
+
+def _members(transitions: tuple[Transition, ...]) -> list[Member]:
+    return [v for item in transitions for v in values_of(item.expression) if isinstance(v, Member)]
+
+
+def _tame(transition: Transition) -> Transition:
+    expression = rewritten_expression(transition.expression, _plain_value)
+    events = tuple(dict.fromkeys(_plain_event(event) for event in expression.events))
+    actions = tuple(
+        action
+        for action in expression.actions
+        if isinstance(action, Evaluate)
+        or (isinstance(action, Assign) and isinstance(action.target, VariableValue))
+    )
+    expression = replace(expression, events=events, actions=actions, every=None)
+    if expression == replace(transition.expression):
+        expression = transition.expression  # what is NEVER stays it
+    return replace(transition, expression=expression, resume=False)
+
+
+def _plain_event(event: Event) -> Event:
+    return event if isinstance(event, Raised | After) else Raised("fail", event.span)
+
+
+def _plain_value(value: Value) -> Value:
+    match value:
+        case Member(channel=channel) if channel.comm is not Comm.STATE:
+            return replace(value, channel=Channel("t", Comm.STATE, channel.message))
+        case At(message=message, type=kind) | Mean(message=message, type=kind):
+            return _something(kind.kind, value) if kind != message.type else message
+        case Age() | Expired() | Index() | Random() | Outcome():
+            return _something(value.type.kind, value)
+    return value
+
+
+def _something(kind: Kind, value: Value) -> Value:
+    """A constant of a type, another for another place."""
+    chance = value.span.start % 4
+    constants: dict[Kind, Any] = {
+        Kind.BOOL: chance % 2 == 0,
+        Kind.INT: chance,
+        Kind.DOUBLE: chance / 2,
+        Kind.DURATION: chance * 5_000_000,
+        Kind.STRING: "ab"[chance % 2],
+    }
+    return Literal(constants[kind], value.type, value.span)

@@ -1,0 +1,240 @@
+"""The plain face and the interpreter agree on every step of random charts with random inputs.
+
+The examples are the same in every run. `ORACLE_EXAMPLES=5000 pytest tests/oracle/test_plain.py` looks at more
+of them, `ORACLE_FIRST=1000000` at others.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from itertools import cycle
+from typing import Any
+
+import pytest
+
+from aseme_dsl.codegen.plain import PlainOptions
+from aseme_dsl.runtime import plain
+from aseme_dsl.runtime.inputs import (
+    Arrived,
+    Cancel,
+    Completed,
+    Fault,
+    Happened,
+    Input,
+    Outcome,
+    Start,
+    Written,
+)
+from tests.oracle import interpreter
+from tests.oracle.charts import EVENTS, HOSTS, MS, text
+from tests.oracle.choices import Choices, simplest
+from tests.oracle.interpreter import Reference
+from tests.oracle.plain import without_limits
+from tests.oracle.playing import filled, like
+from tests.support.generated import Generated, imported, system_of
+from tests.support.plain_engine import PlainEngine, plain_class
+
+EXAMPLES = int(os.environ.get("ORACLE_EXAMPLES", "200"))
+FIRST = int(os.environ.get("ORACLE_FIRST", "0"))
+GAMES = 3
+GROUPS = 10
+ROUNDS = 60
+ATTEMPTS = 300
+
+
+@pytest.fixture(autouse=True)
+def bound(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(plain, "ROUNDS", ROUNDS)
+    monkeypatch.setattr(interpreter, "ROUNDS", ROUNDS)
+
+
+@dataclass
+class Game:
+    """The interpreter, a watched class and two bare ones of the same chart, side by side."""
+
+    made: Generated
+    text: str
+    now: int = 0
+    running: dict[str, int] = field(default_factory=dict)
+    numbers: int = 0
+    story: list[str] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.plan = self.made.plan("R")
+        self.expected = Reference(self.plan, "me", vars(self.made.messages))
+        self.actual = PlainEngine(self.made, "R")
+        self.bare = plain_class(self.made, "R", PlainOptions())()
+        self.mapped = plain_class(self.made, "R", PlainOptions(mapping=True))()
+
+    def play(self, choices: Choices) -> None:
+        self.step([], None)
+        for _ in range(choices.number(1, 25)):
+            if self.expected.finished or self.expected.failure is not None:
+                break
+            self.now += choices.one_of((0, MS, 5 * MS, 10 * MS, 20 * MS))
+            board = [self.on_board(choices) for _ in range(choices.weighted(none=3, one=2, two=1) != "none")]
+            self.step([item for item in board if item is not None], self.call(choices))
+
+    def on_board(self, choices: Choices) -> Input | None:
+        if choices.one_in(2) and self.plan.variables:
+            variable = choices.one_of(self.plan.variables).name
+            return Written(variable, like(self.expected.variable(variable), choices.number(0, 3)))
+        channels = [info for info in self.plan.channels if info.name.startswith("t.state")]
+        if not channels:
+            return None
+        info = choices.one_of(channels)
+        members = tuple(choices.number(0, 3) for _ in range(6))
+        message = filled(getattr(self.made.messages, info.message), cycle(members))
+        sender = choices.one_of(HOSTS)
+        self.numbers += 1
+        return Arrived(info.name, message, sender, self.now, (sender, self.numbers))
+
+    def call(self, choices: Choices) -> Input | None:
+        kind = choices.weighted(event=6, done=6, nothing=2)
+        if kind == "event":
+            names = sorted({e[1] for way in self.plan.transitions for e in way.events if e[0] == "raised"})
+            return Happened(choices.one_of(names or EVENTS))
+        if kind == "done" and self.running:
+            label = choices.one_of(list(self.running))
+            return Completed(label, self.running.pop(label))
+        return None
+
+    def step(self, board: list[Input], call: Input | None) -> None:
+        inputs = [*board, *([] if call is None else [call])]
+        self.story.append(f"at {self.now / MS} ms: {inputs}")
+        expected = self.expected.step(self.now, inputs)
+        if isinstance(call, Completed):  # what starts in one round may start in another order
+            inputs[-1] = replace(call, token=self.actual.token.get(call.label, 0))
+        actual = self.actual.step(self.now, inputs)
+        self.compare("the step", _seen(expected, self.plan), _seen(actual, self.plan))
+        if expected.failure is not None:
+            return
+        self.follow(expected)
+        self.compare("the configuration", self.expected.configuration(), self.actual.configuration())
+        for chart in (self.bare, self.mapped):
+            self.drive(chart, board, call)
+            self.compare("the bare configuration", self.expected.configuration(), chart.configuration())
+        for variable in self.plan.variables:
+            name = variable.name
+            value = self.expected.variable(name)
+            self.compare(f"the variable {name}", value, self.actual.variable(name))
+            self.compare(f"the bare variable {name}", value, getattr(self.bare.bb, name))
+            self.compare(f"the variable {name} in the mapping", value, self.mapped.bb[name])
+
+    def drive(self, chart: Any, board: list[Input], call: Input | None) -> None:
+        """The same for a class that is not watched."""
+
+        def put(name: str, value: Any) -> None:
+            if isinstance(chart.bb, dict):
+                chart.bb[name] = value
+            else:
+                setattr(chart.bb, name, value)
+
+        if hasattr(type(chart), "now"):
+            chart.now = self.now
+        for item in board:
+            if isinstance(item, Written):
+                put(item.variable, item.value)
+            elif isinstance(item, Arrived):
+                for (channel, host), slot in self.actual.slots.items():
+                    if channel == item.channel and host in (None, item.sender):
+                        put(slot, item.message)
+        if len(self.story) == 1:
+            chart.start()
+        elif isinstance(call, Happened):
+            chart.send(call.name)
+        elif isinstance(call, Completed):
+            chart.done(call.label)
+        else:
+            chart.step()
+
+    def follow(self, outcome: Outcome) -> None:
+        for effect in outcome.effects:
+            if isinstance(effect, Start):
+                self.running[effect.label] = effect.token
+            elif isinstance(effect, Cancel):
+                self.running.pop(effect.label, None)
+
+    def compare(self, what: str, expected: Any, actual: Any) -> None:
+        if expected != actual:
+            lines = [f"{what} differs", f"interpreter: {expected}", f"plain:       {actual}", ""]
+            raise AssertionError("\n".join([*lines, *self.story, "", self.text]))
+
+
+def _seen(outcome: Outcome, plan: Any) -> Any:
+    """What must agree: what each region does is in order; whether they do it in turns is not asked."""
+    regions: dict[str, list[Any]] = {}
+    for taken in outcome.taken:
+        regions.setdefault(_region(plan, plan.transitions[taken[0]].source), []).append(taken)
+    effects: dict[str, list[Any]] = {}
+    for effect in outcome.effects:
+        if isinstance(effect, Start | Cancel):
+            effects.setdefault(_region(plan, effect.label), []).append((type(effect).__name__, effect.label))
+    faults = sorted(effect.transition for effect in outcome.effects if isinstance(effect, Fault))
+    if outcome.failure is not None:
+        return "failed"
+    return regions, effects, faults, outcome.finished
+
+
+def _region(plan: Any, label: str) -> str:
+    while (
+        plan.by_label[label].parent is not None and plan.by_label[plan.by_label[label].parent].type != "AND"
+    ):
+        label = plan.by_label[label].parent
+    return label
+
+
+def play(choices: Choices) -> Iterator[Game]:
+    """A random text, compiled, and some games with it; none if it is about agents.
+
+    Raises:
+        AssertionError: it does not compile, or the two engines differ.
+    """
+    written = text(choices)
+    system = without_limits(system_of(written))
+    if system is None:
+        return
+    made = imported(system)
+    try:
+        for _ in range(GAMES):
+            game = Game(made, written)
+            game.play(choices)
+            yield game
+    finally:
+        name = made.package.__name__
+        for module in [m for m in sys.modules if m == name or m.startswith(name + ".")]:
+            del sys.modules[module]
+        shutil.rmtree(made.folder)
+
+
+def difference(made: list[int]) -> str | None:
+    """What goes wrong with these decisions, or None."""
+    try:
+        for _ in play(Choices(replay=made)):
+            pass
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+    return None
+
+
+@pytest.mark.parametrize("group", range(GROUPS))
+def test_the_plain_face_agrees_with_the_interpreter(group: int) -> None:
+    played = 0
+    for seed in range(FIRST + group, FIRST + EXAMPLES, GROUPS):
+        choices = Choices(seed)
+        try:
+            played += len(list(play(choices)))
+        except Exception as error:
+            kind = type(error)
+
+            def fails(made: list[int], kind: type[Exception] = kind) -> bool:
+                found = difference(made)
+                return found is not None and found.startswith(kind.__name__)
+
+            made = simplest(choices.made, fails, ATTEMPTS)
+            pytest.fail(f"example {seed}, made as simple as possible:\n{difference(made)}")
+    assert played > 0

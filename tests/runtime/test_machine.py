@@ -1,0 +1,132 @@
+"""Machine: one step after the other, from wherever the events come."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any
+
+import pytest
+
+from aseme_dsl.codegen.plain import PlainOptions
+from aseme_dsl.runtime.machine import Machine
+from aseme_dsl.runtime.plain import Unsettled
+from tests.support.generated import generate
+from tests.support.plain_engine import plain_class
+
+COUNTER = """
+system Counter
+srm R {
+  var n : int = 0
+  liveness { R = (A . B)~ }
+  control R { enter B : hop / n = n + 1  leave B : hop }
+}
+"""
+
+
+def chart(text: str, **options: bool) -> Any:
+    return plain_class(generate(text), "R", PlainOptions(**options))
+
+
+def test_it_does_what_the_chart_does() -> None:
+    machine = Machine(chart(COUNTER)())
+    machine.start()
+    assert machine.send("hop")
+    assert not machine.send("other")
+    assert machine.chart.configuration() == ("0.2.3",)
+    assert machine.send("hop")
+    assert machine.chart.bb.n == 1
+
+
+def test_what_comes_during_a_step_is_taken_after_it() -> None:
+    """An activity's method sends an event, and says that it has returned, while its state is entered."""
+    order: list[str] = []
+
+    class Watched(
+        chart("system S srm R { liveness { R = A . B . C } control R { enter C : go } }", watched=True)
+    ):  # type: ignore[misc]
+        def start_A(self, label: str) -> None:
+            order.append("A begins")
+            assert not machine.done(label)
+            order.append("A has begun")
+
+        def start_B(self, label: str) -> None:
+            order.append("B begins")
+            machine.post("go")
+            assert not machine.send("go")
+
+        def start_C(self, label: str) -> None:
+            order.append("C begins")
+
+    machine: Machine[Any] = Machine(Watched())
+    machine.start()
+    assert order == ["A begins", "A has begun", "B begins", "C begins"]
+
+
+def test_the_trace_tells_of_each_step() -> None:
+    told: list[tuple[str, str, bool]] = []
+    machine = Machine(chart(COUNTER)(), trace=lambda *step: told.append(step))
+    machine.start()
+    machine.send("hop")
+    machine.post("no")
+    machine.step()
+    machine.done("0.2.2")
+    assert told == [
+        ("start", "", False),
+        ("send", "hop", True),
+        ("send", "no", False),
+        ("step", "", False),
+        ("done", "0.2.2", False),
+    ]
+
+
+def test_no_event_of_any_thread_is_lost_and_no_step_begins_in_another() -> None:
+    inside = 0
+
+    class Watched(chart(COUNTER, watched=True)):  # type: ignore[misc]
+        def took(self, *transitions: int) -> None:
+            nonlocal inside
+            inside += 1
+            assert inside == 1
+            inside -= 1
+
+    machine: Machine[Any] = Machine(Watched())
+    machine.start()
+    each = 2_000
+    threads = [threading.Thread(target=lambda: [machine.post("hop") for _ in range(each)]) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for _ in range(each):
+        machine.send("hop")
+    for thread in threads:
+        thread.join()
+    machine.step()
+    assert machine.chart.bb.n == 5 * each // 2
+
+
+def test_a_step_that_raises_leaves_the_machine_usable() -> None:
+    text = """
+system S
+srm R {
+  var n : int = 0
+  liveness { R = A . B }
+  control R { enter B : go  leave B : when [n > 0] / n = n + 1 }
+}
+"""
+
+    class Watched(chart(text, watched=True)):  # type: ignore[misc]
+        def start_B(self, label: str) -> None:
+            raise OSError("no lamp")
+
+    machine: Machine[Any] = Machine(Watched())
+    machine.start()
+    with pytest.raises(OSError, match="no lamp"):
+        machine.send("go")
+    machine.chart.bb.n = 1
+    assert machine.step()
+    assert machine.chart.finished
+
+
+def test_a_step_that_does_not_settle_is_an_error() -> None:
+    text = "system S srm R { var b : bool = true liveness { R = A~ } control R { repeat A : when [b] } }"
+    with pytest.raises(Unsettled, match=r"does not settle after 1000 rounds, at 0\.2"):
+        chart(text)().start()
