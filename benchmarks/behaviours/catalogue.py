@@ -47,7 +47,7 @@ def deep(name: str, title: str, event: str) -> Behaviour:
 
     def tower(here: str, other: str) -> State:
         bottom, beside = f"{here}{DEPTH}", f"{here}{DEPTH}b"
-        inner = (
+        inner: tuple[State, ...] = (
             basic(bottom, Transition("leaf", beside), entry=count(bottom)),
             basic(beside, Transition("leaf", bottom), entry=count(beside)),
         )

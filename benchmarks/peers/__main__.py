@@ -24,7 +24,7 @@ from benchmarks.behaviours.catalogue import BEHAVIOURS
 from benchmarks.behaviours.counts import Course, course_of
 from benchmarks.behaviours.description import Behaviour, as_json
 from benchmarks.peers.compiling import compiled_into
-from benchmarks.peers.contenders import BY_HAND, OURS, PEERS, SEND, Contender, Failed, Process
+from benchmarks.peers.contenders import BY_HAND, BY_HAND_SLOTS, OURS, PEERS, SEND, Contender, Failed, Process
 from benchmarks.peers.environment import CACHE, Environment, prepare
 from benchmarks.peers.measuring import Results, check_all, time_in_rounds
 from benchmarks.peers.report import into_page, missed, written, wrongs
@@ -104,7 +104,9 @@ def measure_ours(
     results: Results,
 ) -> None:
     """Time ours and the code by hand, in processes that are started for this."""
-    processes = [Process(contender, Environment(), generation) for contender in (BY_HAND, *contenders)]
+    processes = [
+        Process(contender, Environment(), generation) for contender in (BY_HAND, BY_HAND_SLOTS, *contenders)
+    ]
     try:
         for behaviour in behaviours:
             if generation == 0:

@@ -8,6 +8,9 @@ from pathlib import Path
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions
 from aseme_dsl.backends.monas import BACKEND as MONAS
+from aseme_dsl.backends.plain import BACKEND as PLAIN
+from aseme_dsl.backends.plain.generate import module_text
+from aseme_dsl.codegen.plain import PlainOptions
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import has_errors, render_text
 from aseme_dsl.source import Source
@@ -21,6 +24,12 @@ def compiled_into(folder: Path, behaviours: Iterable[Behaviour]) -> None:
         system = system_of(behaviour)
         options = BackendOptions()
         write(folder / behaviour.name / "agent", MONAS.generate(system, options))
+        typed = PLAIN.generate(system, options)
+        write(folder / behaviour.name / "typed", typed)
+        text = module_text(system, system.iacs[-1], options, PlainOptions(mapping=True))
+        module = f"{system.name}/{behaviour.name}.py"
+        assert module in [artefact.path for artefact in typed]
+        write(folder / behaviour.name / "dict", [*typed, Artefact(module, text)])
 
 
 def system_of(behaviour: Behaviour) -> System:

@@ -33,6 +33,9 @@ class Contender:
 
 
 BY_HAND = Contender("by_hand", "by hand", "hand", "by_hand")
+BY_HAND_SLOTS = Contender(
+    "by_hand_slots", "by hand, blackboard with slots", "hand", "by_hand", how=(("form", "slots"),)
+)
 
 
 def ours(key: str, title: str, form: str) -> Contender:

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from benchmarks.behaviours.catalogue import BEHAVIOURS
-from benchmarks.peers.contenders import BY_HAND, OURS, PEERS, SEND, Contender
+from benchmarks.peers.contenders import BY_HAND, BY_HAND_SLOTS, OURS, PEERS, SEND, Contender
 from benchmarks.peers.measuring import Results, Run
 from benchmarks.peers.plot import plot_of
 from benchmarks.peers.targets import Row, number, rows
@@ -40,7 +40,7 @@ def missed(results: Results) -> list[str]:
 
 def wrongs(results: Results) -> list[str]:
     """What is ours, or written by hand, and does not do what it should, a line each."""
-    ours = {contender.key: contender for contender in (BY_HAND, *OURS)}
+    ours = {contender.key: contender for contender in (BY_HAND, BY_HAND_SLOTS, *OURS)}
     return [
         f"{ours[key].title}, {BEHAVIOURS[behaviour].title}: {reason}"
         for (behaviour, key), reason in results.refused.items()
@@ -89,7 +89,7 @@ def lines(results: Results, plot: str) -> Iterator[str]:
     yield ""
     yield "## Ours"
     yield ""
-    yield from table(results, "ours", (BY_HAND, *OURS))
+    yield from table(results, "ours", (BY_HAND, BY_HAND_SLOTS, *OURS))
     if any(run == "peers" for run, _, _ in results.series):
         yield ""
         yield "## The peers"

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from benchmarks.behaviours.aseme import camel
 from benchmarks.behaviours.catalogue import BEHAVIOURS
 from benchmarks.behaviours.description import Behaviour
 from benchmarks.peers.adapters import compiled
@@ -32,7 +33,7 @@ def single_figures(folder: Path, behaviours: list[Behaviour], results: Results) 
         )
         results.figures["size"] = ratio(lambda: large(40), lambda: small(40))
     if LARGE in names:
-        module = folder / LARGE / "typed" / compiled.camel(LARGE) / f"{LARGE}.py"
+        module = folder / LARGE / "typed" / camel(LARGE) / f"{LARGE}.py"
         results.figures["load"] = 1e3 * loading(module) * 1000 / STATES
     results.figures["loop"] = 1e9 * empty_loop()
 

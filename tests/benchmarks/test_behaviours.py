@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -12,8 +13,8 @@ from benchmarks.behaviours.aseme import labels
 from benchmarks.behaviours.catalogue import BEHAVIOURS
 from benchmarks.behaviours.counts import Course, course_of
 from benchmarks.behaviours.description import as_json, from_json, instrumented
-from benchmarks.peers.adapters import by_hand
-from benchmarks.peers.compiling import system_of
+from benchmarks.peers.adapters import by_hand, compiled
+from benchmarks.peers.compiling import compiled_into, system_of
 from benchmarks.peers.driving import follow
 from benchmarks.peers.measuring import differences
 
@@ -79,10 +80,26 @@ def _action(action: tuple[object, ...]) -> str:
     return f"{action[1]} = {str(action[2]).lower()}"
 
 
+@pytest.mark.parametrize("form", ["dict", "slots"])
 @pytest.mark.parametrize("name", WRITTEN)
-def test_what_is_written_by_hand_does_what_the_interpreter_does(name: str) -> None:
+def test_what_is_written_by_hand_does_what_the_interpreter_does(name: str, form: by_hand.Form) -> None:
     behaviour = BEHAVIOURS[name]
-    found = follow(by_hand.running(behaviour), behaviour, STEPS)
+    found = follow(by_hand.running(behaviour, form), behaviour, STEPS)
+    assert differences(found, behaviour, course(name)) == ""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    found = tmp_path_factory.mktemp("compiled")
+    compiled_into(found, [BEHAVIOURS[name] for name in SMALL])
+    return found
+
+
+@pytest.mark.parametrize("form", ["typed", "dict", "send", "post", "agent"])
+@pytest.mark.parametrize("name", SMALL)
+def test_what_is_compiled_does_what_the_interpreter_does(name: str, form: str, folder: Path) -> None:
+    behaviour = BEHAVIOURS[name]
+    found = follow(compiled.running(behaviour, str(folder), form), behaviour, STEPS)
     assert differences(found, behaviour, course(name)) == ""
 
 

@@ -19,8 +19,9 @@ class Machine:
 
     def start(self) -> None:
         """Enter the first tower."""
+        bb = self.bb
         for level in range(1, 9):
-            self.bb[f"entered_a{level}"] += 1
+            bb[f"entered_a{level}"] += 1
         self.state = A8
 
     def send(self, event: str) -> bool:

@@ -243,7 +243,7 @@ class Machine:
 
     def leaves(self) -> tuple[str, ...]:
         """The active basic states, in document order."""
-        found = FOREVER
+        found: tuple[str, ...] = FOREVER
         if self.main < CHECK_FOR_BALL:
             return (*found, MAIN[self.main])
         found += ACTIVE

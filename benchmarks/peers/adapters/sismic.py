@@ -46,7 +46,7 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
             chart.add_transition(Transition(state.name, way.target, way.event, guard, priority=priority))
     events = {event: Event(event) for event, _ in behaviour.steps}
 
-    def make() -> Send:
+    def start() -> Send:
         interpreter = Interpreter(chart, initial_context={"bb": bb})
         interpreter.execute()
         queue, execute = interpreter.queue, interpreter.execute
@@ -57,4 +57,4 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
 
         return send
 
-    return make
+    return start

@@ -46,7 +46,11 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
     ways: list[dict[str, Any]] = []
     for state in behaviour.states[1:]:
         for way in state.transitions:
-            item = {"trigger": way.event, "source": path[state.name], "dest": path[way.target]}
+            item: dict[str, Any] = {
+                "trigger": way.event,
+                "source": path[state.name],
+                "dest": path[way.target],
+            }
             if way.guard:
                 item["conditions"] = [guard_function("*_", way.guard, bb)]
             ways.append(item)
