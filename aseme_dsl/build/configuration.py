@@ -11,6 +11,7 @@ from typing import Any
 
 from aseme_dsl.build.deployment import Deployment, TlsFiles
 from aseme_dsl.build.duration import duration
+from aseme_dsl.build.platforms import PLATFORMS, MangoConfiguration, SpadeConfiguration
 from aseme_dsl.diagnostics import CODES, NO_POLICY, Diagnostic, Policy, Setting, Severity, closest
 from aseme_dsl.source import Source, Span
 
@@ -75,6 +76,10 @@ class Configuration:
     diagnostics: Policy = NO_POLICY
     run: RunConfiguration | None = None
     deploy: Deployment | None = None
+    platform: str | None = None
+    """What carries messages between agents in real time: one of `platforms.PLATFORMS`."""
+    spade: SpadeConfiguration | None = None
+    mango: MangoConfiguration | None = None
 
 
 def find_configuration(start: Path) -> tuple[Configuration, tuple[Diagnostic, ...]]:
@@ -193,6 +198,21 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
                 "priority": _count,
             },
         ),
+        "platform": _one_of(*PLATFORMS),
+        "spade": _Table(
+            SpadeConfiguration,
+            {
+                "host": _host,
+                "port": _port,
+                "domain": _host,
+                "account": _account,
+                "password": path,
+                "register": _flag,
+                "verify": _flag,
+                "authority": path,
+            },
+        ),
+        "mango": _Table(MangoConfiguration, {"hosts": _hosts_with_ports}),
         "deploy": _Table(
             Deployment,
             {
@@ -286,6 +306,37 @@ def _hosts(value: Any) -> dict[str, str]:
             'a table of addresses, such as { robot1 = "192.168.1.11", robot2 = "192.168.1.12:7448" }'
         )
     return dict(value)
+
+
+def _hosts_with_ports(value: Any) -> dict[str, str]:
+    hosts = _hosts(value)
+    if not all(re.search(r":\d{1,5}$", host) for host in hosts.values()):
+        raise _Wrong('a table of addresses with ports, such as { robot1 = "192.168.1.11:5601" }')
+    return hosts
+
+
+def _host(value: Any) -> str:
+    if not isinstance(value, str) or not re.fullmatch(r"[\w.:-]+", value):
+        raise _Wrong('the name or address of a host in quotes, such as "xmpp.example.org"')
+    return value
+
+
+def _port(value: Any) -> int:
+    if not isinstance(value, int) or isinstance(value, bool) or not 0 < value < 65536:
+        raise _Wrong("a port, such as 5222")
+    return value
+
+
+def _account(value: Any) -> str:
+    if not isinstance(value, str) or not re.fullmatch(r"[\w.-]*ROBOT[\w.-]*", value):
+        raise _Wrong('a name in quotes in which ROBOT stands for the agent\'s, such as "warehouse-ROBOT"')
+    return value
+
+
+def _flag(value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise _Wrong("true or false")
+    return value
 
 
 def _interface(value: Any) -> str:

@@ -69,6 +69,8 @@ class Request:
     """Told of each swap of a robot that is done."""
     state: Path | None = None
     """Where `persist` states are kept from one run to the next."""
+    platform: str | None = None
+    """What carries messages between agents in real time (`platforms.PLATFORMS`)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,18 +201,49 @@ def play(
     Raises:
         PlayError: it cannot be run like that; or the project's own functions fail.
     """
+    from aseme_dsl.build.platforms import IN_PROCESS, PlatformError, check_installed, provided
+    from aseme_dsl.runtime.transport import TransportError
+
+    if request.robot is not None:
+        seed = _seed(request, configuration)
+        return _play_robot(loaded, activities, configuration, request, request.robot, seed, listeners)
+    platform = request.platform or IN_PROCESS
+    try:
+        check_installed(platform)
+        with provided(platform, loaded, configuration, tell):
+            return _play_here(
+                loaded, activities, configuration, request, tell=tell, listeners=listeners, tick=tick
+            )
+    except (TransportError, PlatformError) as problem:
+        raise PlayError(str(problem)) from problem
+
+
+def _seed(request: Request, configuration: Configuration) -> int:
+    project = configuration.run
+    seed = request.seed if request.seed is not None else (project.seed if project else None)
+    return 1 if seed is None else seed
+
+
+def _play_here(
+    loaded: Loaded,
+    activities: Path,
+    configuration: Configuration,
+    request: Request,
+    *,
+    tell: Tell,
+    listeners: Iterable[Listener],
+    tick: Callable[[int], None] | None,
+) -> Played:
+    """Run a system's team, or one plan, in this process."""
     from aseme_dsl.build.operable import operable, others
     from aseme_dsl.runtime.activities import ActivityError
     from aseme_dsl.runtime.loading import activities_in, importing
     from aseme_dsl.runtime.team import TeamError, make_team
 
     project = configuration.run
-    seed = request.seed if request.seed is not None else (project.seed if project else None)
-    seed = 1 if seed is None else seed
+    seed = _seed(request, configuration)
     folders = [configuration.folder.resolve(), *loaded.path]
     agent = request.agent
-    if request.robot is not None:
-        return _play_robot(loaded, activities, configuration, request, request.robot, seed, listeners)
     if request.plan is not None and agent is None:
         agent = next((name for name, role in loaded.team if role == request.plan), None)
     with importing(folders):
@@ -241,6 +274,7 @@ def play(
                 real_time=_real_time(project),
                 carried=lambda: others(loaded, activities, configuration),
                 state_directory=_state(request, project),
+                **_whole_team_over(request, loaded, configuration),
             )
         except (TeamError, ActivityError) as problem:
             raise PlayError(str(problem)) from problem
@@ -248,12 +282,27 @@ def play(
             place = problem.filename or trace
             raise PlayError(f"{place} cannot be written: {problem.strerror or problem}") from problem
         with operable(team, loaded, activities) if request.real else nullcontext():
-            result = team.run()
+            try:
+                result = team.run()
+            except TeamError as problem:  # the platform cannot be used
+                raise PlayError(str(problem)) from problem
         watch.look(team)
         summary = ""
         if project and project.summary and world is not None:
             summary = str(call(project.summary, world))
     return Played(result, summary, seed, trace, world)
+
+
+def _whole_team_over(request: Request, loaded: Loaded, configuration: Configuration) -> dict[str, Any]:
+    """The transport of a team that is all in this process, where agents of others may talk with it."""
+    from aseme_dsl.build.platforms import IN_PROCESS, link_of
+    from aseme_dsl.runtime.transport.post import Post
+
+    if request.platform in (None, IN_PROCESS):
+        return {}
+    assert loaded.schema is not None  # every generated package has one
+    link = link_of(str(request.platform), loaded, configuration, [name for name, _ in loaded.team])
+    return {"transport": Post(link, loaded.schema, loaded.model)}
 
 
 def _play_robot(
@@ -266,15 +315,15 @@ def _play_robot(
     listeners: Iterable[Listener],
 ) -> Played:
     """Run one robot of the team in this process."""
-    from aseme_dsl.build.deployment import misfits, network_of
+    from aseme_dsl.build.deployment import misfits
     from aseme_dsl.build.operable import operable, others
+    from aseme_dsl.build.platforms import ZENOH, PlatformError, link_of
     from aseme_dsl.runtime.activities import ActivityError
     from aseme_dsl.runtime.body import BodyLost
     from aseme_dsl.runtime.loading import activities_in, importing
     from aseme_dsl.runtime.shared_world import FarBody
     from aseme_dsl.runtime.team import TeamError, make_team
     from aseme_dsl.runtime.transport import TransportError
-    from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
     from aseme_dsl.runtime.transport.post import Post
 
     check_robot(loaded, robot)
@@ -302,7 +351,7 @@ def _play_robot(
             if trace is not None:
                 trace.parent.mkdir(parents=True, exist_ok=True)
             assert loaded.schema is not None  # every generated package has one
-            link = ZenohLink(loaded.name, network_of(deployment, robot))
+            link = link_of(request.platform or ZENOH, loaded, configuration, [robot])
             transport = Post(link, loaded.schema, loaded.model)
             found = activities_in(activities)
             team = make_team(
@@ -326,7 +375,7 @@ def _play_robot(
             )
             with operable(team, loaded, activities, request.changed):
                 result = team.run()
-        except (TeamError, ActivityError, TransportError) as problem:
+        except (TeamError, ActivityError, TransportError, PlatformError) as problem:
             raise PlayError(str(problem)) from problem
         except OSError as problem:
             place = problem.filename or trace

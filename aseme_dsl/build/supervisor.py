@@ -116,16 +116,19 @@ def supervise(
     Raises:
         PlayError: it cannot be begun: no team, no transport, a robot or the world that does not start.
     """
+    from aseme_dsl.build.platforms import ZENOH, PlatformError, check_installed, provided
     from aseme_dsl.runtime.transport import TransportError
-    from aseme_dsl.runtime.transport.over_zenoh import import_zenoh
 
+    platform = request.platform or ZENOH
     if not loaded.team:
         raise PlayError(f"{loaded.name} declares no team, so there are no robots to start")
     try:
-        import_zenoh()
-    except TransportError as problem:
+        check_installed(platform)
+        with provided(platform, loaded, configuration, lambda line: say("", line, False)):
+            options = [*options, "--platform", platform]
+            return _Run(loaded, folder, activities, configuration, request, options, say).run()
+    except (TransportError, PlatformError) as problem:
         raise PlayError(str(problem)) from problem
-    return _Run(loaded, folder, activities, configuration, request, options, say).run()
 
 
 class _Run:

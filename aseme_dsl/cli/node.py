@@ -20,6 +20,7 @@ from aseme_dsl.cli.playing import (
     build_target,
     duration_option,
     input_option,
+    platform_option,
     refuse,
     seed_option,
     state_option,
@@ -63,6 +64,9 @@ GRACE = 2.0
 @click.option("--system", metavar="NAME", help="Which of the systems in the output folder.")
 @duration_option("How long to play.  [default: no limit]")
 @seed_option
+@platform_option(
+    "What carries the messages.  [default: the project's, else zenoh]", "zenoh", "spade", "mango"
+)
 @input_option("What to give the robot.")
 @trace_option("Where the trace goes.  [default: OUTPUT/trace.ROBOT.jsonl]")
 @state_option
@@ -83,6 +87,7 @@ def command(
     system: str | None,
     duration: int | None,
     seed: int | None,
+    platform: str | None,
     script: Path | None,
     trace: Path | None,
     state: Path | None,
@@ -100,6 +105,7 @@ def command(
     """Play; 1 if there are errors, it cannot be played, or the robot fails."""
     from aseme_dsl.build.build import activities_folder, choose
     from aseme_dsl.build.configuration import find_configuration, read_configuration
+    from aseme_dsl.build.platforms import IN_PROCESS
     from aseme_dsl.build.play import (
         NoSuchPlan,
         PlayError,
@@ -154,6 +160,7 @@ def command(
             trace=trace or folder / f"trace.{robot}.jsonl",
             bodies=bodies,
             state=state,
+            platform=platform or (configuration.platform if configuration.platform != IN_PROCESS else None),
             robot=robot,
             world_at=(world_at, key) if world_at is not None else None,
             begin=_told_to_begin() if supervised else lambda: None,

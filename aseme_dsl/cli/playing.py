@@ -89,6 +89,11 @@ def seed_option(command: CommandT) -> CommandT:
     return click.option("--seed", type=int, help=text)(command)
 
 
+def platform_option(text: str, *platforms: str) -> Callable[[CommandT], CommandT]:
+    """`--platform NAME`."""
+    return click.option("--platform", type=click.Choice(platforms), help=text)
+
+
 def state_option(command: CommandT) -> CommandT:
     """`--state DIR`."""
     text = "Where `persist` states are kept for the next run.  [default: the project's]"

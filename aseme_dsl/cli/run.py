@@ -15,6 +15,7 @@ from aseme_dsl.cli.playing import (
     duration_option,
     input_option,
     is_function,
+    platform_option,
     refuse,
     seed_option,
     state_option,
@@ -74,6 +75,14 @@ def _world(context: click.Context, parameter: click.Parameter, value: str | None
 @click.option(
     "--process-per-robot", is_flag=True, help="Play in real time, with a process for each robot of the team."
 )
+@platform_option(
+    "What carries messages between the agents, in real time: with spade and mango, agents of others may take"
+    " part.  [default: with --real or --process-per-robot the project's, else zenoh between processes]",
+    "in_process",
+    "zenoh",
+    "spade",
+    "mango",
+)
 @input_option(
     'What to give the agents, a line each: {"at": "1s", "channel": "vision.state.Ball", "message": {}}.'
 )
@@ -101,6 +110,7 @@ def command(
     real: bool,
     team: bool,
     process_per_robot: bool,
+    platform: str | None,
     script: Path | None,
     trace: Path | None,
     state: Path | None,
@@ -118,11 +128,16 @@ def command(
     """Play; 1 if the file has errors, it cannot be played, or an agent fails."""
     from aseme_dsl.build.build import activities_folder, choose
     from aseme_dsl.build.configuration import find_configuration
+    from aseme_dsl.build.platforms import IN_PROCESS, ZENOH
     from aseme_dsl.build.play import NoSuchPlan, PlayError, Request, carried, is_output, load, play, select
     from aseme_dsl.cli.telling import Telling
 
     if plan is not None and (team or process_per_robot):
         raise click.UsageError("--plan plays one plan: not with --team or --process-per-robot.")
+    if plan is not None and platform not in (None, IN_PROCESS):
+        raise click.UsageError("--plan plays one plan, in this process: not with --platform.")
+    if process_per_robot and platform == IN_PROCESS:
+        raise click.UsageError("--process-per-robot needs a platform between processes, such as zenoh.")
     report: Report | None = None
     try:
         if is_output(Path(target)):
@@ -143,8 +158,17 @@ def command(
         if list_:
             return _list(systems, as_json)
         loaded, plan = select(systems, plan)
-        if process_per_robot:
-            request = Request(duration=duration, seed=seed, trace=trace, world=world, bodies=bodies)
+        if platform is None and plan is None and (real or process_per_robot):
+            platform = configuration.platform
+        if platform == ZENOH or process_per_robot:
+            request = Request(
+                duration=duration,
+                seed=seed,
+                trace=trace,
+                world=world,
+                bodies=bodies,
+                platform=platform if platform != IN_PROCESS else None,
+            )
             options = _options_of_robots(
                 configuration, duration, seed, script, state, backends, bodies, quiet, verbose, colour
             )
@@ -152,7 +176,10 @@ def command(
             return _supervise(loaded, folder, place, configuration, request, options, quiet, as_json)
         if configuration.run is None or configuration.run.trace is None:
             trace = trace or folder / "trace.jsonl"
-        request = Request(plan, agent, duration, seed, real, script, trace, world, bodies, state=state)
+        real = real or platform not in (None, IN_PROCESS)
+        request = Request(
+            plan, agent, duration, seed, real, script, trace, world, bodies, state=state, platform=platform
+        )
         telling = Telling(
             loaded,
             alone=plan,

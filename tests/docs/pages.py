@@ -67,6 +67,7 @@ NOT_RUN = (
     r'eval "\$\(asemec completion bash\)"',
     r"asemec .* --real\b.*",
     r"asemec node .*",
+    r"asemec run .* --platform (spade|mango)\b.*",
     r"asemec view .*",
     r"asemec .* --watch",
     r"asemec completion fish > .*",

@@ -51,8 +51,12 @@ class Hears(Protocol):
         """What one of our agents said to an outsider was not delivered; `name` is its `reply-with`."""
         ...
 
-    def remarked(self, agent: str, text: str) -> None:
-        """Something has happened to the connection of one of our agents that people should know of."""
+    def disconnected(self, agent: str, reason: str) -> None:
+        """One of our agents has lost its connection, which is made again."""
+        ...
+
+    def connected(self, agent: str, reason: str) -> None:
+        """It has a connection again; the reason says with what."""
         ...
 
 

@@ -117,12 +117,12 @@ class PlatformLink:
         return True
 
     def came(self, to: str, origin: str, headers: Headers, body: str) -> None:
-        """A note has come for one of our agents."""
+        """A note has come for one of our agents. Raises nothing: a platform may hear no other after that."""
         sender = self._platform.agent_at(origin)
-        if sender is None or OURS not in headers:
-            self._came_from_outside(to, origin, headers, body)
-            return
         try:
+            if sender is None or OURS not in headers:
+                self._came_from_outside(to, origin, headers, body)
+                return
             said = notes.ours(headers)
             if "kind" in said:
                 envelope = notes.read_letter(said, headers, body.encode(), self._system)
@@ -131,7 +131,9 @@ class PlatformLink:
             else:
                 self._heed(to, origin, said, headers, body)
         except EnvelopeError as problem:
-            self._hears.unreadable(to, sender, str(problem))
+            self._hears.unreadable(to, sender or origin, str(problem))
+        except Exception as problem:
+            self._hears.unreadable(to, sender or origin, f"{type(problem).__name__}: {problem}")
 
     def _came_from_outside(self, to: str, origin: str, headers: Headers, body: str) -> None:
         name = self._platform.name_at(origin)
@@ -253,16 +255,17 @@ class PlatformLink:
         for name, life in gone:
             self._hears.vanished(name, life)
 
-    def connected(self, agent: str) -> None:
+    def disconnected(self, agent: str, reason: str) -> None:
+        """Hand on what people should know."""
+        self._hears.disconnected(agent, reason)
+
+    def connected(self, agent: str, reason: str) -> None:
         """One of our agents has another address: everybody is told, and asked for again."""
+        self._hears.connected(agent, reason)
         if not self._over.is_set():
             self._say_here()
             now = time.monotonic()
             self._asked_at = {name: (now, FIRST) for name in self._asked_at}
-
-    def remarked(self, agent: str, text: str) -> None:
-        """Hand on what people should know."""
-        self._hears.remarked(agent, text)
 
     # ---- questions ---------------------------------------------------------------------------
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import itertools
+import logging
 import random
 import threading
 import time
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.transport.settings import Xmpp
 
 MISSING = 'SPADE is not installed, or not whole ({}): pip install "aseme-dsl[spade]"'
-START = 20.0
+START = 30.0
 """How long, in seconds, the server may take to be there when a robot begins."""
 FIRST, CONNECT = 3.0, 15.0
 """How long, in seconds, the first attempt to connect may take, and any: servers forget one now and then."""
@@ -56,6 +57,8 @@ def import_spade() -> Any:
     except Exception as problem:  # SQLAlchemy raises a ValueError of its own
         raise TransportError(MISSING.format(problem)) from problem
     del greenlet
+    for name in ("slixmpp", "spade"):  # what they log of connections that fail is told in the trace
+        logging.getLogger(name).addHandler(logging.NullHandler())
     return spade
 
 
@@ -285,16 +288,14 @@ class _Connection:
                 pause, patience = SHORTEST, FIRST
                 self.ready.set()
                 if told:
-                    self.receives.remarked(self.agent, f"connected with {self._server} again")
-                self.receives.connected(self.agent)
+                    self.receives.connected(self.agent, self._server)
                 self._flush()
                 reason = await self._spade.client.watch()
                 self.address = None
                 await self._drop()
                 if not self._ending:
                     told = True
-                    text = f"the connection with {self._server} is lost ({reason}): connecting again"
-                    self.receives.remarked(self.agent, text)
+                    self.receives.disconnected(self.agent, f"{self._server}: {reason}")
         finally:
             self.over.set()
 

@@ -17,7 +17,7 @@ class Receives(Protocol):
     """Who is told what a platform brings. May be called from any thread, for one agent from one at a time."""
 
     def came(self, to: str, origin: str, headers: Headers, body: str) -> None:
-        """A note for one of our agents, from whoever has the address `origin`."""
+        """A note for one of our agents, from whoever has the address `origin`. Raises nothing."""
         ...
 
     def unreachable(self, address: str) -> None:
@@ -28,12 +28,12 @@ class Receives(Protocol):
         """What one of our agents said to an address was not delivered; `name` is its `reply-with`."""
         ...
 
-    def connected(self, agent: str) -> None:
-        """One of our agents can be reached again, perhaps at another address than before."""
+    def disconnected(self, agent: str, reason: str) -> None:
+        """One of our agents has lost its connection, which is made again."""
         ...
 
-    def remarked(self, agent: str, text: str) -> None:
-        """Something has happened to the connection of one of our agents that people should know of."""
+    def connected(self, agent: str, reason: str) -> None:
+        """It can be reached again, perhaps at another address than before; the reason says with what."""
         ...
 
 

@@ -549,9 +549,17 @@ class Post(Transport):
         self._team.trace.fault(self._team.driver.clock.now(), agent, text)
         self._team.conversations.vanished(to)
 
-    def remarked(self, agent: str, text: str) -> None:
-        """Something has happened to the connection of one of our agents that people should know of."""
-        self._team.trace.remark(self._team.driver.clock.now(), agent, text)
+    def disconnected(self, agent: str, reason: str) -> None:
+        """One of our agents has lost its connection, which is made again."""
+        self._tell_own(agent, "disconnected", reason)
+
+    def connected(self, agent: str, reason: str) -> None:
+        """It has a connection again."""
+        self._tell_own(agent, "connected", reason)
+
+    def _tell_own(self, agent: str, what: str, reason: str) -> None:
+        now = self._team.driver.clock.now()
+        self._team.trace.write("peer", now, agent=agent, peer=agent, what=what, reason=reason)
 
     def _is_current(self, other: _Other, envelope: Envelope) -> bool:
         """Whether an envelope is from the life that its sender leads, and for ours. Called with the lock."""

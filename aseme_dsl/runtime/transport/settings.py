@@ -7,8 +7,8 @@ looks for its team there.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from aseme_dsl.runtime.transport.port import TransportError
@@ -120,6 +120,13 @@ class Xmpp:
             return self.password
         path = self.password.with_name(self.password.name.replace(ROBOT, agent))
         return _readable(path).partition("\n")[0].strip()
+
+
+@dataclass(frozen=True, slots=True)
+class Mango:
+    """Where the agents of a team listen, by their names, as (host, port)."""
+
+    hosts: Mapping[str, tuple[str, int]] = field(default_factory=dict)
 
 
 def _readable(path: Path) -> str:

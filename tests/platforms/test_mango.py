@@ -1,0 +1,194 @@
+"""Teams over mango: conversations between containers that end and begin again, agents of others, nonsense."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import pickle
+import socket
+import struct
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+
+pytest.importorskip("mango", reason="mango is not installed: python3 dev.py long")
+
+import mango
+
+from aseme_dsl.runtime.transport.over_mango import MangoPlatform
+from aseme_dsl.runtime.transport.over_platform import PlatformLink
+from aseme_dsl.runtime.transport.settings import Mango
+from tests.runtime.transport.net import Part, part, wait_until
+from tests.runtime.transport.test_parts import NET, TEAM, Box
+from tests.support.generated import Generated, generate
+
+NAMES = ("ann", "bob", "cat")
+
+
+@pytest.fixture(scope="module")
+def net() -> Generated:
+    return generate(NET)
+
+
+@pytest.fixture
+def hosts() -> dict[str, tuple[str, int]]:
+    taken = [socket.create_server(("127.0.0.1", 0)) for _ in NAMES]
+    found = {name: item.getsockname() for name, item in zip(NAMES, taken, strict=True)}
+    for item in taken:
+        item.close()
+    return found
+
+
+@pytest.fixture
+def started(hosts: dict[str, tuple[str, int]]) -> Iterator[Callable[..., Part]]:
+    running: list[Part] = []
+
+    def start(generated: Generated, *here: str, **activities: Any) -> Part:
+        link = PlatformLink(MangoPlatform(Mango(hosts), NAMES), "Net", NAMES, lease=2.0)
+        running.append(part(generated, here, activities, link).start())
+        return running[-1]
+
+    yield start
+    for item in running:
+        if item.thread is not None and item.thread.is_alive():
+            item.team.driver.stop("test")
+            item.thread.join(20)
+
+
+def test_a_conversation(net: Generated, started: Callable[..., Part]) -> None:
+    boss, bob, cat = started(net, "ann"), started(net, "bob"), started(net, "cat")
+    boss.join()
+    wait_until(lambda: bob.of("mail") and cat.of("mail"))
+    assert boss.result is not None and boss.result.reason == "finished"
+    assert boss.of("received", performative="propose")
+    for item in (boss, bob, cat):
+        assert not item.of("fault")
+
+
+def test_who_ends_is_gone_at_once_and_who_comes_again_gets_what_waits(started: Callable[..., Part]) -> None:
+    talk = generate(TEAM)
+    box = Box(talk)
+    ann = started(talk, "ann", **box.activities)
+    bob = started(talk, "bob", **box.activities)
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    box.say += [("team.signal.M", n, None) for n in range(20)]
+    wait_until(lambda: len(bob.of("arrived", channel="team.signal.M")) == 20)
+    bob.stop()
+    wait_until(lambda: not ann.team.transport.is_there("bob"))
+    box.say += [("team.signal.M", n, None) for n in range(20, 40)]
+    wait_until(lambda: len(ann.of("message", channel="team.signal.M")) == 40)
+    again = started(talk, "bob", **box.activities)
+    # A connection that mango keeps would take all of it, and bring none.
+    wait_until(lambda: len(again.of("arrived", channel="team.signal.M")) == 20)
+    box.stop.set()
+    found = [r["message"]["n"] for r in again.of("arrived", channel="team.signal.M")]
+    assert found == list(range(20, 40))
+
+
+class Theirs(mango.Agent):
+    """An agent of somebody else."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.heard: list[tuple[Any, dict[str, Any]]] = []
+
+    def handle_message(self, content: Any, meta: dict[str, Any]) -> None:
+        self.heard.append((content, meta))
+
+
+def test_a_mango_agent_of_somebody_else_talks_with_ours(
+    net: Generated, started: Callable[..., Part], hosts: dict[str, tuple[str, int]]
+) -> None:
+    bob = started(net, "bob")
+    wait_until(lambda: bob.team.transport._link._platform._place)  # type: ignore[attr-defined]
+    said = {"protocol": "net", "conversation_id": "c1", "reply_with": "q1"}
+
+    async def talk() -> list[tuple[Any, dict[str, Any]]]:
+        container = mango.create_tcp_container(addr=("127.0.0.1", 0), codec=mango.JSON(), auto_port=True)
+        alice = container.register(Theirs(), suggested_aid="alice")
+        async with mango.activate(container):
+            to = mango.AgentAddress(hosts["bob"], "bob")
+            for performative, content, further in (
+                (mango.Performatives.cfp, '{"n": 3}', said),
+                (mango.Performatives.cfp, {"n": 4}, {**said, "conversation_id": "c2", "reply_with": "q2"}),
+                (mango.Performatives.inform, "{}", {"protocol": "net", "reply_with": "q3"}),
+            ):
+                message = mango.create_acl(content, to, alice.addr, {"performative": performative, **further})
+                assert await container.send_message(message, to, sender_id="alice")
+            for _ in range(500):
+                if len(alice.heard) >= 2:
+                    break
+                await asyncio.sleep(0.02)
+        return alice.heard
+
+    heard = asyncio.run(talk())
+    bob.stop()
+    answers = {meta["in_reply_to"]: (content, meta) for content, meta in heard}
+    content, meta = answers["q1"]
+    assert json.loads(content) == {"cost": 0}
+    assert meta["performative"] is mango.Performatives.propose
+    assert (meta["conversation_id"], meta["protocol"], meta["ontology"]) == ("c1", "net", "Net")
+    content, meta = answers["q3"]
+    assert meta["performative"] is mango.Performatives.not_understood
+    assert "worker receives no inform" in json.loads(content)["reason"]
+
+
+class Bomb:
+    def __reduce__(self) -> Any:
+        return exec, ("raise SystemExit('a pickle was opened')",)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"",
+        b"\xff\xfe",
+        b"[" * 1000,
+        b'"text"',
+        b"{}",
+        b"null",
+        b'{"__type__": [1, {}]}',
+        b'{"__type__": 1}',
+        json.dumps({"content": "x", "meta": {"receiver_id": "bob", "sender_addr": 1}}).encode(),
+        pickle.dumps(Bomb()),
+    ],
+)
+def test_nonsense_makes_nobody_deaf(
+    net: Generated, started: Callable[..., Part], hosts: dict[str, tuple[str, int]], data: bytes
+) -> None:
+    bob = started(net, "bob")
+    wait_until(lambda: bob.team.transport._link._platform._place)  # type: ignore[attr-defined]
+    with socket.create_connection(hosts["bob"]) as wire:
+        wire.sendall(struct.pack("!L", len(data)) + data)
+    boss = started(net, "ann")
+    boss.join()
+    assert boss.of("received", performative="propose")
+
+
+def test_what_our_conversations_raise_makes_nobody_deaf(
+    net: Generated, started: Callable[..., Part], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bob = started(net, "bob")
+    wait_until(lambda: bob.team.transport._link._platform._place)  # type: ignore[attr-defined]
+    post, failed = bob.team.transport, []
+    arrived = post.arrived  # type: ignore[attr-defined]
+
+    def fails(*arguments: Any) -> None:
+        if not failed:
+            failed.append(arguments)
+            raise RuntimeError("once")
+        arrived(*arguments)
+
+    monkeypatch.setattr(post, "arrived", fails)
+    boss = started(net, "ann")
+    boss.join()
+    assert failed and boss.of("received", performative="propose")
+    assert any("RuntimeError: once" in r["reason"] for r in bob.of("peer", what="unreadable"))
+
+
+def test_a_name_that_mango_keeps_for_itself() -> None:
+    platform = MangoPlatform(Mango({"agent1": ("127.0.0.1", 5)}), ("agent1",))
+    assert platform.address_of("agent1") == "127.0.0.1:5/agent1_"
+    assert platform.agent_at("127.0.0.1:5/agent1_") == "agent1"
+    assert platform.agent_at("127.0.0.1:6/agent1_") is None
