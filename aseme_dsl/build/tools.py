@@ -45,6 +45,7 @@ OPTIONAL = {
     "mango-agents": ("mango", "agents as mango agents, which talk over TCP"),
     "mcap": ("trace", "traces as MCAP files"),
     "mcap-protobuf-support": ("trace", "traces as MCAP files"),
+    "matplotlib": ("plot", "plots of what `optimise` measures"),
     "jsonschema": ("schema", "validates models and traces against their JSON schemas"),
     "sphinx": ("sphinx", "draws models in the pages of a documentation"),
     "mkdocs": ("mkdocs", "draws models in the pages of a documentation"),
