@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -135,6 +136,8 @@ def build_target(
         compiled.configuration, backends=backends, activities=activities, templates=templates, force=force
     )
     check_choice(choice, backends, [chart.name for chart in compiled.system.iacs])
+    if choice.agents.usual not in choice.backends:  # what the project builds makes no agents
+        choice = replace(choice, backends=(*choice.backends, choice.agents.usual))
     report = build(compiled.system, output or compiled.configuration.output or Path(OUTPUT), choice)
     if has_errors(report.diagnostics):
         return refuse(report.diagnostics, as_json, colour)

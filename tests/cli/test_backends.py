@@ -190,6 +190,12 @@ def test_the_project_says_which_backend_and_which_for_a_role(here: Here, folder:
     assert played(folder / "third") == {"monas"}
 
 
+def test_agents_are_played_also_where_a_project_builds_none(here: Here, folder: Path) -> None:
+    (folder / "pyproject.toml").write_text('[tool.asemec]\nbackends = ["plain"]\n')
+    assert here("run", "good.aseme", "--for", "2s").code == 0
+    assert played(folder / "out") == {"monas", "plain"}
+
+
 def test_a_role_that_there_is_not(here: Here, folder: Path) -> None:
     (folder / "pyproject.toml").write_text('[tool.asemec]\n\n[tool.asemec.roles]\nrobbot = "jade_like"\n')
     done = here("build", "good.aseme")
@@ -217,6 +223,7 @@ def test_a_role_of_one_of_several_systems(here: Here, folder: Path) -> None:
         (["--backend", "jadelike"], "There is no backend 'jadelike'. Did you mean 'jade_like'?"),
         (["--backend", "robot=jadelike"], "There is no backend 'jadelike'. Did you mean 'jade_like'?"),
         (["--backend", "robt=jade_like"], "There is no role 'robt'. Did you mean 'robot'?"),
+        (["--backend", "robot=plain"], "plain makes no agents: robot can have one of monas, jade_like."),
     ],
 )
 @pytest.mark.parametrize("command", ["build", "run"])
