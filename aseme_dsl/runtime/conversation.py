@@ -206,7 +206,7 @@ class Conversations:
         with self._driver.holding(), self._lock:
             place = self._place_of(agent, branch, performative, message, content)
             if place is not None:
-                invited, part, reason = self._receivers(agent, place, to)
+                invited, part, reason = self._receivers(agent, place, to, performative, message)
                 if reason:
                     text = f"{performative} {message} is not sent: {reason}"
                     self._trace.fault(self._driver.clock.now(), agent.name, text)
@@ -353,18 +353,21 @@ class Conversations:
             members.append(agent.name)
         self._told(what, agent, place, name)
 
-    def _receivers(self, agent: Agent, place: _Branch, to: str) -> tuple[tuple[str, ...], str, str]:
+    def _receivers(
+        self, agent: Agent, place: _Branch, to: str, performative: str, message: str
+    ) -> tuple[tuple[str, ...], str, str]:
         """Who is addressed, as which participant and, where it cannot be sent, why."""
         assert place.conversation is not None
         conversation = self._conversations[place.conversation]
         protocol = place.info.protocol
         members = conversation.members.get(to)
         if members is None and not self._players(protocol, to) and not place.info.knows(to):
-            part = next((p for p, names in conversation.members.items() if to in names), None)
-            if part is None:
+            part = self._part_of(agent, place.info.label, performative, message, to)
+            if part is None:  # it receives no such message, and will say so
                 plan = self._plans.get(to)
                 branches = plan.branches if plan is not None else ()
-                part = next((b.participant for b in branches if b.protocol == protocol), "")
+                part = next((p for p, names in conversation.members.items() if to in names), None)
+                part = part or next((b.participant for b in branches if b.protocol == protocol), "")
             return (to,), part, self._invite(place, to, part)
         if not members:
             players = [
