@@ -125,7 +125,7 @@ def compile_root(
         memory = None if known is None else known.code
         problems, allowed = code_problems(system, configuration, activities, memory)
         problems = tuple(map(layout.diagnostic, problems))
-        diagnostics = _without_read(diagnostics, system, configuration, activities, memory)
+        diagnostics = without_read(diagnostics, system, configuration, activities, memory)
         diagnostics = in_order((*diagnostics, *configuration.diagnostics.apply(problems)))
         suppressed += allowed
     files = tuple(source.path for source in system.sources) if system else ()
@@ -175,7 +175,7 @@ def code_folder(configuration: Configuration, activities: Path | None) -> Path |
     return activities_folder(output, choose(configuration, activities=activities))
 
 
-def _without_read(
+def without_read(
     diagnostics: tuple[Diagnostic, ...],
     system: System,
     configuration: Configuration,

@@ -60,7 +60,7 @@ def project() -> Project:
     """What projects on disk say, for an editor's workspace."""
     from aseme_dsl.editor.workspace import Project
 
-    return Project(_options, _code)
+    return Project(_options, _code, _without_read)
 
 
 def _options(root: Path) -> tuple[Options, tuple[Diagnostic, ...]]:
@@ -76,6 +76,13 @@ def _code(root: Path, system: System) -> tuple[tuple[Diagnostic, ...], tuple[Sup
     from aseme_dsl.build.project import code_problems, configuration_for
 
     return code_problems(system, configuration_for(root)[0], None)
+
+
+def _without_read(root: Path, system: System, found: tuple[Diagnostic, ...]) -> tuple[Diagnostic, ...]:
+    """Without what the code of the activities makes untrue."""
+    from aseme_dsl.build.project import configuration_for, without_read
+
+    return without_read(found, system, configuration_for(root)[0], None, None)
 
 
 def _python_folders(root: Path) -> PythonFolders:

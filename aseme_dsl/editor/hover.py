@@ -414,6 +414,7 @@ _DESCRIBE: dict[Kind, _Describe] = {
     Kind.PARAMETER: _parameter,
     Kind.FORMULA: _formula,
     Kind.ACTIVITY: _activity,
+    Kind.OUTCOME: lambda program, symbol: iter((f"`{symbol.name}`: an outcome of `{symbol.owner}`",)),
     Kind.PARTICIPANT: _participant,
     Kind.ALIAS: _alias,
     Kind.PROTOCOL: _protocol,

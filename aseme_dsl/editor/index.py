@@ -45,6 +45,7 @@ class Kind(StrEnum):
     ALIAS = "played participant"
     FORMULA = "formula"
     ACTIVITY = "activity"
+    OUTCOME = "outcome"
     FUNCTIONALITY = "functionality"
     CAPABILITY = "capability"
     STATE = "state"
@@ -346,6 +347,7 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.Activity, "name"): (Use.DECLARATION, _is(Kind.ACTIVITY)),
     (tree.ActivityParameter, "name"): (Use.DECLARATION, _is(Kind.PARAMETER, _activity)),
     (tree.ActivityParameter, "type"): (Use.READ, _type),
+    (tree.Activity, "ends"): (Use.DECLARATION, _is(Kind.OUTCOME, _activity)),
     (tree.Activity, "uses"): (Use.READ, _is(Kind.FUNCTIONALITY)),
     (tree.Functionality, "name"): (Use.DECLARATION, _is(Kind.FUNCTIONALITY)),
     (tree.Statechart, "name"): (Use.DECLARATION, _is(Kind.ROLE)),
@@ -365,7 +367,6 @@ UNNAMED: frozenset[tuple[type, str]] = frozenset(
         (tree.Way, "verb"),  # a word of the language
         (tree.Roles, "type"),
         (tree.Activity, "kind"),
-        (tree.Activity, "ends"),  # what an outcome is compared with
         (tree.ChartNode, "type"),
         (tree.Scenario, "statements"),  # tokens, taken apart in `_tokens`
         (tree.Property, "tokens"),
@@ -573,6 +574,8 @@ def _path(node: Any, name: str, path: tree.Path, around: Around) -> Iterator[Occ
             timer = Symbol(Kind.TIMER, path.text, around.owner)
             use = Use.WRITE if node.function.text == "start_timer" else Use.READ
             return iter((Occurrence(path.segments[0].span, timer, use, node),))
+        case tree.Binary() if (ended := _ended(node, name, path, around)) is not None:
+            return iter((Occurrence(path.segments[0].span, ended, Use.READ, node),))
         case tree.Fill() if name == "target":
             return _filled(node, path, around)
         case tree.Assign() if name == "target":
@@ -584,6 +587,28 @@ def _path(node: Any, name: str, path: tree.Path, around: Around) -> Iterator[Occ
         case tree.ActivityRead():
             return _channel(around, path)
     return _value(around, path)
+
+
+def _ended(node: tree.Binary, name: str, path: tree.Path, around: Around) -> Symbol | None:
+    """The outcome that a path is, if `outcome(A)`, or a let for that, is what it is compared with."""
+    other = node.right if name == "left" else node.left
+    seen: set[Symbol] = set()
+    while True:
+        if isinstance(other, tree.Parenthesised):
+            other = other.inner
+        elif isinstance(other, tree.Path) and (named := around.values.get(other.text)) in around.lets:
+            if named is None or named in seen:
+                return None
+            seen.add(named)
+            other = around.lets[named]
+        else:
+            break
+    if not isinstance(other, tree.Call) or other.function.text != "outcome" or len(other.arguments) != 1:
+        return None
+    activity = around.world.symbols.activities.get(getattr(other.arguments[0], "text", ""))
+    if activity is None or path.text not in activity.ends:
+        return None
+    return Symbol(Kind.OUTCOME, path.text, activity.name)
 
 
 def _filled(node: tree.Fill, path: tree.Path, around: Around) -> Iterator[Occurrence]:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from aseme_dsl.editor.index import Kind, Occurrence, Symbol, Use
 from aseme_dsl.editor.program import Program
-from aseme_dsl.editor.python_places import activity_place, target_place
+from aseme_dsl.editor.python_places import activity_place, outcome_places, target_place
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Source, Span
@@ -230,6 +230,8 @@ def _python_of(program: Program, symbol: Symbol, folders: PythonFolders) -> Iter
                     if module.name.text == symbol.name and module.target is not None:
                         yield target_place(folders.modules, module.target.text)
             yield activity_place(folders.activities, symbol.name)
+        case Kind.OUTCOME:
+            yield from outcome_places(folders.activities, symbol.owner, symbol.name)
         case Kind.FUNCTION:
             for function in program.inspection.symbols.overloads(symbol.name):
                 if not function.target.startswith("builtin:"):

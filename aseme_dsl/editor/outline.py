@@ -41,7 +41,10 @@ def outline(view: View) -> tuple[Entry, ...]:
 
 def _in_declaration(item: tree.Declaration, names: tuple[Occurrence, ...]) -> tuple[Entry, ...]:
     """What a declaration declares, with the spans of its part of the file."""
-    kinds = {name.span: name.symbol.kind for name in names if name.use is Use.DECLARATION}
+    declared = [
+        name for name in names if name.use is Use.DECLARATION and name.symbol.kind is not Kind.OUTCOME
+    ]
+    kinds = {name.span: name.symbol.kind for name in declared}
     return tuple(_entries((item,), kinds))
 
 

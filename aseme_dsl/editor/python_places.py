@@ -28,13 +28,47 @@ def target_place(folders: tuple[Path, ...], target: str) -> Span | None:
     return None
 
 
-def _defined(path: Path, name: str) -> Span | None:
-    """Where a module defines a name (`Class.method` too); the beginning of the file if it cannot be said."""
+def outcome_places(folder: Path | None, activity: str, outcome: str) -> tuple[Span, ...]:
+    """Where the class of an activity returns an outcome: what is between the quotes."""
+    source = read_python(folder / f"{module_name(activity)}.py") if folder is not None else None
+    if source is None:
+        return ()
     try:
-        text = path.read_text("utf-8").replace("\r\n", "\n")
+        body = ast.parse(source.text).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return ()
+    found = []
+    for item in body:
+        if isinstance(item, ast.ClassDef) and item.name == class_name(activity):
+            for returned in ast.walk(item):
+                value = returned.value if isinstance(returned, ast.Return) else None
+                for part in ast.walk(value) if value is not None else ():
+                    if isinstance(part, ast.Constant) and part.value == outcome:
+                        start = _offset(source, part.lineno, part.col_offset) + 1
+                        span = Span(source, start, start + len(outcome))
+                        found += [span] if span.text == outcome else []
+    return tuple(sorted(found, key=lambda span: span.start))
+
+
+def read_python(path: Path) -> Source | None:
+    """The text of a Python file; None if there is none that can be read."""
+    try:
+        return Source(str(path), path.read_text("utf-8").replace("\r\n", "\n"))
     except (OSError, UnicodeDecodeError, ValueError):
         return None
-    source = Source(str(path), text)
+
+
+def _offset(source: Source, line: int, column: int) -> int:
+    """The offset of a place as `ast` tells it: the column in bytes."""
+    return source.line_start(line) + len(source.line(line).encode()[:column].decode(errors="replace"))
+
+
+def _defined(path: Path, name: str) -> Span | None:
+    """Where a module defines a name (`Class.method` too); the beginning of the file if it cannot be said."""
+    source = read_python(path)
+    if source is None:
+        return None
+    text = source.text
     try:
         body: list[ast.stmt] = ast.parse(text).body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -44,9 +78,7 @@ def _defined(path: Path, name: str) -> Span | None:
         found = next((item for item in body if _defines(item, part)), None)
         if found is None:
             return place
-        start = source.line_start(found.lineno) + len(
-            source.line(found.lineno).encode()[: found.col_offset].decode(errors="replace")
-        )
+        start = _offset(source, found.lineno, found.col_offset)
         begin = text.find(part, start)
         place = Span(source, begin, begin + len(part)) if begin >= 0 else Span(source, start, start)
         body = found.body if isinstance(found, ast.ClassDef) else []

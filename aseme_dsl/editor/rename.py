@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from aseme_dsl.compiler.usecases import folded
 from aseme_dsl.diagnostics import Diagnostic, Edit, Severity
 from aseme_dsl.editor.index import Kind, Occurrence, Symbol
 from aseme_dsl.editor.program import Program
+from aseme_dsl.editor.renamed_code import Code, Unreadable, renamed_code
 from aseme_dsl.editor.view import View
 from aseme_dsl.editor.workspace import Workspace
 from aseme_dsl.grammar import tree
@@ -41,9 +42,10 @@ class Refused:
 
 @dataclass(frozen=True, slots=True)
 class Renaming:
-    """The changes of each file, by its path; all of them together."""
+    """The changes of each file, by its path, and what changes in Python; all of them together."""
 
     edits: Mapping[str, tuple[Edit, ...]]
+    code: Code = field(default_factory=Code)
 
 
 def renameable(workspace: Workspace, view: View, offset: int) -> Span | Refused:
@@ -55,8 +57,12 @@ def renameable(workspace: Workspace, view: View, offset: int) -> Span | Refused:
     return Refused(reason) if reason is not None else view.whole(found.span)
 
 
-def rename(workspace: Workspace, view: View, offset: int, name: str) -> Renaming | Refused:
+def rename(
+    workspace: Workspace, view: View, offset: int, name: str, activities: Path | None = None
+) -> Renaming | Refused:
     """Call what is at `offset` `name`, in every file, with what is the same thing in another model.
+
+    The Python of activities, in the folder `activities`, goes with it.
 
     Refused where the name is none, belongs to something else, or would make a file mean something else.
     """
@@ -81,7 +87,12 @@ def rename(workspace: Workspace, view: View, offset: int, name: str) -> Renaming
                 return Refused(f"there is a {symbol.kind} `{new}` already: {where}")
     edits = _edits(programs, names)
     reason = _spoilt(workspace, programs, edits, names)
-    return Refused(reason) if reason is not None else Renaming(edits)
+    if reason is not None:
+        return Refused(reason)
+    try:
+        return Renaming(edits, renamed_code(names, activities))
+    except Unreadable as problem:
+        return Refused(str(problem))
 
 
 def _fixed(workspace: Workspace, view: View, found: Occurrence) -> str | None:

@@ -83,6 +83,7 @@ _SYMBOLS = {
     Kind.ALIAS: lsp.SymbolKind.Class,
     Kind.FORMULA: lsp.SymbolKind.Method,
     Kind.ACTIVITY: lsp.SymbolKind.Function,
+    Kind.OUTCOME: lsp.SymbolKind.EnumMember,
     Kind.FUNCTIONALITY: lsp.SymbolKind.Property,
     Kind.CAPABILITY: lsp.SymbolKind.Property,
     Kind.STATE: lsp.SymbolKind.Key,
@@ -520,12 +521,11 @@ def _changes(server: Server) -> None:
         place = await server.place(params)
         if place is None:
             return None
-        found = rename.rename(server.files, *place, params.new_name)
+        folder = _folders(server, place[0]).activities
+        found = rename.rename(server.files, *place, params.new_name, folder)
         if isinstance(found, rename.Refused):
             raise JsonRpcInvalidParams(found.reason)
-        return lsp.WorkspaceEdit(
-            {server.uri(path): server.text_edits(edits) for path, edits in found.edits.items()}
-        )
+        return _renaming(server, found)
 
     @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
     def formatting(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
@@ -541,6 +541,35 @@ def _changes(server: Server) -> None:
         if params.range.end.character == 0 and last > first:
             last -= 1
         return server.text_edits(layout.layout(source, first, last))
+
+
+def _renaming(server: Server, found: rename.Renaming) -> lsp.WorkspaceEdit:
+    """All edits; files get other names where the editor can do that, and else it says what is left to do."""
+    edits = {
+        server.uri(path): server.text_edits(changes)
+        for path, changes in (*found.edits.items(), *found.code.edits.items())
+    }
+    moves = [(old.as_uri(), new.as_uri()) for old, new in found.code.moves]
+    if not moves:
+        return lsp.WorkspaceEdit(edits)
+    workspace = server.client_capabilities.workspace
+    able = workspace.workspace_edit if workspace is not None else None
+    kinds = able.resource_operations or () if able is not None and able.document_changes else ()
+    if lsp.ResourceOperationKind.Rename not in kinds:
+        for old, new in found.code.moves:
+            text = f"rename the file {old} to {new.name}: your editor cannot do it for you"
+            server.window_show_message(lsp.ShowMessageParams(lsp.MessageType.Warning, text))
+        return lsp.WorkspaceEdit(edits)
+    versions = {server.uri(path): buffer.version for path, buffer in server.files.buffers.items()}
+    documents = [
+        lsp.TextDocumentEdit(
+            lsp.OptionalVersionedTextDocumentIdentifier(uri, versions.get(uri)), list(changes)
+        )
+        for uri, changes in edits.items()
+    ]
+    return lsp.WorkspaceEdit(
+        document_changes=[*documents, *(lsp.RenameFile(old_uri=old, new_uri=new) for old, new in moves)]
+    )
 
 
 # ---- structure -------------------------------------------------------------------------------------

@@ -53,6 +53,7 @@ _TYPE_OF = {
     Kind.ALIAS: "class",
     Kind.FORMULA: "method",
     Kind.ACTIVITY: "function",
+    Kind.OUTCOME: "enumMember",
     Kind.FUNCTIONALITY: "property",
     Kind.CAPABILITY: "property",
     Kind.STATE: "enumMember",
@@ -88,7 +89,7 @@ def _modifiers(view: View, item: Occurrence) -> int:
     bits = 0
     if item.use is Use.DECLARATION:
         bits |= 1
-    if item.symbol.kind in (Kind.LET, Kind.CONSTANT):
+    if item.symbol.kind in (Kind.LET, Kind.CONSTANT, Kind.OUTCOME):
         bits |= 2
     if item.use is Use.WRITE:
         bits |= 4

@@ -35,12 +35,16 @@ class Project:
     """What a project on disk says, as an editor needs it; the command line knows where to find it.
 
     `options` gives the options for a root and what is wrong with the configuration; `code` what the Python of
-    the activities gets wrong, and what comments there allow.
+    the activities gets wrong, and what comments there allow; `without_read` leaves out what is said of
+    a variable that only this code reads.
     """
 
     options: Callable[[Path], tuple[Options, tuple[Diagnostic, ...]]] = lambda root: (Options(), ())
     code: Callable[[Path, System], tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]] = (
         lambda root, system: ((), ())
+    )
+    without_read: Callable[[Path, System, tuple[Diagnostic, ...]], tuple[Diagnostic, ...]] = (
+        lambda root, system, found: found
     )
 
 
@@ -214,6 +218,8 @@ class Workspace:
         yield
         if analysis.system is not None and not has_errors(diagnostics):
             found, allowed = self.project.code(Path(root), analysis.system)
+            diagnostics = self.project.without_read(Path(root), analysis.system, diagnostics)
+            found = tuple(map(inspection.loaded.layout.diagnostic, found))
             diagnostics = in_order((*diagnostics, *options.policy.apply(found)))
             suppressed += allowed
         is_root = self._header(root).is_system and not analysis.is_library

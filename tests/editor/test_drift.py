@@ -15,6 +15,8 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
+from aseme_dsl.build.project import compile_root
+from aseme_dsl.cli.lsp import project
 from aseme_dsl.compiler import Analysis, analyse
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.editor.hints import hints, lenses
@@ -131,6 +133,31 @@ def test_the_editor_says_what_a_cold_check_says(name: str, changes: list[Edit]) 
             view = workspace.view(PATH)
             assert view is not None and view.source.text == text.removeprefix("\ufeff")
             answer_all(view, change.place * len(text) // 999, workspace)
+
+
+def test_what_the_code_of_activities_makes_of_a_file_is_said_as_by_a_check(tmp_path: Path) -> None:
+    team = tmp_path / "count.aseme"
+    (tmp_path / "pyproject.toml").write_text(
+        '[tool.asemec]\nfiles = ["count.aseme"]\nactivities = "code"\n', "utf-8"
+    )
+    team.write_text(
+        "system S\n\nmessage Ball { double x }\ntopic field { state Ball }\n"
+        "srm r { var n : int = 0 var m : int = 0\n  liveness { r = Walk~ }\n"
+        "  activities { Walk takes 1s reads field.state.Ball }\n"
+        "  control r { repeat Walk : / n = n + 1; m = 2 } }\nteam T { one : r }\n",
+        "utf-8",
+    )
+    (tmp_path / "code").mkdir()
+    (tmp_path / "code" / "walk.py").write_text(
+        "class Walk:\n    def execute(self, context):\n"
+        '        context.log(context.variable("n"), context.topic("field.state.Bal"))\n',
+        "utf-8",
+    )
+    workspace = Workspace(project())
+    workspace.open(str(team), team.read_text("utf-8"))
+    cold = compile_root(str(team)).diagnostics
+    assert {item.span.text for item in cold if item.code == "N725" and item.span is not None} == {"m"}
+    assert shown(workspace.program(str(team)).diagnostics) == shown(cold)
 
 
 def test_what_stands_before_something_broken_is_found() -> None:

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import asyncio
+import sys
 from pathlib import Path
 
 import pytest
+from lsprotocol import types as lsp
+from pygls.lsp.client import LanguageClient
 
 from aseme_dsl.compiler import analyse
+from aseme_dsl.editor.hover import hover
+from aseme_dsl.editor.navigation import PythonFolders, definition, references
 from aseme_dsl.editor.rename import Refused, Renaming, edited, rename, renameable
 from aseme_dsl.editor.workspace import Workspace
 from aseme_dsl.source import Source
@@ -102,3 +108,132 @@ def test_a_name_is_still_known_while_its_line_is_broken() -> None:
     found = view.occurrence_at(broken.index("playing &&&") + 2)
     assert found is not None and found.symbol.name == "playing"
     assert view.whole(found.span).start == broken.index("playing &&&")
+
+
+HAND = """\
+system Hand
+srm hand {
+  liveness { hand = (Grasp . (Lift | Rest))~ }
+  let safe = outcome(Grasp) == held
+  activities { Grasp takes 1s ends held, slipped }
+  control hand {
+    enter Lift : [safe && slipped == outcome(Grasp)]
+    enter Rest : else
+  }
+}
+team T { one : hand }
+"""
+
+GRASP = '''\
+"""Grasp: held or slipped."""
+
+
+class Grasp:
+    def execute(self, context):
+        if context.grips("held"):
+            return "held" if context.tight else 'slipped'
+        return Grasp.failed
+'''
+
+TOUCH = "from .grasp import Grasp\n\n\nclass Touch(Grasp):\n    grasp = Grasp\n"
+
+
+@pytest.fixture
+def hand(tmp_path: Path) -> Path:
+    (tmp_path / "pyproject.toml").write_text('[tool.asemec]\nactivities = "code"\n', "utf-8")
+    (tmp_path / "hand.aseme").write_text(HAND, "utf-8")
+    (tmp_path / "code").mkdir()
+    (tmp_path / "code/grasp.py").write_text(GRASP, "utf-8")
+    (tmp_path / "code/touch.py").write_text(TOUCH, "utf-8")
+    return tmp_path
+
+
+def renamed_there(folder: Path, marked: str, name: str) -> Renaming | Refused:
+    workspace = Workspace()
+    path = str(folder / "hand.aseme")
+    workspace.open(path, HAND)
+    view = workspace.view(path)
+    assert view is not None
+    offset = HAND.index(marked.replace("^", "")) + marked.index("^")
+    return rename(workspace, view, offset, name, folder / "code")
+
+
+def test_an_outcome_is_renamed_where_it_is_said_compared_and_returned(hand: Path) -> None:
+    for marked in ("ends ^held", "== ^held"):
+        found = renamed_there(hand, marked, "got_it")
+        assert isinstance(found, Renaming)
+        assert edited(HAND, found.edits[str(hand / "hand.aseme")]) == HAND.replace("held", "got_it")
+        code = edited(GRASP, found.code.edits[str(hand / "code/grasp.py")])
+        assert code == GRASP.replace('return "held"', 'return "got_it"') and found.code.moves == ()
+    found = renamed_there(hand, "[safe && ^slipped", "lost")
+    assert isinstance(found, Renaming)
+    assert edited(HAND, found.edits[str(hand / "hand.aseme")]) == HAND.replace("slipped", "lost")
+    assert "else 'lost'" in edited(GRASP, found.code.edits[str(hand / "code/grasp.py")])
+
+
+def test_an_outcome_is_found_from_each_of_its_places(hand: Path) -> None:
+    workspace = Workspace()
+    path = str(hand / "hand.aseme")
+    workspace.open(path, HAND)
+    view = workspace.view(path)
+    assert view is not None
+    folders = PythonFolders(hand / "code")
+    said = HAND.index("held, slipped")
+    (place,) = definition(view, HAND.index("held\n"))
+    assert (place.path, place.span.start) == (path, said)
+    places = [(Path(item.path).name, item.span.text) for item in references(view, said, folders)]
+    assert places == [("hand.aseme", "held"), ("hand.aseme", "held"), ("grasp.py", "held")]
+    shown = hover(view, said)
+    assert shown is not None and "an outcome of `Grasp`" in shown.text
+
+
+def test_the_code_of_an_activity_is_renamed_with_it(hand: Path) -> None:
+    found = renamed_there(hand, "liveness { hand = (^Grasp", "TakeHold")
+    assert isinstance(found, Renaming)
+    assert edited(HAND, found.edits[str(hand / "hand.aseme")]) == HAND.replace("Grasp", "TakeHold")
+    code = edited(GRASP, found.code.edits[str(hand / "code/grasp.py")])
+    assert "class TakeHold:" in code and "return TakeHold.failed" in code and '"""Grasp:' in code
+    assert edited(TOUCH, found.code.edits[str(hand / "code/touch.py")]) == (
+        "from .take_hold import TakeHold\n\n\nclass Touch(TakeHold):\n    grasp = TakeHold\n"
+    )
+    assert found.code.moves == ((hand / "code/grasp.py", hand / "code/take_hold.py"),)
+
+
+def test_code_that_is_in_the_way_is_not_overwritten(hand: Path) -> None:
+    (hand / "code/take_hold.py").write_text("class TakeHold: ...\n", "utf-8")
+    found = renamed_there(hand, "liveness { hand = (^Grasp", "TakeHold")
+    assert isinstance(found, Refused) and "take_hold.py already" in found.reason
+    (hand / "code/grasp.py").write_text("class Grasp(\n", "utf-8")
+    found = renamed_there(hand, "liveness { hand = (^Grasp", "Hold")
+    assert isinstance(found, Refused) and "mend it first" in found.reason
+
+
+def test_an_editor_that_cannot_rename_files_is_told_what_is_left(hand: Path) -> None:
+    async def asked() -> tuple[lsp.WorkspaceEdit | None, list[str]]:
+        client = LanguageClient("test", "1")
+        said: list[str] = []
+
+        @client.feature(lsp.WINDOW_SHOW_MESSAGE)
+        def show(params: lsp.ShowMessageParams) -> None:
+            said.append(params.message)
+
+        await client.start_io(sys.executable, "-m", "aseme_dsl", "lsp")
+        await client.initialize_async(lsp.InitializeParams(lsp.ClientCapabilities(), root_uri=hand.as_uri()))
+        client.initialized(lsp.InitializedParams())
+        uri = (hand / "hand.aseme").as_uri()
+        client.text_document_did_open(
+            lsp.DidOpenTextDocumentParams(lsp.TextDocumentItem(uri, "aseme", 1, HAND))
+        )
+        place = lsp.Position(2, HAND.split("\n")[2].index("Grasp"))
+        found = await client.text_document_rename_async(
+            lsp.RenameParams(lsp.TextDocumentIdentifier(uri), place, "TakeHold")
+        )
+        await client.shutdown_async(None)
+        client.exit(None)
+        await client.stop()
+        return found, said
+
+    found, said = asyncio.run(asked())
+    assert found is not None and found.changes is not None and found.document_changes is None
+    assert {Path(uri).name for uri in found.changes} == {"hand.aseme", "grasp.py", "touch.py"}
+    assert len(said) == 1 and "grasp.py to take_hold.py" in said[0]

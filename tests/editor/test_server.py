@@ -382,6 +382,24 @@ async def test_rename_changes_all_files(project: Project) -> None:
     assert shared == SHARED.replace("int number", "int count")
 
 
+async def test_an_activity_is_renamed_with_its_file_and_class(project: Project) -> None:
+    where = at("look = ^Scan")
+    found = await project.client.text_document_rename_async(
+        lsp.RenameParams(project.document(), where, "LookAround")
+    )
+    assert found is not None and found.document_changes is not None
+    edits = {
+        item.text_document.uri: [edit for edit in item.edits if isinstance(edit, lsp.TextEdit)]
+        for item in found.document_changes
+        if isinstance(item, lsp.TextDocumentEdit)
+    }
+    assert applied(TEAM, edits[project.uri()]) == TEAM.replace("Scan", "LookAround")
+    assert applied(SCAN, edits[project.uri("act/scan.py")]) == SCAN.replace("class Scan", "class LookAround")
+    moved = found.document_changes[-1]
+    assert isinstance(moved, lsp.RenameFile)
+    assert (moved.old_uri, moved.new_uri) == (project.uri("act/scan.py"), project.uri("act/look_around.py"))
+
+
 @pytest.mark.parametrize(
     ("marked", "name", "reason"),
     [
