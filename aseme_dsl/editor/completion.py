@@ -21,9 +21,9 @@ from aseme_dsl.editor.items import Item, ItemKind
 from aseme_dsl.editor.known import Known, used_names
 from aseme_dsl.editor.names import PLACES, formula_names, performatives
 from aseme_dsl.editor.place import Place, place_at
-from aseme_dsl.editor.slots import Slot, SlotKind, formula_is_open, transition_slot, value_slot
+from aseme_dsl.editor.slots import Slot, SlotKind, formula_is_open, path_before, transition_slot, value_slot
 from aseme_dsl.editor.snippets import WHOLE, skeleton
-from aseme_dsl.editor.values import actions, constants, members, outcomes, topics, values
+from aseme_dsl.editor.values import actions, agents, constants, members, outcomes, topics, values
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.expected import Expected
 from aseme_dsl.grammar.token import Token
@@ -206,6 +206,8 @@ def _expression(ask: Ask) -> Iterator[Item]:
     if enum is not None and slot.kind is SlotKind.VALUE:
         yield from constants(enum, ask.known, f"{enum.name}.", rank=0)
         return
+    if ask.expected.place[0] in ("Var", "Setting"):
+        slot = replace(slot, decides=True)  # the same whenever it is asked for
     yield from _in_slot(ask, slot)
 
 
@@ -364,6 +366,29 @@ def _behind(place: Place, expected: Expected, sign: str) -> list[Token] | None:
     return None if index is None else tokens[index + 1 :]
 
 
+# ---- scenarios and properties ------------------------------------------------------------------------
+
+
+def _stated(ask: Ask) -> Iterator[Item]:
+    """What a statement may name: agents and roles, their states, participants, and what is on topics."""
+    path, _ = path_before(ask.said)
+    known = ask.known
+    if path:
+        yield from members(known.top, known, path)
+        return
+    yield from agents(known.top)
+    for name in known.role_names:
+        yield Item(name, ItemKind.ROLE, "role", rank=3)
+    for name in known.activities:
+        yield Item(name, ItemKind.ACTIVITY, "activity", rank=2)
+    for role in known.blocks.srms:
+        for formula in role.formulas:
+            yield Item(formula.name.text, ItemKind.FORMULA, f"formula of {role.name}", rank=2)
+    for protocol in known.protocols:
+        yield Item(protocol, ItemKind.PROTOCOL, "protocol", rank=4)
+    yield from topics(known.top, known, rank=5)
+
+
 _FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
     "TermToken": _terms,
     "FormulaToken": _formula,
@@ -371,6 +396,7 @@ _FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
     "ExpressionToken": _expression,
     "ControlToken": _expression,
     "SettingToken": _expression,
+    "Word": _stated,
 }
 """What is offered inside of what is a list of tokens for the grammar."""
 

@@ -100,7 +100,7 @@ def _event_slot(tokens: Sequence[Token]) -> Slot:
             return Slot(SlotKind.CONDITION)
         case ("after", "(", *_):
             if ")" not in said:
-                return value_slot(event[0:])
+                return replace(value_slot(event), decides=True)
             return Slot(SlotKind.COMPLETE)
         case (word,) if word in PERFORMATIVES:
             return Slot(SlotKind.RECEIVED_MESSAGE, said=said)
@@ -188,13 +188,31 @@ def value_slot(tokens: Sequence[Token]) -> Slot:
 
 
 def path_before(tokens: Sequence[Token]) -> tuple[tuple[str, ...], int]:
-    """The segments of a dotted name that ends with a dot, and where it begins; none if there is no dot."""
+    """The segments of a dotted name that ends with a dot, and where it begins; none if there is no dot.
+
+    An element of a list counts as the list: `x.items[0].` has the segments `x` and `items`.
+    """
     index = len(tokens)
     segments: list[str] = []
-    while index >= 2 and tokens[index - 1] == "." and is_name(tokens[index - 2]):
-        segments.insert(0, str(tokens[index - 2]))
-        index -= 2
+    while index >= 2 and tokens[index - 1] == ".":
+        name = _before_brackets(tokens, index - 2)
+        if name < 0 or not is_name(tokens[name]):
+            break
+        segments[:0] = str(tokens[name]).split(".")
+        index = name
     return tuple(segments), index
+
+
+def _before_brackets(tokens: Sequence[Token], index: int) -> int:
+    """Where the token is that stands before the brackets which end at `index`, if any end there."""
+    while index >= 0 and tokens[index] == "]":
+        depth = 0
+        while index >= 0:
+            depth += (tokens[index] == "]") - (tokens[index] == "[")
+            index -= 1
+            if depth == 0:
+                break
+    return index
 
 
 def _compared(tokens: Sequence[Token]) -> Sequence[Token]:

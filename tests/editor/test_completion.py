@@ -332,6 +332,39 @@ def test_chance_is_offered_in_actions_but_not_in_conditions() -> None:
     assert "random" not in labels(instead(INCLUDED, "[true]", f"[steps > abs({CURSOR})]"))
 
 
+@pytest.mark.parametrize(
+    "place", ["enter Step : after(‸", "var steps : double = ‸", "let x = 1 enter Step : after(2 * ‸"]
+)
+def test_chance_is_not_offered_where_it_may_not_be(place: str) -> None:
+    text = "system T\nsrm r {\n  liveness { r = Step . Rest }\n  "
+    text += place if place.startswith("var") else f"control r {{ {place}"
+    found = labels(text)
+    assert "random" not in found and "abs" in found
+
+
+def test_members_of_an_element_of_a_list() -> None:
+    text = (
+        "system T\nmessage Ball { double x double y }\nmessage Seen { repeated Ball balls int count }\n"
+        "topic eyes { state Seen }\nlet seen = eyes.state.Seen\n"
+        "srm r { liveness { r = A . B } control r { enter B : [‸] } }\n"
+    )
+    for path in ("eyes.state.Seen.balls[0].", "eyes.state.Seen.balls[seen.count - 1].", "seen.balls[0]."):
+        assert labels(text.replace("‸", f"{path}‸")) == ["x", "y"]
+        assert labels(text.replace("‸", f"1 < {path}x && abs({path}‸")) == ["x", "y"]
+    assert labels(text.replace("‸", "seen.balls[seen.‸")) == ["balls", "count"]
+
+
+def test_statements_of_scenarios_name_what_there_is() -> None:
+    for word in ("scenario", "property"):
+        text = instead(SOCCER, "\nscenario ", f'\n{word} "x" {{\n  {CURSOR}\n}}\nscenario ')
+        found = labels(text)
+        assert {"robot1", "center", "ScanForBall", "decision", "vision"} <= set(found)
+        assert labels(text.replace(CURSOR, f"vision.{CURSOR}"))[:1] == ["state"]
+        assert "Ball" in labels(text.replace(CURSOR, f"vision.state.{CURSOR}"))
+        assert "visible" in labels(text.replace(CURSOR, f"when vision.state.Ball.{CURSOR}"))
+        assert labels(text.replace(CURSOR, f"given {{ robot1 in Sc{CURSOR} }}")) != []
+
+
 def test_timers_and_events_that_are_known() -> None:
     text = instead(SOCCER, "[expired(pace)", "[expired(‸)")
     assert labels(text) == ["pace"]
