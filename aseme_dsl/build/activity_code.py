@@ -20,6 +20,7 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.build.activity_ends import wrong_outcomes
 from aseme_dsl.build.activity_given import wrong_parameters
 from aseme_dsl.build.activity_messages import unfit_messages
+from aseme_dsl.build.activity_talk import Talk, talk_in, unfit_talk, unsaid
 from aseme_dsl.build.activity_words import unknown_messages, unknown_methods
 from aseme_dsl.build.write import stamp_of
 from aseme_dsl.compiler.memory import Memory
@@ -47,7 +48,7 @@ def check_code(
     project: Path | None = None,
     memory: Memory | None = None,
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
-    """What the Python in `folder` gets wrong of the system: W530 to W533, W540, N726.
+    """What the Python in `folder` gets wrong of the system: W530 to W533, W540, W555, W556, N726.
 
     What is not there is not asked for. Second comes what a comment on the line allows:
     `# asemec: allow(CODE) reason`.
@@ -63,6 +64,8 @@ def check_code(
     found: list[Diagnostic] = []
     known: set[str] = set()
     modules: list[_Module] = []
+    talks: dict[str, tuple[Talk, ...]] = {}
+    by_others: list[Talk] = []
     complete = True
     for piece in _pieces(system, folder, project):
         if piece.path is None:
@@ -73,6 +76,8 @@ def check_code(
         found += problems
         if module is not None:
             modules.append(module)
+            if piece.what == "activity":
+                talks[piece.said.name] = memory.recall(_talk_in, module)
             said = memory.same((piece.what, piece.said.name), piece.said)
             seen = types if module.imports_messages else memory.same("no types", System(system.name))
             found += memory.recall(_problems_of, module, said, piece.wanted, piece.what, seen, *world.inputs)
@@ -87,7 +92,11 @@ def check_code(
             helper, _ = _module(path, memory)
             if helper is not None:
                 modules.append(helper)
+                by_others += memory.recall(_talk_in, helper)
                 found += memory.recall(_problems_of_helper, helper, types, *world.inputs)
+    if alone and system.aips:
+        found += unfit_talk(system, talks)
+        found += unsaid(system, talks, by_others)
     if complete and world.events:
         found += _never_raised(modules, world, memory)
     memory.end()
@@ -378,6 +387,10 @@ def _calls(module: _Module) -> list[_Call]:
         value = node.args[1] if len(node.args) > 1 else named.get("message")
         found.append(_Call(node.func.attr, said, module.span(first), from_host, value))
     return sorted(found, key=lambda call: call.span.start)
+
+
+def _talk_in(module: _Module) -> tuple[Talk, ...]:
+    return talk_in(module.tree, module.span, lambda node: _text(module, node))
 
 
 def _published(module: _Module, world: _World) -> Iterator[tuple[str, ast.expr]]:

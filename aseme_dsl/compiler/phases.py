@@ -30,6 +30,7 @@ from aseme_dsl.compiler.chart import World
 from aseme_dsl.compiler.conditions import FROM_CONDITIONS, check_conditions, contradiction, vocabulary_of
 from aseme_dsl.compiler.consequences import without_consequences
 from aseme_dsl.compiler.damage import Damaged, damage
+from aseme_dsl.compiler.dialogue import check_multiplicity, check_waits
 from aseme_dsl.compiler.flow import check_flow, check_reach, check_timers
 from aseme_dsl.compiler.goals import not_played, out_of_reach, without_functionality
 from aseme_dsl.compiler.inclusion import Inclusion, errors_alone, include
@@ -279,6 +280,8 @@ def _inspecting(
             found += check_unused(loaded.files, symbols)
             found += check_agents(_alone(inclusion), symbols)
             found += check_exchange(blocks.aips)
+            found += check_waits(aips, eacs, srms, recall)
+            found += check_multiplicity(aips, srms, teams)
         yield
         compared, unchecked = yield from check_conditions(charts, prover, recall)
         found += compared

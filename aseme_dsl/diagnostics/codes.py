@@ -189,6 +189,10 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W550": ("warning", "an abstract role that no role includes"),
     "W551": ("warning", "a name for what is taken that nothing uses"),
     "W552": ("warning", "an element that there cannot be"),
+    "W553": ("warning", "a wait that nobody ends"),
+    "W554": ("warning", "a participant of which the team has too few agents"),
+    "W555": ("warning", "code that says or takes what its participant does not"),
+    "W556": ("warning", "an agent message that nothing sends or nothing takes"),
     # Statecharts (E6xx): the structural rules of the papers' tools
     "E600": ("error", "a statechart without exactly one root"),
     "E601": ("error", "an OR state without exactly one START"),
