@@ -45,6 +45,7 @@ LONG = [
     ("broken files", ["benchmarks/broken_files.py"], {}),
     ("one slip, one message", ["benchmarks/mutations.py"], {}),
     ("latency", ["benchmarks/latency.py"], {}),
+    ("agents", ["benchmarks/agents.py"], {}),
     ("a long match", ["benchmarks/soak.py", "0.5"], {}),
     ("faults of activities", ["-m", "pytest", "tests/faults"], {"FAULT_STARTS": "20000"}),
     ("robots in processes", ["benchmarks/transport.py"], {}),
