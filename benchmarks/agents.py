@@ -2,7 +2,7 @@
 
 Run by hand: `python benchmarks/agents.py [--spade PYTHON]`. With the Python of an environment in which SPADE
 4.1 is installed (`python -m venv DIR && DIR/bin/pip install "spade<5" greenlet`), hand-written SPADE agents
-hand the same ball to and fro in one process, in turn with ours. Figures depend on the machine; what is to hold:
+hand the same ball to and fro in one process, in turn with ours. What is to hold:
 
 - a team of 1000 agents is made and in its first states in less than 2 s;
 - the median of the way of a message, from the action that sends it to the action that takes it, is at most

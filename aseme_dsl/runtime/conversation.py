@@ -36,7 +36,7 @@ from aseme_dsl.runtime.convert import Messages, mailed
 from aseme_dsl.runtime.directory import Directory
 from aseme_dsl.runtime.inputs import LOST, Identity, Mail
 from aseme_dsl.runtime.invitations import Invitations, Part
-from aseme_dsl.runtime.management import MANAGERS, Management
+from aseme_dsl.runtime.management import Management
 from aseme_dsl.runtime.plan import BranchInfo, Plan
 from aseme_dsl.runtime.trace import Trace
 from aseme_dsl.runtime.transport.port import LOCAL, Transport
@@ -436,7 +436,7 @@ class Conversations:
         """
         with self._driver.holding(), self._lock:
             agent = self._agents.get(to)
-            if agent is None and to in MANAGERS and to not in self._plans:
+            if self._management.is_meant(to, message):
                 self._management.hear(to, message)
                 return
             sender = message.sender.name if message.sender is not None else ""

@@ -10,6 +10,9 @@ for an action:
 and get-description. The answer is `inform` with the `result`, or `refuse`, `failure` or `not-understood` with
 FIPA's `error` and the `reason` in words. What has changed is told to a subscriber by `inform` with `changes`,
 until it sends `cancel` in that conversation.
+
+On a network, where `df` has no address, each agent of the team takes what is for it: messages of the ontology
+`fipa-agent-management`.
 """
 
 from __future__ import annotations
@@ -56,48 +59,55 @@ class Management:
         self._system = system
         self._say = say
         self._team = team
-        self._subscriptions: dict[tuple[str, str], tuple[Entry, FipaMessage]] = {}
+        self._subscriptions: dict[tuple[str, str], tuple[Entry, str, FipaMessage]] = {}
         self._numbers = itertools.count(1)
         directory.listen(self._changed)
 
-    def hear(self, manager: str, message: FipaMessage) -> None:
-        """An agent that is not of the team has sent a manager a message."""
+    def is_meant(self, to: str, message: FipaMessage) -> bool:
+        """Whether a message to an agent of that name is for a manager."""
+        if to in self._team:
+            return message.ontology.lower() == ONTOLOGY
+        return to in MANAGERS
+
+    def hear(self, to: str, message: FipaMessage) -> None:
+        """An agent that is not of the team has sent a message for a manager to it or an agent."""
+        manager = AMS if to == AMS and to not in self._team else DF
         act = performative_of(message.performative)
         if message.sender is None or not message.sender.name:
-            self._directory.tell(manager, "not-understood", "a message does not say who has sent it")
+            self._directory.tell(to, "not-understood", "a message does not say who has sent it")
             return
         if act == "not_understood":
             self._directory.tell(message.sender.name, "not-understood", f"it does not understand {manager}")
             return
         try:
-            self._answer(manager, message, *self._done(manager, message, act))
+            self._answer(to, message, *self._done(manager, to, message, act))
         except _Refused as problem:
             self._directory.tell(message.sender.name, problem.act, str(problem))
             content = {"error": problem.error, "reason": str(problem)}
-            self._answer(manager, message, problem.act, content)
+            self._answer(to, message, problem.act, content)
         except DirectoryError as problem:
             self._directory.tell(message.sender.name, "failure", str(problem))
-            self._answer(manager, message, "failure", {"error": problem.error, "reason": str(problem)})
+            self._answer(to, message, "failure", {"error": problem.error, "reason": str(problem)})
 
-    def _answer(self, manager: str, asked: FipaMessage, act: str, content: Any) -> None:
+    def _answer(self, name: str, asked: FipaMessage, act: str, content: Any) -> None:
         to = asked.reply_to or (() if asked.sender is None else (asked.sender,))
         message = FipaMessage(
             fipa_name(act),
-            AgentIdentifier(manager),
+            AgentIdentifier(name),
             to,
             json.dumps(content, ensure_ascii=False),
             language=JSON,
             ontology=asked.ontology or ONTOLOGY,
             protocol=asked.protocol,
             conversation=asked.conversation,
-            reply_with=f"{manager}-{next(self._numbers)}",
+            reply_with=f"{DF}-{next(self._numbers)}",
             in_reply_to=asked.reply_with,
         )
-        self._say(manager, message, to)
+        self._say(name, message, to)
 
     # ---- what is asked for -------------------------------------------------------------------
 
-    def _done(self, manager: str, message: FipaMessage, act: str | None) -> tuple[str, Any]:
+    def _done(self, manager: str, to: str, message: FipaMessage, act: str | None) -> tuple[str, Any]:
         """Do what a message asks for; the act and content of the answer."""
         assert message.sender is not None
         if message.ontology.lower() not in ("", ONTOLOGY):
@@ -109,7 +119,7 @@ class Management:
             raise _Refused("not-understood", "unsupported-act", f"{manager} understands {known}")
         content = _object(_content(message), "the content")
         if act == "subscribe":
-            return self._subscribed(message, content)
+            return self._subscribed(to, message, content)
         action = content.get("action")
         if not isinstance(action, str):
             raise _Refused("refuse", "missing-argument", "the content has no action")
@@ -153,7 +163,7 @@ class Management:
 
     # ---- subscriptions -----------------------------------------------------------------------
 
-    def _subscribed(self, message: FipaMessage, content: dict[str, Any]) -> tuple[str, Any]:
+    def _subscribed(self, to: str, message: FipaMessage, content: dict[str, Any]) -> tuple[str, Any]:
         assert message.sender is not None
         _only(content, ("description",), "the content")
         pattern, _ = _entry(_object(content.get("description", {}), "the description"))
@@ -163,8 +173,8 @@ class Management:
         key = message.sender.name, message.conversation
         if key not in self._subscriptions and len(self._subscriptions) >= SUBSCRIBERS:
             raise _Refused("refuse", "internal-error", f"{SUBSCRIBERS} have subscribed already")
-        self._subscriptions[key] = pattern, message
-        self._answer(DF, message, "agree", {"description": _described(pattern)})
+        self._subscriptions[key] = pattern, to, message
+        self._answer(to, message, "agree", {"description": _described(pattern)})
         return "inform", {"result": [_described(found) for found in self._directory.search(pattern)]}
 
     def _cancelled(self, message: FipaMessage) -> tuple[str, Any]:
@@ -175,12 +185,12 @@ class Management:
 
     def _changed(self, change: Change) -> None:
         """Tell those who have subscribed."""
-        for key, (pattern, message) in list(self._subscriptions.items()):
+        for key, (pattern, to, message) in list(self._subscriptions.items()):
             if change.what == "gone" and change.entry.name == key[0]:
                 self._subscriptions.pop(key, None)
             elif change.concerns(pattern):
                 told = {"what": change.what, "description": _described(change.entry)}
-                self._answer(DF, message, "inform", {"changes": [told]})
+                self._answer(to, message, "inform", {"changes": [told]})
 
 
 # ---- contents ----------------------------------------------------------------------------------

@@ -394,6 +394,23 @@ def test_the_directory_says_what_is_wrong(case: str) -> None:
     assert (told["agent"], told["what"], told["reason"]) == ("alice@elsewhere", act, content["reason"])
 
 
+def test_an_agent_of_the_team_takes_what_is_for_the_directory() -> None:
+    """On a network `df` has no address of its own."""
+    answers, records = df(
+        ("request", {"action": "register", "description": WEATHER}),
+        ("request", {"action": "search", "description": WEATHER}),
+        ("request", {"action": "get-description"}),
+        to="tom",
+        ontology="FIPA-Agent-Management",
+    )
+    assert [(act, content.get("result")) for act, content in answers] == [
+        ("inform", [ALICE]),
+        ("inform", [ALICE]),
+        ("refuse", None),
+    ]
+    assert [r for r in records if r["kind"] in ("received", "unexpected")] == []
+
+
 def test_who_registers_twice_is_told() -> None:
     register = ("request", {"action": "register", "description": ALICE})
     assert df(register, register)[0][1] == (
