@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from aseme_dsl.runtime.activities import ActivityError, ActivityFinder
 from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.directory import Service
 from aseme_dsl.runtime.following import Following
 from aseme_dsl.runtime.inputs import Outcome
 
@@ -28,22 +29,6 @@ _POINTS = {START: "START", CHOICE: "CONDITION", END: "END"}
 
 ALL = "all"
 """When a parallel behaviour is done: when all that is in it is."""
-
-
-@dataclass(frozen=True, slots=True)
-class Service:
-    """What an agent offers to others: to be a participant of a protocol, with what it then sends and receives
-    as (performative, content)."""
-
-    protocol: str
-    participant: str
-    sends: tuple[tuple[str, str], ...] = ()
-    receives: tuple[tuple[str, str], ...] = ()
-
-    @property
-    def name(self) -> str:
-        """What it is called in the directory: `contract_net.contractor`."""
-        return f"{self.protocol}.{self.participant}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -281,6 +266,7 @@ class JadeLikeAgent:
     main: ClassVar[type[Behaviour]] = Behaviour
     """The outermost behaviour."""
     services: ClassVar[tuple[Service, ...]] = ()
+    """What the directory says that it offers: to be the participants that it plays."""
     own: ClassVar[str] = ""
     """The name of the user's class, which is found as an activity is."""
 

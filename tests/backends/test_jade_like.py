@@ -27,6 +27,7 @@ from aseme_dsl.runtime.behaviours import (
     TickerBehaviour,
     WakerBehaviour,
 )
+from aseme_dsl.runtime.directory import played
 from aseme_dsl.runtime.plan import Plan
 from tests.conftest import Snapshot
 from tests.oracle.charts import text
@@ -86,6 +87,7 @@ def check(agent: JadeLikeAgent) -> None:
     assert Counter(item.timeout for item in wakers) == Counter(event[1] for event in afters)
     assert all(plan.by_label[label].type != "CONDITION" for item in wakers for label in item.waits_in)
 
+    assert agent.services == played("me", plan).services
     names = [item.name for item in agent.behaviours]
     assert len(set(names)) == len(names)
     for item in found:

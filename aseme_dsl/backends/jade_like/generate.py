@@ -22,6 +22,8 @@ from aseme_dsl.backends.shared.generate import (
     system_file,
 )
 from aseme_dsl.codegen.place import place
+from aseme_dsl.runtime.acl import JSON
+from aseme_dsl.runtime.directory import service_of
 from aseme_dsl.runtime.naming import class_name, module_name, usable
 
 RESERVED = (*POINTS.values(), *(str(kind) for kind in Kind), "WakerBehaviour")
@@ -41,12 +43,17 @@ class Class:
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """A participant that a role plays, with what it sends and receives as source text."""
+    """A participant that a role plays, with what it sends and receives for people."""
 
     protocol: str
     participant: str
     sends: str
     receives: str
+
+    @property
+    def type(self) -> str:
+        """The type of service by which the directory lists it."""
+        return service_of(self.protocol, self.participant)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +84,7 @@ class JadeLikeBackend:
                 "own": own,
                 "tree": tree,
                 "services": list(_offers(system, tree)),
+                "language": JSON,
                 "behaviours": classes,
                 "imported": _imported(classes),
                 "example": _example(tree),
@@ -118,10 +126,9 @@ def _offers(system: System, tree: Tree) -> Iterator[Offer]:
 def _exchanged(participant: Participant | None) -> tuple[str, str]:
     sent = participant.sends if participant is not None else ()
     received = participant.receives if participant is not None else ()
-    return (
-        repr(tuple((item.performative, item.message) for item in sent)),
-        repr(tuple((item.performative, item.message) for item in received)),
-    )
+    texts = (", ".join(f"{item.performative} {item.message}" for item in items) for items in (sent, received))
+    one, other = (text or "nothing" for text in texts)
+    return one, other
 
 
 # ---- classes ------------------------------------------------------------------------------------
