@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from aseme_dsl.runtime.activities import ActivityError, ActivityFinder
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.directory import Service
-from aseme_dsl.runtime.following import Following
+from aseme_dsl.runtime.following import Following, Shape
 from aseme_dsl.runtime.inputs import Outcome
 
 if TYPE_CHECKING:
@@ -42,6 +42,12 @@ class Way:
     target: str
     text: str = ""
     stays: bool = False
+
+
+_Registered = tuple[
+    "type[Behaviour] | str", "type[Behaviour] | str | None", str, "tuple[type[WakerBehaviour], ...]"
+]
+"""A source, a target (None where nothing is left), what is said of the way, and the times in it."""
 
 
 class Behaviour:
@@ -166,7 +172,7 @@ class CompositeBehaviour(Behaviour):
         super().__init__(agent)
         self.wakers: tuple[WakerBehaviour, ...] = ()
         self._kinds: list[type[Behaviour]] = []
-        self._ways: list[tuple[Way, tuple[type[WakerBehaviour], ...]]] = []
+        self._registered: list[_Registered] = []
 
     def add_sub_behaviour(self, kind: type[Behaviour]) -> None:
         """One more behaviour is in it, behind the others."""
@@ -180,7 +186,7 @@ class CompositeBehaviour(Behaviour):
         *wakers: type[WakerBehaviour],
     ) -> None:
         """From here it goes on there when `text` says so; `wakers` are the times in it."""
-        self._ways.append((Way(self._label(source), self._label(target), text), wakers))
+        self._registered.append((source, target, text, wakers))
 
     def register_default_transition(
         self, source: type[Behaviour] | str, target: type[Behaviour] | str, text: str = ""
@@ -193,8 +199,7 @@ class CompositeBehaviour(Behaviour):
         self, source: type[Behaviour] | str, text: str, *wakers: type[WakerBehaviour]
     ) -> None:
         """While the source is active (`on`), or when it is left (`exit`), something is done."""
-        label = self._label(source)
-        self._ways.append((Way(label, label, text, stays=True), wakers))
+        self._registered.append((source, None, text, wakers))
 
     @property
     def current(self) -> Behaviour | None:
@@ -203,9 +208,14 @@ class CompositeBehaviour(Behaviour):
 
     @property
     def transitions(self) -> tuple[Way, ...]:
-        registered = [way for way, _ in self._ways]
+        registered = [self._way(item) for item in self._registered]
         pairs = {(way.source, way.target) for way in registered}
         return (*(Way(*pair) for pair in self._implied() if pair not in pairs), *registered)
+
+    def _way(self, item: _Registered) -> Way:
+        source, target, text, _ = item
+        label = self._label(source)
+        return Way(label, label if target is None else self._label(target), text, stays=target is None)
 
     def _label(self, what: type[Behaviour] | str) -> str:
         if not isinstance(what, str):
@@ -269,17 +279,19 @@ class JadeLikeAgent:
     """What the directory says that it offers: to be the participants that it plays."""
     own: ClassVar[str] = ""
     """The name of the user's class, which is found as an activity is."""
+    _shape: ClassVar[Shape]
 
     def __init_subclass__(cls, step: type[Chart] | None = None) -> None:
         if step is not None:
             step.AGENT = cls
+            cls._shape = Shape(step.PLAN)
 
     def __init__(self, shell: Agent) -> None:
         self._shell = shell
         self.plan = shell.plan
         self.behaviours: tuple[Behaviour, ...] = ()
         """All of them, in document order, with the wakers behind what they are in."""
-        self._following = Following(self.plan)
+        self._following = Following(self._shape)
         self._began = False
         self._over = False
         self._count = 0
@@ -364,7 +376,8 @@ class JadeLikeAgent:
             self._began = True
             self._enter(self._following.begin().entered)
         for numbers in outcome.taken:
-            self._wake(numbers)
+            if self._wakers:
+                self._wake(numbers)
             change = self._following.take(numbers)
             self._leave(change.left)
             self._enter(change.entered)
@@ -390,7 +403,8 @@ class JadeLikeAgent:
         self._following.stand(self._shell.chart.configuration())
         self._count = 1
         for label in self._following.active:
-            self._since[label] = self.now
+            if label in self._since:
+                self._since[label] = self.now
             for item in self._at.get(label, ()):
                 item._began = 1
         if before is not None:
@@ -398,16 +412,19 @@ class JadeLikeAgent:
                 if label in labels:
                     kept = frozenset(labels[item] for item in inside if item in labels)
                     self._following.kept[labels[label]] = kept
-            self._since |= {labels[old]: at for old, at in before._since.items() if old in labels}
+            since = {labels[old]: at for old, at in before._since.items() if old in labels}
+            self._since |= {label: at for label, at in since.items() if label in self._since}
 
     # ---- the tree ------------------------------------------------------------------------------
 
     def _grow(self) -> None:
         """Make all behaviours. Charts may be nested deep, so nothing here recurses."""
         found: list[Behaviour] = []
+        # Of two that say the same, each has its wakers: which of them has which does not matter.
         numbers: dict[tuple[str, str, str], list[int]] = {}
         for number, item in enumerate(self.plan.transitions):
-            numbers.setdefault((item.source, item.target, item.text), []).append(number)
+            if any(event[0] == "after" for event in item.events):
+                numbers.setdefault((item.source, item.target, item.text), []).append(number)
         stack: list[tuple[type[Behaviour], Behaviour | None]] = [(self.main, None)]
         while stack:
             kind, parent = stack.pop()
@@ -425,15 +442,19 @@ class JadeLikeAgent:
         self, around: CompositeBehaviour, numbers: Mapping[tuple[str, str, str], list[int]]
     ) -> list[Behaviour]:
         found: list[WakerBehaviour] = []
-        for way, kinds in around._ways:
+        for item in around._registered:
+            if not item[3]:
+                continue
+            way = around._way(item)
             number = numbers[way.source, way.target, way.text].pop(0)
-            for kind in kinds:
+            for kind in item[3]:
                 made = self._make(kind, around)
                 assert isinstance(made, WakerBehaviour)
                 found.append(made)
                 self._wakers.setdefault(number, []).append(made)
                 for label in made.waits_in:
                     self._at.setdefault(label, []).append(made)
+                    self._since[label] = 0
         around.wakers = tuple(found)
         return list(found)
 
@@ -451,7 +472,8 @@ class JadeLikeAgent:
 
     def _enter(self, labels: Sequence[str]) -> None:
         for label in labels:
-            self._since[label] = self.now
+            if label in self._since:
+                self._since[label] = self.now
             for item in self._at.get(label, ()):
                 self._count += 1
                 item._began = self._count
@@ -470,7 +492,7 @@ class JadeLikeAgent:
         """Tell those whose time is the reason why a transition is taken, or could have been."""
         for number in numbers:
             for item in self._wakers.get(number, ()):
-                since = max(self._since.get(label, 0) for label in item.waits_in if label in self.active)
+                since = max((self._since[at] for at in item.waits_in if at in self.active), default=self.now)
                 if self.now - since >= item.timeout and type(item).on_wake is not WakerBehaviour.on_wake:
                     self._try(item.name, item.at, item.on_wake, "on_wake")
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import chart
-from aseme_dsl.runtime.following import Change, Following
+from aseme_dsl.runtime.following import Change, Following, Shape
 from tests.oracle import interpreter
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices
@@ -52,7 +52,7 @@ class Followed(Game):
     def __post_init__(self) -> None:
         super().__post_init__()
         self.expected = Recording(self.plan, "me", vars(self.made.messages))
-        self.following = Following(self.plan)
+        self.following = Following(Shape(self.plan))
 
     def step(self, moment: Moment) -> None:
         begun = self.actual.started
