@@ -18,6 +18,7 @@ OWN = {
     "monas": "aseme_dsl.backends.monas",
     "jade_like": "aseme_dsl.backends.jade_like",
     "plain": "aseme_dsl.backends.plain",
+    "batch": "aseme_dsl.backends.batch",
 }
 """Our own backends, with the module whose `BACKEND` each is."""
 AGENTS = ("monas", "jade_like")

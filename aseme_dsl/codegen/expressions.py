@@ -40,6 +40,7 @@ from aseme_dsl.amola.expression import (
     StateValue,
     Value,
     VariableValue,
+    walk,
 )
 from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Type, list_of
 
@@ -263,6 +264,20 @@ def _in_parentheses(piece: Piece, value: Value) -> Piece:
     return piece
 
 
+def may_fail(value: Value) -> bool:
+    """Whether a value may raise or be absent."""
+    match value:
+        case Call(function=function):
+            return not function.target.startswith("builtin:")
+        case Arithmetic(operator=operator, type=kind):
+            return operator in ("/", "%") or kind == DURATION
+        case Member() | Element() | Outcome() | Age() | At() | Mean() | Bound() | Sender():
+            return True
+        case VariableValue(type=kind):
+            return kind == AGENT
+    return False
+
+
 def _truth(value: Value, names: Names, known: Known) -> Piece:
     """A logic expression as a plain value: True, False, or absent where it neither holds nor fails."""
     if isinstance(value, Has):
@@ -270,6 +285,8 @@ def _truth(value: Value, names: Names, known: Known) -> Piece:
     if isinstance(value, Holds):
         return Piece(f"({holds(value.operand, names, known)[0]})", known=known)
     yes, _ = holds(value, names, known)
+    if not any(may_fail(part) for part in walk(value)):
+        return Piece(f"({yes})", known=known)
     no, _ = fails(value, names, known)
     local = names.local()
     need = f"({local} := True if {yes} else False if {no} else None) is not None"

@@ -19,24 +19,19 @@ from aseme_dsl.amola.expression import (
     NEVER,
     Action,
     After,
-    Arithmetic,
     Assign,
     Call,
-    Element,
     Evaluate,
     Event,
-    Member,
-    Outcome,
     Raised,
     TransitionExpression,
     Value,
     VariableValue,
     values_of,
 )
-from aseme_dsl.amola.messages import AGENT, DURATION
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, TransitionKind
 from aseme_dsl.amola.system import System
-from aseme_dsl.codegen.expressions import Names, Piece, converted, enum_name, function_key
+from aseme_dsl.codegen.expressions import Names, Piece, converted, enum_name, function_key, may_fail
 from aseme_dsl.codegen.face import Face, Identifiers, Method, docstring, natural
 from aseme_dsl.codegen.flat import FlatChart, Way
 from aseme_dsl.codegen.resting import is_open, resting
@@ -63,11 +58,12 @@ class PlainOptions:
 
     `mapping`: the blackboard is a dictionary instead of a class with slots. `watched`: each activity has a
     method that is called as it starts, and one that is called when it is cut short, and `took` is told of
-    each transition.
+    each transition. `tables`: regions with many leaves find what is to do in a tuple of functions.
     """
 
     mapping: bool = False
     watched: bool = False
+    tables: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,7 +149,7 @@ class _Generator(Face):
         """Which methods that leave a region there are; False for those with nothing to do."""
         self.spends = False
         self.modes = self._modes()
-        self.faults = any(_may_fail(value) for _, value in chart.values())
+        self.faults = any(may_fail(value) for _, value in chart.values())
         self.copied = self._copied()
         self.seen = {key: self._place_on_board(slot) for key, (slot, _) in self._message_slots().items()}
         self.names = {region.number: self._names_of(region.number) for region in self.flat.regions}
@@ -662,7 +658,7 @@ class _Generator(Face):
         """One round of a region: by its active leaf, what can be taken from there."""
         if depth > DEEP:
             return self._apart(mode, region)
-        if self.flat.regions[region].size > TABLE:
+        if self.options.tables and self.flat.regions[region].size > TABLE:
             return self._by_table(mode, region)
         bodies = self._bodies(mode, region, depth)
         return self._dispatch(region, bodies)
@@ -1196,20 +1192,6 @@ def _paths(way: Way) -> Iterator[tuple[int, ...]]:
     for branch in way.branches:
         for path in _paths(branch):
             yield (way.number, *path)
-
-
-def _may_fail(value: Value) -> bool:
-    """Whether a value may raise or be absent."""
-    match value:
-        case Call(function=function):
-            return not function.target.startswith("builtin:")
-        case Arithmetic(operator=operator, type=kind):
-            return operator in ("/", "%") or kind == DURATION
-        case Member() | Element() | Outcome():
-            return True
-        case VariableValue(type=kind):
-            return kind == AGENT
-    return False
 
 
 def _written_by(expression: TransitionExpression) -> set[str]:

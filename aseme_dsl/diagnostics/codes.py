@@ -99,6 +99,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E309": ("error", "a parameter with two types"),
     "E310": ("error", "parameters that nothing gives a value"),
     "E320": ("error", "what a plain statechart cannot do"),
+    "E321": ("error", "what a batch of statecharts cannot do"),
     "W300": ("warning", "operators mixed without parentheses"),
     "W301": ("warning", "something can never be reached"),
     # Control (E4xx)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions, Refused
 from aseme_dsl.backends.shared.generate import environment, messages_file, rendered, source_of, tidy
 from aseme_dsl.codegen.plain import PlainOptions, generate_plain
-from aseme_dsl.codegen.plain_limits import limits
+from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.runtime.naming import class_name, usable
 
@@ -88,19 +88,18 @@ def module_text(
 
 def problems_of(chart: Statechart) -> Iterator[Diagnostic]:
     """One problem for each thing that a statechart cannot do here, with all its places."""
-    places: dict[str, list[Diagnostic | Related]] = {}
-    for limit in limits(chart):
-        found = places.setdefault(limit.what, [])
-        if found:
-            found.append(Related(limit.span, "and here"))
-        else:
-            message = f"a plain statechart such as `{chart.name}` cannot do this: {limit.what}"
-            hint = "the other backends make agents of the roles, which can"
-            found.append(Diagnostic("E320", message, limit.span, hint=hint))
-    for first, *others in places.values():
-        assert isinstance(first, Diagnostic)
-        related = tuple(item for item in others if isinstance(item, Related))
-        yield Diagnostic(first.code, first.message, first.span, related, first.hint)
+    what = f"a plain statechart such as `{chart.name}` cannot do this"
+    yield from refusals(limits(chart), "E320", what, "the other backends make agents of the roles, which can")
+
+
+def refusals(found: Iterable[Limit], code: str, what: str, hint: str) -> Iterator[Diagnostic]:
+    """One problem for each thing that cannot be done, at its first place, with the others."""
+    places: dict[str, list[Limit]] = {}
+    for limit in found:
+        places.setdefault(limit.what, []).append(limit)
+    for name, (first, *others) in places.items():
+        related = tuple(Related(limit.span, "and here") for limit in others)
+        yield Diagnostic(code, f"{what}: {name}", first.span, related, hint)
 
 
 BACKEND = PlainBackend()

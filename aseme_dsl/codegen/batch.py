@@ -1,0 +1,559 @@
+"""The plain class of a statechart to code that runs thousands of instances at once.
+
+What is translated is the code that `plain.py` has written, statement by statement, so that there is one place
+that says what a step does. Where the class has a slot (`self.r3`) or its blackboard a value (`bb.n`), the
+instances have an array with an element each:
+
+    arrays     for NumPy. `sel` are the instances for which a line is done: a test splits them, a `return` or
+               `break` takes some of them out of what follows
+    elements   for numba. A function of one instance `i`, and a loop over all
+
+Both understand just what `plain.py` writes; anything else is a mistake here, and raises.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from aseme_dsl.codegen.plain import PlainCode
+from aseme_dsl.runtime.batch import TABLES
+from aseme_dsl.runtime.plain import ROUNDS
+
+START, STEP = "start", "step"
+"""The modes of a step that are no event."""
+
+ARGUMENTS = "i, truths, wholes, reals, now"
+"""What a function for numba is given."""
+
+
+@dataclass(frozen=True, slots=True)
+class Array:
+    """What the instances have one of each: its name, its NumPy type, and what it begins with.
+
+    `seen`: it is on the blackboard, where the program that simulates sees and sets it.
+    """
+
+    name: str
+    dtype: str
+    initial: bool | int | float = 0
+    seen: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class BatchCode:
+    """The parts of a module: what the instances have, which steps there are, and both translations."""
+
+    arrays: tuple[Array, ...]
+    methods: Mapping[str, str]
+    """The name of the step with each event that has one."""
+    modes: tuple[str, ...]
+    """The names of all steps, and of the start."""
+    tables: tuple[str, ...]
+    """What is said of the regions, as in the plain class."""
+    for_numpy: tuple[str, ...]
+    """Methods, indented as in a class."""
+    for_numba: tuple[str, ...]
+    """Functions of an instance, each before those that call it."""
+
+
+def generate_batch(code: PlainCode, variables: Sequence[Array], constants: Mapping[str, int]) -> BatchCode:
+    """Both translations of a plain class that has no functions, messages or faults.
+
+    `variables` are those on its blackboard, `constants` the numbers of enum constants by their names there.
+    """
+    functions = _functions(code)
+    kinds = {item.name: item.dtype for item in variables}
+    arrays = [*variables, *_slots(code, variables), Array("stuck", "?")]
+    places = {("bb" if item.seen else "self", item.name): _place(item, arrays) for item in arrays}
+    pending = sorted({item.name.removeprefix("p_") for item in arrays if item.name.startswith("p_")})
+    known = _Known(kinds, constants, tuple(pending), frozenset(functions), places)
+    events = {name.removeprefix(_ON): name for name in functions if name.startswith(_ON)}
+    modes = (START, STEP, *events.values())
+    for_numpy = [line for name, item in functions.items() for line in (*_ForNumpy(known, item).of(name), "")]
+    for_numba = [
+        line
+        for name in _callees_first(functions)
+        for line in (*_ForNumba(known, functions[name]).of(name), "", "")
+    ]
+    return BatchCode(tuple(arrays), events, modes, _tables(code), tuple(for_numpy), tuple(for_numba))
+
+
+def _place(array: Array, arrays: Sequence[Array]) -> str:
+    """Where numba finds a value of the instance `i`: all of one type are in a table, in this order."""
+    same = [other for other in arrays if other.dtype == array.dtype]
+    return f"{TABLES[array.dtype]}[i, {same.index(array)}]"
+
+
+# ---- what was written ---------------------------------------------------------------------------
+
+_ON = "on_"
+
+
+@dataclass(frozen=True, slots=True)
+class _Function:
+    """A piece of the plain class: the statements, and whether they give a truth, a number or nothing."""
+
+    body: tuple[ast.stmt, ...]
+    gives: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Known:
+    """What a translation has to know of the whole."""
+
+    kinds: Mapping[str, str]
+    """The NumPy type of each variable."""
+    constants: Mapping[str, int]
+    pending: tuple[str, ...]
+    functions: frozenset[str]
+    places: Mapping[tuple[str, str], str]
+    """Where numba finds what the class (`self`) and its blackboard (`bb`) have."""
+
+    def kind(self, slot: str) -> str:
+        """The NumPy type of a slot of the class."""
+        copy = re.fullmatch(r"v\d+_(\w+)", slot)
+        return self.kinds[copy[1]] if copy is not None else "i8"
+
+
+def _functions(code: PlainCode) -> dict[str, _Function]:
+    """The step of each mode (`start`, `step`, `on_EVENT`) and the methods that they call, by name."""
+    tree = ast.parse("\n".join(code.body))
+    (written,) = (node for node in tree.body if isinstance(node, ast.ClassDef))
+    methods = {node.name: node for node in written.body if isinstance(node, ast.FunctionDef)}
+    found: dict[str, _Function] = {}
+    for name, method in methods.items():
+        body = tuple(method.body[1:])  # without what it is for
+        if name == "send":
+            found |= {_ON + event: _Function(part, "bool") for event, part in _by_event(body, methods)}
+        elif name != "__init__" and not name.startswith("_on_"):
+            returns = method.returns.id if isinstance(method.returns, ast.Name) else "None"
+            found[name] = _Function(body, returns)
+    return found
+
+
+def _by_event(
+    body: Sequence[ast.stmt], methods: Mapping[str, ast.FunctionDef]
+) -> Iterator[tuple[str, tuple[ast.stmt, ...]]]:
+    """What `send` does with each event."""
+    statement = body[0]
+    while isinstance(statement, ast.If) and isinstance(statement.test, ast.Compare):
+        (event,) = statement.test.comparators
+        assert isinstance(event, ast.Constant)
+        part = tuple(statement.body)
+        own = re.fullmatch(r"return self\.(_on_\w+)\(\)", ast.unparse(part[0]))
+        yield str(event.value), tuple(methods[own[1]].body[1:]) if own is not None else part
+        if not statement.orelse:
+            return
+        statement = statement.orelse[0]
+    if ast.unparse(statement).startswith("method = _EVENTS"):  # many events are found in a table
+        for name, method in methods.items():
+            if name.startswith("_on_"):
+                yield name.removeprefix("_on_"), tuple(method.body[1:])
+
+
+def _slots(code: PlainCode, variables: Sequence[Array]) -> Iterator[Array]:
+    """What the class keeps: regions, times, counts, copies of variables, and what was written of these."""
+    (line,) = (line for line in code.body if line.lstrip().startswith("__slots__"))
+    by_name = {item.name: item for item in variables}
+    for name in re.findall(r'"(\w+)"', line):
+        copy = re.fullmatch(r"v\d+_(\w+)", name)
+        if copy is not None:
+            yield Array(name, by_name[copy[1]].dtype)
+        elif name not in ("bb", "writes", "now"):
+            yield Array(name, "i8")
+    for name in sorted(set(re.findall(r"self\.writes\.append\(\(\d+, '(\w+)'", "\n".join(code.body)))):
+        yield Array(f"w_{name}", by_name[name].dtype)
+        yield Array(f"p_{name}", "i8", -1)
+
+
+def _tables(code: PlainCode) -> tuple[str, ...]:
+    """The lines that say which leaves the regions have, which regions an AND has, and what runs."""
+    first = next(place for place, line in enumerate(code.body) if line.startswith("    LEAVES"))
+    last = next(place for place, line in enumerate(code.body) if place > first and not line)
+    lines = code.body[first:last]
+    return tuple(re.sub(r": ClassVar\[.*\] = ", " = ", line) for line in lines if "MESSAGES" not in line)
+
+
+def _callees_first(functions: Mapping[str, _Function]) -> list[str]:
+    """The names of functions, each behind those that it calls. None calls itself."""
+    found: list[str] = []
+    waiting = list(functions)[::-1]
+    while waiting:
+        name = waiting[-1]
+        text = "\n".join(map(ast.unparse, functions[name].body))
+        called = [other for other in functions if other not in found and f"self.{other}()" in text]
+        if called:
+            waiting += called
+            continue
+        waiting.pop()
+        if name not in found:
+            found.append(name)
+    return found
+
+
+# ---- translating --------------------------------------------------------------------------------
+
+
+@dataclass(slots=True)
+class _Translation:
+    """What both translations have in common: the statements and expressions that `plain.py` writes."""
+
+    known: _Known
+    function: _Function
+    lines: list[str] = field(default_factory=list)
+    truths: set[str] = field(default_factory=set)
+    """The locals that are true or false; the others are numbers."""
+    aliases: set[str] = field(default_factory=set)
+    """The locals that are the number of a region as it was when it was looked at."""
+    count: int = 0
+
+    def __post_init__(self) -> None:
+        for node in ast.walk(ast.Module(list(self.function.body), [])):
+            if isinstance(node, ast.Assign):
+                for target in node.targets:
+                    if not isinstance(target, ast.Name):
+                        continue
+                    if isinstance(node.value, ast.Constant) and isinstance(node.value.value, bool):
+                        self.truths.add(target.id)
+                    elif ast.unparse(node) == f"{target.id} = self.{target.id}":
+                        self.aliases.add(target.id)
+
+    @property
+    def locals(self) -> list[str]:
+        """The locals that need a place, in the order in which they come."""
+        names: dict[str, None] = {}
+        for node in ast.walk(ast.Module(list(self.function.body), [])):
+            if isinstance(node, ast.Assign):
+                for target in node.targets:
+                    if isinstance(target, ast.Name) and target.id not in (*self.aliases, "bb", "now"):
+                        names[target.id] = None
+        return list(names)
+
+    def kind(self, node: ast.expr) -> str:
+        """Whether an expression is a truth (`?`), a whole number or another."""
+        match node:
+            case ast.Compare() | ast.BoolOp() | ast.UnaryOp(op=ast.Not()):
+                return "?"
+            case ast.Constant(value=bool()):
+                return "?"
+            case ast.Attribute(value=ast.Name("bb"), attr=name):
+                return self.known.kinds[name]
+            case ast.Attribute(value=ast.Name("self"), attr=name):
+                return self.known.kind(name)
+            case ast.Name(id=name):
+                return "?" if name in self.truths else "i8"
+        return "i8"
+
+    def writes(self, node: ast.stmt) -> tuple[int, str, ast.expr] | None:
+        """The region, the variable and the value of `self.writes.append((region, name, value))`."""
+        match node:
+            case ast.Expr(
+                value=ast.Call(
+                    func=ast.Attribute(value=ast.Attribute(attr="writes"), attr="append"),
+                    args=[
+                        ast.Tuple(
+                            elts=[ast.Constant(value=int(region)), ast.Constant(value=str(name)), value]
+                        )
+                    ],
+                )
+            ):
+                return region, name, value
+        return None
+
+    def called(self, node: ast.AST) -> str | None:
+        """The method that `self.name()` calls."""
+        match node:
+            case ast.Call(func=ast.Attribute(value=ast.Name("self"), attr=name), args=[]):
+                assert name in self.known.functions, name
+                return name
+        return None
+
+
+def _is_spreading(node: ast.stmt) -> bool:
+    return isinstance(node, ast.If) and ast.unparse(node.test) == "self.writes"
+
+
+def _exits(node: ast.stmt) -> bool:
+    """Whether a statement may end the function, or the loop that it stands in."""
+    return any(isinstance(item, ast.Return | ast.Break | ast.Raise) for item in ast.walk(node))
+
+
+def _unknown(node: ast.AST) -> AssertionError:
+    return AssertionError(f"a plain class has no {ast.unparse(node)}")
+
+
+class _ForNumpy(_Translation):
+    """A method over the instances `sel`; what it gives stands in their order."""
+
+    def of(self, name: str) -> list[str]:
+        gives = self.function.gives
+        self.line(1, f"def do_{name}(self, sel: Selection) -> {'None' if gives == 'None' else 'Any'}:")
+        text = "\n".join(map(ast.unparse, self.function.body))
+        if re.search(r"\bbb\b|self\.writes", text):
+            self.line(2, "bb = self.bb")
+        if re.search(r"\bnow\b", text):
+            self.line(2, "now = self.now")
+        for local in self.locals:
+            self.line(2, f"{local} = self.nothing({'bool' if local in self.truths else 'int'})")
+        if gives != "None":
+            self.line(2, f"out = self.nothing({gives})")
+        last = self.function.body[-1]
+        early = self.function.body[:-1] if isinstance(last, ast.Return) else self.function.body
+        if any(isinstance(item, ast.Return) for node in early for item in ast.walk(node)):
+            self.line(2, "here = self.all()")
+        self.block(2, self.function.body, "sel")
+        if gives != "None":
+            self.line(2, "return out[sel]")
+        return [*self.lines, "        pass"] if len(self.lines) == 1 else self.lines
+
+    def line(self, depth: int, text: str) -> None:
+        self.lines.append("    " * depth + text)
+
+    def new(self, letter: str) -> str:
+        self.count += 1
+        return f"{letter}{self.count}"
+
+    def block(self, depth: int, statements: Sequence[ast.stmt], sel: str, loop: str = "") -> None:
+        """Statements, the later of them for those instances that the earlier have left here."""
+        for place, node in enumerate(statements):
+            self.statement(depth, node, sel, loop, is_last=place + 1 == len(statements))
+            if place + 1 == len(statements) or isinstance(node, ast.While) or not _exits(node):
+                continue
+            stays = [f"{loop}[{sel}]"] if loop else []
+            if any(isinstance(item, ast.Return) for item in ast.walk(node)):
+                stays.append(f"here[{sel}]")
+            rest = self.new("s")
+            self.line(depth, f"{rest} = pick({sel}, {' & '.join(stays)})")
+            sel = rest
+
+    def statement(self, depth: int, node: ast.stmt, sel: str, loop: str, *, is_last: bool) -> None:
+        written = self.writes(node)
+        if written is not None:
+            self.write(depth, *written, sel)
+        elif isinstance(node, ast.If) and _is_spreading(node):
+            self.spread(depth, sel)
+        else:
+            self.plain(depth, node, sel, loop, is_last=is_last)
+
+    def plain(self, depth: int, node: ast.stmt, sel: str, loop: str, *, is_last: bool) -> None:
+        match node:
+            case ast.Assign(targets=targets, value=value):
+                targets = [t for t in targets if not self.is_passing(t)]
+                code = self.value(value, sel) if targets else ""
+                for target in targets:
+                    self.line(depth, f"{self.place(target)}[{sel}] = {code}")
+            case ast.AugAssign(target=target, op=operator, value=value):
+                sign = _SIGNS[type(operator)]
+                self.line(depth, f"{self.place(target)}[{sel}] {sign}= {self.value(value, sel)}")
+            case ast.If(test=test, body=body, orelse=otherwise):
+                found, inner = self.new("t"), self.new("s")
+                self.line(depth, f"{found} = {self.truth(test, sel)}")
+                self.line(depth, f"{inner} = pick({sel}, {found})")
+                self.line(depth, f"if {inner}.size:")
+                self.block(depth + 1, body, inner, loop)
+                if otherwise:
+                    rest = self.new("s")
+                    self.line(depth, f"{rest} = pick({sel}, ~{found})")
+                    self.block(depth, otherwise, rest, loop)
+            case ast.While(body=body):
+                self.line(depth, f"live, looping = {sel}, self.all()")
+                self.line(depth, "while True:")
+                self.block(depth + 1, body, "live", "looping")
+                self.line(depth + 1, "live = pick(live, looping[live])")
+                self.line(depth + 1, "if not live.size:")
+                self.line(depth + 2, "break")
+            case ast.Break():
+                self.line(depth, f"{loop}[{sel}] = False")
+            case ast.Raise():
+                self.line(depth, f"self.stuck[{sel}] = True")
+                self.line(depth, f"{loop}[{sel}] = False")
+            case ast.Return(value=value):
+                assert value is not None
+                self.line(depth, f"out[{sel}] = {self.value(value, sel)}")
+                if not (is_last and depth == 2):
+                    self.line(depth, f"here[{sel}] = False")
+            case ast.Expr(value=ast.Call() as call) if self.called(call):
+                self.line(depth, self.value(call, sel))
+            case ast.Pass() | ast.Expr(value=ast.Constant() | ast.Attribute() | ast.Compare() | ast.BoolOp()):
+                self.line(depth, "pass")
+            case _:
+                raise _unknown(node)
+
+    def is_passing(self, target: ast.expr) -> bool:
+        return isinstance(target, ast.Name) and target.id in (*self.aliases, "bb", "now")
+
+    def write(self, depth: int, region: int, name: str, value: ast.expr, sel: str) -> None:
+        """What a region writes counts more than what those before it in the document have written."""
+        later = self.new("s")
+        self.line(depth, f"{later} = pick({sel}, self.p_{name}[{sel}] <= {region})")
+        self.line(depth, f"self.p_{name}[{later}] = {region}")
+        self.line(depth, f"self.w_{name}[{later}] = {self.value(value, later)}")
+
+    def spread(self, depth: int, sel: str) -> None:
+        for name in self.known.pending:
+            written = self.new("s")
+            self.line(depth, f"{written} = pick({sel}, self.p_{name}[{sel}] >= 0)")
+            self.line(depth, f"bb.{name}[{written}] = self.w_{name}[{written}]")
+            self.line(depth, f"self.p_{name}[{written}] = -1")
+
+    def place(self, target: ast.expr) -> str:
+        match target:
+            case ast.Attribute(value=ast.Name("bb" | "self"), attr=_) | ast.Name():
+                return ast.unparse(target)
+        raise _unknown(target)
+
+    def truth(self, node: ast.expr, sel: str) -> str:
+        code = self.value(node, sel)
+        if not isinstance(node, ast.BoolOp | ast.UnaryOp) and not any(
+            isinstance(item, ast.Name | ast.Attribute | ast.Call) for item in ast.walk(node)
+        ):
+            return f"self.everywhere({code})[{sel}]"
+        return code if self.kind(node) == "?" else f"({code} != 0)"
+
+    def value(self, node: ast.expr, sel: str) -> str:
+        match node:
+            case ast.Constant(value=bool() | int() | float() as value):
+                return repr(value)
+            case ast.Name(id="ROUNDS"):
+                return str(ROUNDS)
+            case ast.Name(id="now"):
+                return "now"
+            case ast.Name(id=name) if name in self.known.constants:
+                return str(self.known.constants[name])
+            case ast.Name(id=name) if name in self.aliases:
+                return f"self.{name}[{sel}]"
+            case ast.Name() | ast.Attribute():
+                return f"{self.place(node)}[{sel}]"
+            case ast.UnaryOp(op=ast.Not(), operand=operand):
+                return f"~{self.truth(operand, sel)}"
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                return f"-{self.value(operand, sel)}"
+            case ast.BoolOp(op=operator, values=values):
+                sign = " & " if isinstance(operator, ast.And) else " | "
+                return f"({sign.join(self.truth(value, sel) for value in values)})"
+            case ast.Compare(left=left, ops=operators, comparators=rest):
+                sides = [self.value(side, sel) for side in (left, *rest)]
+                tests = [
+                    f"({sides[place]} {_SIGNS[type(operator)]} {sides[place + 1]})"
+                    for place, operator in enumerate(operators)
+                ]
+                return tests[0] if len(tests) == 1 else f"({' & '.join(tests)})"
+            case ast.BinOp(left=left, op=operator, right=right):
+                # To NumPy the sum of two truths is a truth.
+                one, other = (
+                    f"{self.value(side, sel)} * 1" if self.kind(side) == "?" else self.value(side, sel)
+                    for side in (left, right)
+                )
+                return f"({one} {_SIGNS[type(operator)]} {other})"
+            case ast.Call(func=ast.Name(id=name), args=values) if name in _BUILT_IN:
+                return _BUILT_IN[name]([self.value(value, sel) for value in values])
+            case ast.Call() if (called := self.called(node)) is not None:
+                return f"self.do_{called}({sel})"
+        raise _unknown(node)
+
+
+_SIGNS: Mapping[type[ast.AST], str] = {
+    ast.Add: "+",
+    ast.Sub: "-",
+    ast.Mult: "*",
+    ast.BitAnd: "&",
+    ast.BitOr: "|",
+    ast.Eq: "==",
+    ast.NotEq: "!=",
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+    ast.Is: "==",
+    ast.IsNot: "!=",
+}
+
+
+def _nested(function: str) -> Callable[[Sequence[str]], str]:
+    def write(values: Sequence[str]) -> str:
+        code = values[0]
+        for value in values[1:]:
+            code = f"np.{function}({code}, {value})"
+        return code
+
+    return write
+
+
+_BUILT_IN: Mapping[str, Callable[[Sequence[str]], str]] = {
+    "abs": lambda values: f"np.abs({values[0]})",
+    "float": lambda values: f"({values[0]} * 1.0)",
+    "max": _nested("maximum"),
+    "min": _nested("minimum"),
+}
+
+
+class _ForNumba(_Translation):
+    """A function of the instance `i`, given all arrays."""
+
+    def of(self, name: str) -> list[str]:
+        head = f"def do_{name}({ARGUMENTS}):"
+        rewriter = _Elements(self)
+        body = [line for node in self.function.body for line in rewriter.lines(node)]
+        if (self.function.gives == "bool" or name == START) and not isinstance(
+            self.function.body[-1], ast.Return
+        ):
+            body.append("return False")
+        return ["@njit(cache=True)", head, *(f"    {line}" for line in body or ["pass"])]
+
+
+class _Elements(ast.NodeTransformer):
+    """Slots and values on the blackboard become elements of arrays."""
+
+    def __init__(self, translation: _ForNumba) -> None:
+        self._translation = translation
+        self._known = translation.known
+
+    def lines(self, node: ast.stmt) -> list[str]:
+        if isinstance(node, ast.Assign) and ast.unparse(node) in ("bb = self.bb", "now = self.now"):
+            return []
+        changed = self.visit(node)
+        nodes = changed if isinstance(changed, list) else [changed]
+        return [line for item in nodes for line in ast.unparse(ast.fix_missing_locations(item)).splitlines()]
+
+    def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
+        assert isinstance(node.value, ast.Name), ast.unparse(node)
+        return ast.parse(self._known.places[node.value.id, node.attr], mode="eval").body
+
+    def visit_Name(self, node: ast.Name) -> ast.AST:
+        if node.id in self._known.constants:
+            return ast.Constant(self._known.constants[node.id])
+        return ast.Constant(ROUNDS) if node.id == "ROUNDS" else node
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        called = self._translation.called(node)
+        if called is not None:
+            return ast.parse(f"do_{called}({ARGUMENTS})", mode="eval").body
+        assert isinstance(node.func, ast.Name) and node.func.id in _BUILT_IN, ast.unparse(node)
+        return self.generic_visit(node)
+
+    def visit_Expr(self, node: ast.Expr) -> ast.AST | list[ast.stmt]:
+        written = self._translation.writes(node)
+        if written is None:
+            return self.generic_visit(node)
+        region, name, value = written
+        new = ast.unparse(self.visit(value))
+        by, what = (self._known.places["self", f"{letter}_{name}"] for letter in "pw")
+        return ast.parse(f"if {by} <= {region}:\n    {by} = {region}\n    {what} = {new}").body
+
+    def visit_If(self, node: ast.If) -> ast.AST | list[ast.stmt]:
+        if not _is_spreading(node):
+            return self.generic_visit(node)
+        return [
+            item
+            for name in self._known.pending
+            for by, what in [[self._known.places["self", f"{letter}_{name}"] for letter in "pw"]]
+            for item in ast.parse(
+                f"if {by} >= 0:\n    {self._known.places['bb', name]} = {what}\n    {by} = -1"
+            ).body
+        ]
+
+    def visit_Raise(self, node: ast.Raise) -> list[ast.stmt]:
+        return [*ast.parse(f"{self._known.places['self', 'stuck']} = True").body, ast.Break()]

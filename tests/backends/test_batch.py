@@ -1,0 +1,167 @@
+"""The batch backend: thousands of instances at once, with NumPy and with numba."""
+
+from __future__ import annotations
+
+import random
+import sys
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.backends.backend import BackendOptions, Refused
+from aseme_dsl.backends.batch import BACKEND
+from aseme_dsl.diagnostics import render_text
+from aseme_dsl.runtime.batch import BatchError
+from aseme_dsl.runtime.plain import Unsettled
+from tests.support.batches import Together, made, without_compiling
+from tests.support.generated import system_of
+
+ROBOT = """
+system Team
+
+enum Mood { CALM EAGER }
+
+srm robot {
+  var seen  : bool = false
+  var near  : bool = false
+  var mood  : Mood = Mood.CALM
+  var shots : int = 0
+  var power : double = 0.5
+  liveness {
+    robot = (look || play)~
+    look  = Scan . Track
+    play  = Walk . (Kick | Wait)
+  }
+  control robot { repeat (look || play) : }
+  control look {
+    enter Track : tick [seen]
+    leave Track : tick [!seen || shots > 2] / mood = Mood.EAGER
+  }
+  control play {
+    enter (Kick | Wait) : tick [near && (seen || mood == Mood.EAGER)]
+    enter Kick : [power > 0.6] / shots = shots + 1; power = 0.0
+    enter Wait : else / power = power + 0.25
+    leave Kick : tick or after(20ms)
+    leave Wait : tick
+  }
+}
+"""
+
+
+def test_each_instance_goes_its_own_way(tmp_path: Path) -> None:
+    plain, batch = made(system_of(ROBOT), tmp_path, "robot")
+    together = Together(plain, batch, 40, ("numpy", "numba"))
+    together.start()
+    draw = random.Random(7)
+    for step in range(60):
+        together.time(step * 5_000_000)
+        for instance in range(40):
+            together.set(instance, draw.choice(("seen", "near")), draw.random() < 0.6)
+        together.send(draw.choice(("tick", "tick", "tock")))
+    numpy, numba = together.batches.values()
+    assert numpy.counts() == numba.counts()
+    assert sum(chart.bb.shots for chart in together.scalars) == numpy.bb.shots.sum() > 40
+    assert set(numpy.bb.mood) == {1}
+
+
+def test_what_is_active_is_asked_of_all_at_once(tmp_path: Path) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    batch = kind(3)
+    batch.start()
+    batch.bb.seen = [True, False, True]
+    assert batch.send("tick").tolist() == [True, False, True]
+    label = next(
+        label for label in batch.configuration(0) if batch.active(label).tolist() == [True, False, True]
+    )
+    assert batch.counts()[label] == 2
+    assert batch.finished.tolist() == [False] * 3
+    with pytest.raises(KeyError, match="no leaf 9"):
+        batch.active("9")
+    with pytest.raises(AttributeError, match="there is no sen on this blackboard"):
+        batch.bb.sen = True
+
+
+def test_the_end_of_an_activity_is_for_those_in_which_it_runs(tmp_path: Path) -> None:
+    text = """
+system Doors
+srm door {
+  var locked : bool = false
+  liveness { door = Open . Close }
+  control door { leave Close : [locked] }
+}
+"""
+    plain, kind = made(system_of(text), tmp_path, "door")
+    together = Together(plain, kind, 4, ("numpy", "numba"))
+    together.start()
+    first, second = kind.RUNNING
+    together.done(first, [True, True, True, False])
+    together.done(second, [True, False, True, True])
+    together.set(0, "locked", True)
+    together.set(1, "locked", True)
+    together.send("look")
+    assert [chart.finished for chart in together.scalars] == [True, False, False, False]
+    assert together.batches["numpy"].finished.tolist() == [True, False, False, False]
+
+
+def test_an_instance_that_does_not_settle_is_named(tmp_path: Path) -> None:
+    text = """
+system Circles
+srm dancer {
+  var dizzy : bool = false
+  liveness { dancer = (Left . Right)~ }
+  control dancer {
+    enter Right : when [dizzy]
+    leave Right : when [dizzy]
+    repeat (Left . Right) : when [dizzy]
+  }
+}
+"""
+    text = text.replace("    leave Right : when [dizzy]\n", "")
+    _, kind = made(system_of(text), tmp_path, "dancer")
+    for engine in ("numpy", "numba"):
+        with without_compiling():
+            sys.modules.pop(f"{kind.__module__}_compiled", None)
+            batch = kind(3, engine)
+        batch.start()
+        batch.bb.dizzy = [False, True, False]
+        with pytest.raises(Unsettled, match="instance 1 does not settle after 1000 rounds"):
+            batch.send("turn")
+
+
+def test_what_arrays_cannot_do_is_refused_with_all_places() -> None:
+    text = """
+system Lamp
+message Touch { int x }
+topic panel { state Touch }
+function even(int n) : bool = "tests.support.functions:even"
+srm lamp {
+  var level : int = 0
+  var name : string = "lamp"
+  liveness { lamp = (Dark . Shine)~ }
+  control lamp {
+    enter Shine : touched [panel.state.Touch.x > 2 && even(level)] / level = level % 3
+    repeat (Dark . Shine) : [name == "lamp"] / level = level % 4
+  }
+}
+"""
+    with pytest.raises(Refused) as refused:
+        BACKEND.generate(system_of(text), BackendOptions())
+    messages = {problem.message for problem in refused.value.diagnostics}
+    start = "a batch of `lamp` cannot do this: "
+    assert {message.removeprefix(start) for message in messages} == {
+        "messages (what it sees are variables)",
+        "functions that are written in Python",
+        "division, which may fail",
+        "values that are no truths and no numbers",
+    }
+    shown = render_text(refused.value.diagnostics)
+    assert shown.count("level % ") >= 2
+
+
+def test_an_engine_that_is_not_there_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    with pytest.raises(BatchError, match="there is no engine numbra; there are numpy, numba"):
+        kind(2, "numbra")
+    monkeypatch.setitem(sys.modules, "numba", None)
+    with pytest.raises(BatchError, match=r"pip install 'aseme-dsl\[numba\]'"):
+        kind(2, "numba")
