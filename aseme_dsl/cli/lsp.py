@@ -20,12 +20,14 @@ if TYPE_CHECKING:
 
 LOOPBACK = "127.0.0.1"
 
+INSTALL = 'pip install ".[editor]" (in a clone), or "aseme-dsl[editor]"'
+
 
 @click.command(
     short_help="Answer an editor: the language server.",
     help="Answer an editor in the language server protocol, on standard input and output. Editors start this"
     " by themselves: see docs/editor.md. It needs the extra `editor`.",
-    epilog='Example: pip install "aseme-dsl[editor]"   ·   asemec lsp --tcp 2087',
+    epilog=f"Example: {INSTALL}   ·   asemec lsp --tcp 2087",
 )
 @click.option(
     "--tcp",
@@ -39,7 +41,7 @@ def command(port: int | None, stdio: bool) -> int:
     """Serve until the editor leaves."""
     if find_spec("pygls") is None:
         raise click.ClickException(
-            'the language server needs pygls, which is not installed: pip install "aseme-dsl[editor]"'
+            f"the language server needs pygls, which is not installed: {INSTALL}"
         )
     from aseme_dsl import __version__
     from aseme_dsl.editor.server import make_server

@@ -582,7 +582,7 @@ async def test_without_pygls_the_command_says_what_to_install(tmp_path: Path) ->
     )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
     assert done.returncode == 1
-    assert 'pip install "aseme-dsl[editor]"' in done.stderr
+    assert 'pip install ".[editor]" (in a clone), or "aseme-dsl[editor]"' in done.stderr
     assert "Traceback" not in done.stderr
 
 
