@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import re
+from bisect import bisect_right
 from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
@@ -72,6 +73,7 @@ def words_of_blocks() -> dict[str, set[str]]:
     return found
 
 
+@lru_cache(maxsize=256)
 def words_of_text(text: str) -> list[tuple[int, str, bool, str]] | None:
     """Place, word, whether it is one of the language, and the rule around it; outside lists of tokens.
 
@@ -97,8 +99,12 @@ def words_of_text(text: str) -> list[tuple[int, str, bool, str]] | None:
 
 
 def words_as_names(count: int, seed: int) -> list[str]:
-    """Programs in which a word of the language is a name, where the language lets it be one."""
+    """Declarations in which a word of the language is a name, where the language lets it be one.
+
+    Each with the one before it and the one behind it, to which the word might belong.
+    """
     text = EVERYTHING.read_text("utf-8")
+    begins = [found.start() for found in re.finditer(r"^(?=\w)", text, re.MULTILINE)]
     chance = random.Random(seed)
     taken = words_of_blocks()
     names = [
@@ -109,9 +115,11 @@ def words_as_names(count: int, seed: int) -> list[str]:
     while len(found) < count:
         place, name, around = chance.choice(names)
         word = chance.choice(words())
-        changed = text[:place] + word + text[place + len(name) :]
         if word in never or word in taken[around] or "." in name:
             continue
+        own = bisect_right(begins, place)
+        begin, end = [0, *begins][max(0, own - 1)], [*begins, len(text), len(text)][own + 1]
+        changed = text[begin:place] + word + text[place + len(name) : end]
         if words_of_text(changed) is not None:
             found.append(changed)
     return found
