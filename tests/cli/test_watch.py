@@ -128,6 +128,29 @@ def test_what_is_edited_is_built_again(project: Path, watching: Watching) -> Non
     assert not [name for name in contents(project) if ".asemec-" in name]
 
 
+def test_behaviours_are_what_a_build_from_nothing_writes(project: Path) -> None:
+    arguments = ("build", "walker.aseme", "--backend", "jade_like", "--only", "jade_like")
+    after = LIBRARY.replace("srm", "// one\n\n// two\nsrm", 1)
+    texts = (
+        after,  # every place moves
+        after.replace("Stand : else", "Stand : after(3s)"),
+        after.replace("(Walk | Stand)", "(Walk | Stand | Sit)").replace(
+            "enter Walk", "enter Sit : go\n    enter Walk"
+        ),
+        LIBRARY,
+    )
+    with Watching(project, *arguments, "-o", "out") as watching:
+        watching.until("watching")
+        for number, text in enumerate(texts):
+            save(project / "robot.aseme", text)
+            watching.until(r"Walker -> out|error")
+            done = asemec(*arguments, "-o", f"fresh{number}", cwd=project)
+            assert done.code == 0, done.err
+            fresh, now = (contents(project / name / "jade_like") for name in (f"fresh{number}", "out"))
+            assert fresh == now
+        watching.stop()
+
+
 def test_what_is_broken_is_told_and_the_last_good_output_stays(project: Path, watching: Watching) -> None:
     before = contents(project / "out")
     save(project / "robot.aseme", LIBRARY.replace("eyes.state.Seen.ball", "eyes.state.Sen.ball"))

@@ -57,6 +57,17 @@ class Offer:
 
 
 @dataclass(frozen=True, slots=True)
+class Shown:
+    """A role as an agent with behaviours: their classes, the outermost first, what these use of the runtime,
+    what the agent offers, and a class that a user may want to go on from."""
+
+    classes: tuple[Class, ...]
+    imported: tuple[str, ...]
+    offers: tuple[Offer, ...]
+    example: str
+
+
+@dataclass(frozen=True, slots=True)
 class JadeLikeBackend:
     """Emits what monas emits, per role `agent.py` and `behaviours.py`, and a class for the user's own."""
 
@@ -73,8 +84,7 @@ class JadeLikeBackend:
         for chart, role in zip(system.iacs, roles, strict=True):
             folder = f"{system.name}/{usable(chart.name)}"
             own = _own(chart, taken)
-            tree = behaviour_tree(system, chart, RESERVED)
-            classes = tuple(_classes(chart, tree))
+            shown = options.known.recall(_shown, role.seen)
             known = {
                 "system": system,
                 "chart": chart,
@@ -82,12 +92,12 @@ class JadeLikeBackend:
                 "shown": True,
                 "place": place(chart.span),
                 "own": own,
-                "tree": tree,
-                "services": list(_offers(system, tree)),
+                "main": shown.classes[0].name,
+                "services": shown.offers,
                 "language": JSON,
-                "behaviours": classes,
-                "imported": _imported(classes),
-                "example": _example(tree),
+                "behaviours": shown.classes,
+                "imported": shown.imported,
+                "example": shown.example,
             }
             artefacts += [
                 rendered(templates, "role.py.j2", f"{folder}/__init__.py", known),
@@ -98,6 +108,14 @@ class JadeLikeBackend:
             path = f"{ACTIVITIES}/{module_name(own)}.py"
             kept.append(rendered(templates, "own_agent.py.j2", path, known, kept=True))
         return (*artefacts, *kept)
+
+
+def _shown(seen: System) -> Shown:
+    """The only role of a system, shown."""
+    chart = seen.iacs[0]
+    tree = behaviour_tree(seen, chart, RESERVED)
+    classes = tuple(_classes(chart, tree))
+    return Shown(classes, _imported(classes), tuple(_offers(seen, tree)), _example(tree))
 
 
 def _own(chart: Statechart, taken: set[str]) -> str:
@@ -248,14 +266,14 @@ def _nanoseconds(duration: int) -> str:
     return f"{duration:_}  # {duration_text(duration)}"
 
 
-def _imported(classes: Iterable[Class]) -> list[str]:
+def _imported(classes: Iterable[Class]) -> tuple[str, ...]:
     """What a module of behaviours uses of the runtime."""
     used = {item.kind for item in classes}
     for item in classes:
         for call in item.calls:
             arguments = call[call.index("(") + 1 :].split("'")[0].replace(")", "").split(", ")
             used.update(point for point in POINTS.values() if point in arguments)
-    return sorted(used)
+    return tuple(sorted(used))
 
 
 BACKEND = JadeLikeBackend()

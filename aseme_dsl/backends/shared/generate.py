@@ -29,10 +29,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Filled:
-    """The files of a role or a system, and the hash of what they were made from."""
+    """A role's files, the hash of what they were made from, and the system as far as the role sees it."""
 
     files: tuple[Artefact, ...]
     model: str
+    seen: System
 
 
 def environment(options: BackendOptions, own: Path | None = None) -> Environment:
@@ -95,9 +96,8 @@ def role_files(
         step = known.recall(_step, seen)
         # What the user's own templates ask for, nobody knows.
         shown = system if options.templates else seen
-        chart = seen.iacs[0]
         found.append(
-            known.recall(_filled, templates, shown, chart, source, plan, step, known.whole(plan.text), types)
+            known.recall(_filled, templates, shown, seen, source, plan, step, known.whole(plan.text), types)
         )
     return found
 
@@ -119,13 +119,14 @@ def _plan(seen: System, versions: Mapping[str, str]) -> _Plan:
 def _filled(
     templates: Environment,
     system: System,
-    chart: Statechart,
+    seen: System,
     source: str,
     plan: _Plan,
     step: StepCode,
     plan_text: str,
     messages: str,
 ) -> Filled:
+    chart = seen.iacs[0]
     folder = f"{system.name}/{usable(chart.name)}"
     model = _hash(plan_text, messages)
     given = {"system": system, "chart": chart, "source": source, "model": model}
@@ -134,9 +135,8 @@ def _filled(
         given, sections=plan.sections, constructors=["Plan", *constructors]
     )
     running = templates.get_template("step.py.j2").render(given, step=step, uses=step.uses)
-    return Filled(
-        (Artefact(f"{folder}/plan.py", declared), Artefact(f"{folder}/step.py", tidy(running))), model
-    )
+    files = (Artefact(f"{folder}/plan.py", declared), Artefact(f"{folder}/step.py", tidy(running)))
+    return Filled(files, model, seen)
 
 
 def _branches(seen: System) -> list[tuple[str, str]]:
