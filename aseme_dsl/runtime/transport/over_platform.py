@@ -13,6 +13,7 @@ import itertools
 import json
 import threading
 import time
+from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -73,6 +74,8 @@ class PlatformLink:
         self._asked_at: dict[str, tuple[float, float]] = {}
         """When an agent is asked for next, and how long it is waited after that."""
         self._questions: dict[str, _Question] = {}
+        self._early: deque[tuple[str, str, Headers, str]] | None = deque()
+        """What comes before all are connected; None afterwards. Who hears it may wait until then."""
         self._numbers = itertools.count(1)
         self._lock = threading.RLock()
         self._over = threading.Event()
@@ -118,6 +121,11 @@ class PlatformLink:
 
     def came(self, to: str, origin: str, headers: Headers, body: str) -> None:
         """A note has come for one of our agents. Raises nothing: a platform may hear no other after that."""
+        if self._early is not None:
+            with self._lock:
+                if self._early is not None:
+                    self._early.append((to, origin, headers, body))
+                    return
         sender = self._platform.agent_at(origin)
         try:
             if sender is None or OURS not in headers:
@@ -157,6 +165,10 @@ class PlatformLink:
 
     def _beat(self) -> None:
         """Say that we are there, and find out who is not any more."""
+        with self._lock:
+            early, self._early = self._early or (), None
+            for note in early:
+                self.came(*note)
         said = 0.0
         while not self._over.wait(FIRST):
             now = time.monotonic()

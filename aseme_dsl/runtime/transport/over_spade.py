@@ -33,9 +33,11 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.transport.settings import Xmpp
 
 MISSING = 'SPADE is not installed, or not whole ({}): pip install "aseme-dsl[spade]"'
-START = 30.0
-"""How long, in seconds, the server may take to be there when a robot begins."""
-FIRST, CONNECT = 3.0, 15.0
+START, EACH = 30.0, 2.0
+"""How long, in seconds, the server may take to be there when a robot begins, and longer for each agent."""
+AT_ONCE = 3
+"""So many agents of a process connect at once: each takes a server some hundred ms, for its password."""
+FIRST, CONNECT = 5.0, 20.0
 """How long, in seconds, the first attempt to connect may take, and any: servers forget one now and then."""
 SHORTEST, LONGEST = 0.1, 5.0
 """After how many seconds it is tried again, at first and at most."""
@@ -98,7 +100,7 @@ class SpadePlatform:
         """Connect all, and wait until they are."""
         self._receives = receives
         _LOOP.enter()
-        until = time.monotonic() + START
+        until = time.monotonic() + START + EACH * len(agents)
         self._connections = {
             name: _Connection(name, self._bare(self._accounts[name]), self._settings, receives)
             for name in agents
@@ -274,7 +276,8 @@ class _Connection:
             pause, patience, told = SHORTEST, FIRST, False
             while not self._ending:
                 try:
-                    await asyncio.wait_for(self._connect(), patience)
+                    async with _LOOP.turn():
+                        await asyncio.wait_for(self._connect(), patience)
                 except Exception as problem:  # also of SPADE, slixmpp and OpenSSL: it is tried again
                     self.problem = str(problem) or type(problem).__name__
                     await self._drop()
@@ -483,7 +486,14 @@ class _Loop:
         self._users = 0
         self._lock = threading.Lock()
         self._thread: threading.Thread | None = None
+        self._turns: asyncio.Semaphore | None = None
         self.loop: asyncio.AbstractEventLoop
+
+    def turn(self) -> asyncio.Semaphore:
+        """Whose turn it is to connect. Called on the loop."""
+        if self._turns is None:
+            self._turns = asyncio.Semaphore(AT_ONCE)
+        return self._turns
 
     def enter(self) -> None:
         """Run the loop, unless somebody does already: SPADE agents of the user's own."""

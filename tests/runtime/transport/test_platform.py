@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+import threading
+from collections.abc import Sequence
 from typing import Any
 
 import pytest
 
 from aseme_dsl.runtime.transport.over_platform import PlatformLink
+from aseme_dsl.runtime.transport.platform import Receives
 from tests.runtime.transport.net import part, wait_until
 from tests.runtime.transport.square import Square
 from tests.runtime.transport.test_parts import NET
@@ -146,3 +149,27 @@ def test_what_is_too_large_is_told_and_not_sent(square: Square) -> None:
     wait_until(lambda: boss.of("fault"))
     boss.stop()
     assert "at the most 10000 travel here" in str(boss.of("fault")[0])
+
+
+def test_what_comes_while_others_of_the_process_connect_waits(net: Generated, square: Square) -> None:
+    """The thread that brings it may be the one that connects them: it must not wait for the beginning."""
+    boss = part(net, ["ann"], {}, link(square)).start()
+    wait_until(lambda: square.sites)
+    platform = square.platform()
+    start = platform.start
+    heard = threading.Event()
+
+    def slow(agents: Sequence[str], receives: Receives) -> None:
+        start(agents[:1], receives)
+        said = {"performative": "cfp", "protocol": "net", "reply-with": "q1"}
+        receives.came("bob", "alice@square/1", said, '{"n": 1}')
+        heard.set()
+        start(agents[1:], receives)
+
+    platform.start = slow  # type: ignore[method-assign]
+    workers = part(net, ["bob", "cat"], {}, PlatformLink(platform, "Net", TEAM, lease=1.0)).start()
+    wait_until(lambda: workers.of("received"))
+    assert heard.is_set() and workers.of("received")[0]["input"][0] == "alice@square"
+    wait_until(lambda: boss.of("received"))
+    workers.stop()
+    boss.stop()

@@ -1,0 +1,140 @@
+"""One process of a crowd over SPADE: each of its agents asks others, in other processes, and answers others.
+
+    python -m tests.platforms.crowd PORT PROCESS PROCESSES AGENTS EACH
+
+Every agent has `EACH` conversations as the one who asks and as many as the one who is asked, all at once:
+request, inform, confirm. Waits for a line on its standard input, and says at the end, as JSON, what was right
+and wrong, and how much time and processor time passed since the line.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import sys
+import threading
+import time
+from collections import Counter
+from typing import Any
+
+from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.transport.over_platform import PlatformLink
+from aseme_dsl.runtime.transport.over_spade import SpadePlatform
+from aseme_dsl.runtime.transport.post import Post
+from aseme_dsl.runtime.transport.settings import Xmpp
+from tests.runtime.playing import make
+from tests.support.generated import generate
+
+TEXT = """
+system Crowd
+message Question { int n }
+message Answer   { int n  int square }
+message Thanks   { int n  int square }
+aip ask {
+  participant asker {
+    var n : int = 0
+    sends    request Question, confirm Thanks
+    receives inform Answer
+    process  = Begin . Ask . Wait . Compare
+  }
+  participant helper {
+    sends    inform Answer
+    receives request Question, confirm Thanks
+    process  = Await . Rest . Part
+  }
+  control asker {
+    enter Compare : inform Answer a from helper [a.n == n and a.square == n * n]
+                    / send confirm Thanks { n = a.n, square = a.square } to helper
+  }
+  control helper {
+    enter Rest : request Question q from asker
+                 / send inform Answer { n = q.n, square = q.n * q.n } to asker
+    enter Part : confirm Thanks from asker
+  }
+}
+srm peer {
+  plays ask.asker, ask.helper
+  liveness { peer = asker[EACH] || helper[EACH] }
+  activities {
+    Begin takes 60min  Ask writes n  Compare takes 1ms  Part takes 1ms
+    Wait takes 60min  Rest takes 60min  Await takes 60min
+  }
+}
+"""
+
+
+def asked_by(me: int, k: int, processes: int, agents: int) -> int:
+    """Whom the k-th question of an agent goes to: each agent gets as many as it asks, from other processes."""
+    process = (me // agents + 1 + k % (processes - 1)) % processes
+    return process * agents + (me + k // (processes - 1)) % agents
+
+
+def main() -> None:
+    """Take part, and say how it was."""
+    port, process, processes, agents, each = (int(word) for word in sys.argv[1:6])
+    text = TEXT.replace("EACH", str(each)).replace("Begin takes 60min", "Begin writes n")
+    crowd = generate(text)
+    names = [f"a{n}" for n in range(processes * agents)]
+    mine = names[process * agents : (process + 1) * agents]
+    settings = Xmpp(port=port, password="secret", register=True, verify=False)
+    link = PlatformLink(SpadePlatform(settings, names), "Crowd", names)
+    go = threading.Event()
+    numbers: Counter[str] = Counter()
+    lock = threading.Lock()
+
+    class Begin:
+        async def execute(self, context: Context) -> None:
+            while not go.is_set():
+                await asyncio.sleep(0.02)
+            with lock:
+                k = numbers[context.agent]
+                numbers[context.agent] += 1
+            context.set("n", int(context.agent[1:]) * each + k)
+
+    class Ask:
+        def execute(self, context: Context) -> None:
+            n = context.variable("n")
+            to = names[asked_by(n // each, n % each, processes, agents)]
+            context.send("request", crowd.message("Question", n=n), to)
+
+    post = Post(link, crowd.messages.SCHEMA, crowd.package.MODEL)
+    records: list[dict[str, Any]] = []
+    kept = {"conversation", "unexpected", "fault", "lost", "error"}
+    team, _ = make(
+        crowd,
+        {"Begin": Begin, "Ask": Ask},
+        agents=[(name, "peer") for name in names],
+        here=tuple(mine),
+        transport=post,
+        clock="real",
+        listeners=(lambda record: records.append(record) if record["kind"] in kept else None,),
+    )
+    said: dict[str, Any] = {}
+
+    def begin() -> None:
+        while len([peer for peer in post.peers().values() if peer.alive]) < len(names) - len(mine):
+            time.sleep(0.05)
+        print("ready", flush=True)
+        sys.stdin.readline()
+        said["cpu"], said["wall"] = -time.process_time(), -time.monotonic()
+        go.set()
+        left = 2 * each * len(mine)
+        while sum(r["kind"] == "conversation" and r["what"] == "leave" for r in list(records)) < left:
+            time.sleep(0.02)
+        said["cpu"] += time.process_time()
+        said["wall"] += time.monotonic()
+        print("done", flush=True)
+        sys.stdin.readline()
+        team.driver.stop("over")
+
+    threading.Thread(target=begin, daemon=True).start()
+    result = team.run()
+    what = Counter(f"{r['what']} {r['participant']}" for r in records if r["kind"] == "conversation")
+    wrong = [r for r in records if r["kind"] != "conversation"]
+    mixed = len({r["conversation"] for r in records if r["kind"] == "conversation" and r["what"] == "open"})
+    said |= {"what": what, "wrong": wrong[:5], "opened": mixed, "failed": result.failed}
+    print(json.dumps(said), flush=True)
+
+
+if __name__ == "__main__":
+    main()
