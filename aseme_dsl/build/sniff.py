@@ -190,7 +190,8 @@ class Sniffer:
             case "leave":
                 agent.inside.pop(branch, None)
                 agent.left[conversation] = moment
-                untaken = len(record.get("untaken", ()))
+                # Its own are the news that somebody is gone.
+                untaken = sum(identity[0] != name for identity in record.get("untaken", ()))
                 if untaken:
                     messages = "a message" if untaken == 1 else f"{untaken} messages"
                     yield Mark(moment, name, f"leaves without having taken {messages}", conversation)

@@ -45,29 +45,87 @@ class Order:
     shelf: str
 
 
+# ---- what is done: the commands ------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Take:
+    """The desk: this clerk takes an order. A carrier: it takes on a job, or none (`""`)."""
+
+    id: str
+    clerk: str = ""
+
+
+@dataclass(frozen=True)
+class Close:
+    """The desk: the order of this clerk is at the gate, or waits again, and why."""
+
+    clerk: str
+    done: bool
+    why: str
+
+
+@dataclass(frozen=True)
+class Drive:
+    """A carrier: it drives to a place, or stands."""
+
+    target: Point | None
+
+
+@dataclass(frozen=True)
+class Lift:
+    """A carrier: it lifts what is in front of it."""
+
+
+@dataclass(frozen=True)
+class Plug:
+    """A carrier: it takes the plug, or lets it go."""
+
+    charging: bool
+
+
+# ---- what is sensed, and the bodies --------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Office:
+    """What the desk sees: the orders that wait, the longest first, and which clerk has which."""
+
+    waiting: tuple[Order, ...]
+    taken: Mapping[str, Order]
+
+
 @dataclass(frozen=True)
 class Percept:
-    """What a carrier senses: its place, its battery in per cent, its job, and whether its motor turns."""
+    """What a carrier senses: its place, battery (per cent), job and fork, and whether its motor turns."""
 
     place: Point
     battery: float
     job: str
+    loaded: bool
     charging: bool
     turns: bool
 
 
 @dataclass
 class Desk:
-    """Where the orders come in. It has no motors."""
+    """Where the orders come in. Its clerks talk about one order each."""
 
     name: str
     hall: Hall
     payload_limit: int = 0
 
-    def sense(self) -> None:
-        return None
+    def sense(self) -> Office:
+        with self.hall.lock:
+            return Office(tuple(self.hall.waiting), dict(self.hall.taken))
 
-    def act(self, command: None) -> None: ...
+    def act(self, command: Take | Close) -> None:
+        with self.hall.lock:
+            match command:
+                case Take(number, clerk):
+                    self.hall.take(number, clerk)
+                case Close(clerk, done, why):
+                    self.hall.close(clerk, done, why)
 
     def say(self, payload: bytes) -> bool:
         return False
@@ -75,29 +133,10 @@ class Desk:
     def hear(self) -> list[object]:
         return []
 
-    def take(self) -> Order | None:
-        """The order that waits longest, if one does; it is no longer there then."""
-        with self.hall.lock:
-            return self.hall.waiting.pop(0) if self.hall.waiting else None
-
-    def again(self, number: str, why: str) -> None:
-        """An order that nobody has carried out waits again."""
-        with self.hall.lock:
-            order = self.hall.orders[number]
-            self.hall.waiting.append(order)
-            self.hall.again[why] = self.hall.again.get(why, 0) + 1
-            self.hall.tell(f"order {order.id} ({order.shelf}) again: {why}")
-
-    def done(self, number: str, by: str) -> None:
-        """The pallet is at the gate."""
-        with self.hall.lock:
-            self.hall.delivered += 1
-            self.hall.tell(f"order {number} ({self.hall.orders[number].shelf}) is at the gate: {by}")
-
 
 @dataclass
 class Carrier:
-    """A robot with a fork. Its command is the point to drive to, or None to stand."""
+    """A robot with a fork."""
 
     name: str
     hall: Hall
@@ -106,39 +145,31 @@ class Carrier:
     chance: random.Random
     target: Point | None = None
     job: str = ""
+    loaded: bool = False
     charging: bool = False
     payload_limit: int = 0
 
     def sense(self) -> Percept:
         burnt = self.name == BURNS[0] and self.hall.now_ns >= BURNS[1]
-        return Percept(self.place, self.battery, self.job, self.charging, not burnt)
+        return Percept(self.place, self.battery, self.job, self.loaded, self.charging, not burnt)
 
-    def act(self, command: Point | None) -> None:
-        self.target = command
+    def act(self, command: Take | Drive | Lift | Plug) -> None:
+        with self.hall.lock:
+            match command:
+                case Take(job) if not job or not (self.job or self.charging):
+                    self.job, self.loaded = job, False
+                case Drive(target):
+                    self.target = target
+                case Lift():
+                    self.loaded = self.chance.random() >= SLIPS
+                case Plug(charging):
+                    self.charging = charging and not self.job
 
     def say(self, payload: bytes) -> bool:
         return False
 
     def hear(self) -> list[object]:
         return []
-
-    def take(self, job: str) -> bool:
-        """Take on a job, or none (`""`); whether there was not another one, nor the plug in the socket."""
-        with self.hall.lock:
-            if job and (self.job or self.charging):
-                return False
-            self.job = job
-            return True
-
-    def plug(self, charging: bool) -> bool:
-        """Take the plug, or let it go; whether there is no job."""
-        with self.hall.lock:
-            self.charging = charging and not self.job
-            return self.charging == charging
-
-    def grasp(self) -> bool:
-        """Lift the pallet; whether it holds."""
-        return self.chance.random() >= SLIPS
 
     def move(self) -> None:
         seconds = STEP / SECOND
@@ -163,7 +194,7 @@ class Hall:
     seed: int
     now_ns: int = 0
     step_ns: int = STEP
-    orders: dict[str, Order] = field(default_factory=dict)
+    taken: dict[str, Order] = field(default_factory=dict)
     waiting: list[Order] = field(default_factory=list)
     delivered: int = 0
     again: dict[str, int] = field(default_factory=dict)
@@ -194,10 +225,27 @@ class Hall:
         """An order comes in."""
         self.came += 1
         order = Order(str(self.came), f"{self.chance.choice('ABCDE')}{self.chance.randint(1, 7)}")
-        self.orders[order.id] = order
         self.waiting.append(order)
         self.tell(f"order {order.id} ({order.shelf})")
         self.next_ns = self.now_ns + self.chance.randint(2, 8) * SECOND
+
+    def take(self, number: str, clerk: str) -> None:
+        """A clerk takes an order, if it still waits."""
+        order = next((item for item in self.waiting if item.id == number), None)
+        if order is not None and clerk not in self.taken:
+            self.waiting.remove(order)
+            self.taken[clerk] = order
+
+    def close(self, clerk: str, done: bool, why: str) -> None:
+        """The order of a clerk is at the gate, or waits again."""
+        order = self.taken.pop(clerk)
+        if done:
+            self.delivered += 1
+            self.tell(f"order {order.id} ({order.shelf}) is at the gate: {why}")
+        else:
+            self.waiting.append(order)
+            self.again[why] = self.again.get(why, 0) + 1
+            self.tell(f"order {order.id} ({order.shelf}) again: {why}")
 
     def tell(self, text: str) -> None:
         self.lines.append(f"{self.now_ns / SECOND:5.1f} s  {text}")

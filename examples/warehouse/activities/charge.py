@@ -1,6 +1,6 @@
 """Charge: to the dock, and stay until there is power again."""
 
-from world import dock
+from world import Plug, dock
 
 from aseme_dsl.runtime import Context
 
@@ -9,11 +9,12 @@ from .ways import drive_to
 
 class Charge:
     def execute(self, context: Context) -> None:
-        if not context.body.plug(True):
-            return
+        context.body.act(Plug(True))
+        if not context.body.sense().charging:
+            return  # there is a job, after all
         try:
             drive_to(context, dock(context.agent))
             while context.body.sense().battery < 90:
                 context.wait(0.5)
         finally:
-            context.body.plug(False)
+            context.body.act(Plug(False))

@@ -1,12 +1,14 @@
 """LearnOutcome: what is not at the gate is announced again."""
 
 from monas.Warehouse.messages import Ending
+from world import Close
 
 from aseme_dsl.runtime import Context
 
 REASONS = {
     Ending.REFUSED: "nobody is free",
     Ending.NOBODY: "nobody answers",
+    Ending.NOT_UNDERSTOOD: "nobody answers",
     Ending.LOST: "the carrier is lost",
     Ending.CANCELLED: "it took too long",
     Ending.TIMED_OUT: "it took too long",
@@ -15,10 +17,13 @@ REASONS = {
 
 class LearnOutcome:
     def execute(self, context: Context) -> None:
-        ending, job = context.variable("ending"), context.variable("job")
+        clerk = context.label.rpartition(".")[0]
+        ending = context.variable("ending")
         told = context.received("inform", "Outcome") or context.received("failure", "Outcome")
         if ending is Ending.DONE:
-            context.body.done(job, told.sender)
+            context.body.act(Close(clerk, True, told.sender))
             return
         context.wait(2)
-        context.body.again(job, told.content.detail if ending is Ending.FAILED else REASONS[ending])
+        context.body.act(
+            Close(clerk, False, told.content.detail if ending is Ending.FAILED else REASONS[ending])
+        )

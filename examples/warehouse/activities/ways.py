@@ -2,7 +2,7 @@
 
 import math
 
-from world import DRAIN, GATE, SPEED, Percept, Point, shelf
+from world import DRAIN, GATE, SPEED, Drive, Percept, Point, shelf
 
 from aseme_dsl.runtime import Context
 
@@ -23,11 +23,11 @@ def power_for(here: Percept, where: str) -> float:
 
 def drive_to(context: Context, target: Point) -> None:
     """Until the carrier is there. Raises RuntimeError if its motor does not turn."""
-    context.body.act(target)
+    context.body.act(Drive(target))
     try:
         while (here := context.body.sense()).place != target:
             if not here.turns:
                 raise RuntimeError("the motor is burnt")
             context.wait(0.1)
     finally:
-        context.body.act(None)
+        context.body.act(Drive(None))
