@@ -146,7 +146,9 @@ class Sniffer:
             case "step" if agent is not None:
                 yield from _deadlines(record, agent, moment, name)
             case "unexpected":
-                said = f"{record['performative']} {record['message']}".strip()
+                said = f"{record['performative']} {record.get('message', '')}".strip()
+                if "message" not in record:  # an outsider says what means nothing: no line tells that it came
+                    yield self._meaningless(record, name)
                 text = f"did not expect {said}: {record['reason']}"
                 yield Mark(moment, name, text, str(record.get("conversation", "")))
             case "unsent":
@@ -180,6 +182,19 @@ class Sniffer:
             _short(record["content"]),
             json.dumps(record["content"], ensure_ascii=False),
             conversation,
+        )
+
+    def _meaningless(self, record: Record, receiver: str) -> Arrow:
+        content = str(record.get("content", ""))
+        return Arrow(
+            int(record["time"]),
+            str(record["sender"]),
+            (receiver,),
+            str(record["performative"]),
+            "",
+            _short(content),
+            content,
+            str(record.get("conversation", "")),
         )
 
     def _takes_part(self, record: Record, agent: _Agent, moment: int, name: str) -> Iterator[Row]:

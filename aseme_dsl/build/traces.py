@@ -139,7 +139,7 @@ class Summary:
         elif kind == "finish":
             self._reason = record["reason"]
         elif kind == "conversation":
-            protocol = str(record["conversation"]).partition("-")[0]
+            protocol = str(record.get("protocol") or record["conversation"].partition("-")[0])
             self._protocols.setdefault(protocol, Counter())[record["what"]] += 1
         elif kind == "mail":
             self._protocols.setdefault(record["protocol"], Counter())["messages"] += 1

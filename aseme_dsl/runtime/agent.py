@@ -552,11 +552,11 @@ class Agent:
                 self.post(identity, Happened(name), execution)
             case c.Prepare(message):
                 self._prepared[execution.branch, type(message).__name__] = message
-            case c.Send(performative, message, to):
-                assert execution.branch is not None  # checked before
-                self.conversations.send(
-                    self, execution.branch, performative, type(message).__name__, message, to
-                )
+            case c.Send(performative, message, to, within):
+                branch, name = execution.branch, type(message).__name__
+                assert branch is not None  # checked before
+                by = None if within is None else now + within
+                self.conversations.send(self, branch, performative, name, message, to, reply_by=by)
             case d.Offer(services, lease, anew):
                 entry = d.Entry(AgentIdentifier(self.name), services)
                 directory = self.conversations.directory

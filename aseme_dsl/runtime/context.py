@@ -60,6 +60,8 @@ class Send:
     performative: str
     message: Any
     to: str
+    within: int | None = None
+    """An answer is wanted within so many ns."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -296,12 +298,15 @@ class Context:
         """
         self._port.do(Prepare(message))
 
-    def send(self, performative: str, message: Any, to: str) -> None:
+    def send(self, performative: str, message: Any, to: str, within: float | None = None) -> None:
         """Send an agent message in this participant's conversation, to a participant or to one agent.
+
+        `within` says that an answer is wanted within so many seconds, to whoever looks at that
+        (`Mail.reply_by`); to wait no longer is what `after(…)` is for.
 
         Raises LookupError outside a protocol's participant.
         """
-        self._port.do(Send(performative, message, to))
+        self._port.do(Send(performative, message, to, None if within is None else nanoseconds(within)))
 
     def receive(
         self, performative: str | None = None, message: str | None = None, sender: str | None = None

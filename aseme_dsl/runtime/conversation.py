@@ -19,6 +19,7 @@ import threading
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime import outsiders
@@ -27,11 +28,13 @@ from aseme_dsl.runtime.acl import (
     AclMessage,
     AgentIdentifier,
     FipaMessage,
+    Span,
     name_of,
     performative_of,
 )
 from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.board import QUEUE
+from aseme_dsl.runtime.clock import MILLISECOND, SECOND
 from aseme_dsl.runtime.convert import Messages, mailed
 from aseme_dsl.runtime.directory import Directory
 from aseme_dsl.runtime.inputs import LOST, Identity, Mail
@@ -198,10 +201,11 @@ class Conversations:
         content: Any,
         to: str,
         excepts: Collection[str] = (),
+        reply_by: int | None = None,
     ) -> None:
         """Send in the conversation of a branch, which it opens if it has none; `to` may be an agent.
 
-        It does not go to the agents in `excepts`.
+        It does not go to the agents in `excepts`. An answer is wanted until `reply_by`, if that is said.
         """
         with self._driver.holding(), self._lock:
             place = self._place_of(agent, branch, performative, message, content)
@@ -212,7 +216,7 @@ class Conversations:
                     self._trace.fault(self._driver.clock.now(), agent.name, text)
                     return
                 receivers = tuple(name for name in invited if name not in excepts)
-                self._send(agent, place, performative, message, content, receivers, part)
+                self._send(agent, place, performative, message, content, receivers, part, reply_by)
 
     def send_to_agent(
         self, agent: Agent, branch: str, performative: str, message: str, content: Any, to: str
@@ -275,6 +279,7 @@ class Conversations:
         content: Any,
         receivers: tuple[str, ...],
         part: str,
+        reply_by: int | None = None,
     ) -> None:
         assert place.conversation is not None
         identity = agent.identity()
@@ -292,6 +297,7 @@ class Conversations:
             place.info.version,
             agent.plan.system,
             name_of(identity),
+            reply_by=reply_by,
         )
         answered = place.answered
         self._tell_sent(acl, [answered[name].identity for name in receivers if name in answered])
@@ -316,7 +322,8 @@ class Conversations:
         else:
             known = conversation.outsiders if conversation is not None else {}
             to = known.get(name, (AgentIdentifier(name),))
-            self._carry_outside(acl.sender, outsiders.written(acl, to), to)
+            by = self._fipa_moment(acl.reply_by)
+            self._carry_outside(acl.sender, outsiders.written(acl, to, reply_by=by), to)
 
     def _carry_outside(self, sender: str, message: FipaMessage, to: Iterable[AgentIdentifier]) -> None:
         """Have a message carried to an agent that is not of the team; tell if there is no way to it."""
@@ -493,6 +500,7 @@ class Conversations:
             message.ontology,
             message.reply_with,
             message.in_reply_to,
+            self._own_moment(message.reply_by),
         )
         self._tell_received(agent, acl)
         if conversation is None:
@@ -509,6 +517,29 @@ class Conversations:
                 members.append(sender)
             self._deliver(agent, acl)
         self._close(name)
+
+    def _own_moment(self, moment: datetime | Span | None) -> int | None:
+        """A moment of FIPA's in ns of the run; None in virtual time for one that is not relative."""
+        clock = self._driver.clock
+        if isinstance(moment, Span):
+            days = moment.years * 365 + moment.months * 30 + moment.days
+            return clock.now() + moment.sign * (days * 86_400_000 + moment.milliseconds) * MILLISECOND
+        if moment is None or clock.virtual:
+            return None
+        try:
+            left = moment.timestamp() - datetime.now(UTC).timestamp()
+        except (OverflowError, ValueError):  # in the year 1, in local time
+            return None
+        return clock.now() + round(left * SECOND)
+
+    def _fipa_moment(self, moment: int | None) -> datetime | Span | None:
+        """A moment of the run as FIPA says it."""
+        if moment is None:
+            return None
+        left = moment - self._driver.clock.now()
+        if self._driver.clock.virtual:
+            return Span(milliseconds=max(left, 0) // MILLISECOND)
+        return datetime.now(UTC) + timedelta(microseconds=left // 1000)
 
     def _not_understood(
         self, to: str, message: FipaMessage, identity: Identity, reason: str, *, answered: bool = True
@@ -631,6 +662,7 @@ class Conversations:
             acl.sender,
             acl.identity,
             acl.reply_with,
+            acl.reply_by,
         )
         place.waiting[acl.identity] = mail
         agent.post(acl.identity, mail, conversation=acl.conversation)
@@ -871,6 +903,7 @@ class Conversations:
                 agent=acl.sender,
                 sequence=acl.identity[1],
                 **_said(acl),
+                reply_by=acl.reply_by,
                 to=list(acl.receivers),
                 answers=[list(identity) for identity in answered] or None,
             )
@@ -907,6 +940,7 @@ class Conversations:
                 input=list(acl.identity),
                 **_said(acl),
                 in_reply_to=acl.in_reply_to or None,
+                reply_by=acl.reply_by,
             )
 
     def _told(
@@ -927,6 +961,7 @@ class Conversations:
             sequence=None if identity is None else identity[1],
             what=what,
             conversation=name,
+            protocol=None if name.startswith(f"{place.info.protocol}-") else place.info.protocol,
             participant=place.info.participant,
             branch=place.info.label,
             untaken=untaken,

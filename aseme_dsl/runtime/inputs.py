@@ -85,6 +85,8 @@ class Mail:
     identity: Identity
     reply_with: str = ""
     """What an answer to it calls it."""
+    reply_by: int | None = None
+    """Until when its sender wants an answer, in ns of the run, if it says so."""
 
 
 Input = Arrived | Completed | Crashed | Happened | Written | Mail

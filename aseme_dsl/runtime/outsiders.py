@@ -10,9 +10,18 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from datetime import datetime
 from typing import Any
 
-from aseme_dsl.runtime.acl import JSON, AclMessage, AgentIdentifier, FipaMessage, fipa_name, performative_of
+from aseme_dsl.runtime.acl import (
+    JSON,
+    AclMessage,
+    AgentIdentifier,
+    FipaMessage,
+    Span,
+    fipa_name,
+    performative_of,
+)
 from aseme_dsl.runtime.as_json import from_json, to_json
 from aseme_dsl.runtime.convert import Messages
 from aseme_dsl.runtime.plan import BranchInfo, Plan
@@ -125,7 +134,12 @@ def _speakers(plan: Plan, infos: Iterable[BranchInfo], performative: str, messag
     return list(found) or [""]
 
 
-def written(acl: AclMessage, to: Iterable[AgentIdentifier], reason: str = "") -> FipaMessage:
+def written(
+    acl: AclMessage,
+    to: Iterable[AgentIdentifier],
+    reason: str = "",
+    reply_by: datetime | Span | None = None,
+) -> FipaMessage:
     """A message of the document as an outsider gets it; `reason` is why something is not understood."""
     content = to_json(acl.content)
     if reason:
@@ -143,7 +157,7 @@ def written(acl: AclMessage, to: Iterable[AgentIdentifier], reason: str = "") ->
         acl.conversation,
         acl.reply_with,
         acl.in_reply_to,
-        None,
+        reply_by,
         tuple(
             (name, value) for name, value in ((MESSAGE, acl.message), (PARTICIPANT, acl.participant)) if value
         ),

@@ -290,3 +290,38 @@ def test_what_cannot_be_shown_is_said(folder: Path, here: Here) -> None:
     assert "name one with -o" in here("sniff", "t.jsonl", "--each").err
     assert "leave --format and -o out" in here("sniff", "t.jsonl", "-f", "-o", "t.svg").err
     assert here("sniff", "t.jsonl").out == "nobody says anything\n"
+
+
+def test_what_agents_of_others_say_is_shown(folder: Path, here: Here) -> None:
+    """Also what means nothing, of which no line tells that it came."""
+    write(
+        folder / "trace.jsonl",
+        header("ann"),
+        {
+            "kind": "unexpected",
+            "time": 1_000_000_000,
+            "agent": "ann",
+            "input": ["guest@home", 1],
+            "performative": "shout",
+            "sender": "guest@home",
+            "conversation": "c1",
+            "content": "soup!",
+            "reason": "FIPA has no performative shout",
+        },
+        {
+            "kind": "conversation",
+            "time": 2_000_000_000,
+            "agent": "ann",
+            "what": "join",
+            "conversation": "c2",
+            "protocol": "contract_net",
+            "participant": "manager",
+            "branch": "0.1",
+        },
+        {"kind": "finish", "time": 3_000_000_000, "reason": "idle", "agents": []},
+    )
+    assert lines(here("sniff", "trace.jsonl").out) == [
+        "1 s guest@home -- shout (soup!) --> ann [c1]",
+        "1 s ann ! did not expect shout: FIPA has no performative shout [c1]",
+    ]
+    assert "contract_net 0 1 0 0" in " ".join(here("trace", "trace.jsonl").out.split())

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from datetime import UTC, datetime
 from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from aseme_dsl.runtime.acl import AgentIdentifier, FipaMessage
+from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.acl import AgentIdentifier, FipaMessage, Span
 from aseme_dsl.runtime.team import RunResult
 from aseme_dsl.runtime.trace import Record
 from tests.runtime.outside import Outside
@@ -57,7 +59,7 @@ def ask() -> Generated:
 
 
 def outside(generated: Generated, **options: Any) -> tuple[Outside, list[Record]]:
-    team, records = make(generated, until=20 * SECOND, **options)
+    team, records = make(generated, options.pop("activities", None), until=20 * SECOND, **options)
     return Outside(team), records
 
 
@@ -323,3 +325,46 @@ def test_whatever_is_said_leaves_a_line(ask: Generated, said: list[FipaMessage])
     assert len(of(records, "received")) + len(
         [r for r in of(records, "unexpected") if "message" not in r]
     ) == len(said)
+
+
+def test_until_when_an_answer_is_wanted() -> None:
+    seen: list[Any] = []
+
+    class Think:
+        def execute(self, context: Context) -> None:
+            mail = context.received("request")
+            assert mail is not None
+            seen.append(mail.reply_by)
+
+    alice, records = outside(generate(ASK.replace("TEAM", "")), activities={"Think": Think})
+    alice.say(10, "request", {}, reply_by=Span(milliseconds=2500))
+    alice.say(5000, "request", {}, reply_by=datetime(2026, 1, 1, tzinfo=UTC))
+    run(alice, records)
+    assert seen == [2510 * MS, None]  # in virtual time nobody knows which day it is
+    assert of(records, "received")[0]["reply_by"] == 2510 * MS
+
+
+def test_an_activity_says_until_when_it_wants_an_answer() -> None:
+    """To an agent of the team and to one that is not."""
+    seen: list[Any] = []
+
+    class Think:
+        def execute(self, context: Context) -> None:
+            mail = context.received("request")
+            assert mail is not None
+            seen.append(mail.reply_by)
+
+    class Ask:
+        def execute(self, context: Context) -> None:
+            context.send("request", generated.message("Question"), "helper", within=1.5)
+
+    text = ASK.replace("TEAM", " ann : boss").replace("participant helper {", "participant helper [1..*] {")
+    generated = generate(text.replace("    enter Ask : / send request Question to helper\n", ""))
+    alice, records = outside(generated, activities={"Think": Think, "Ask": Ask})
+    services = {"services": [{"type": "ask.helper"}]}
+    alice.say(10, "request", {"action": "register", "description": services}, to="df")
+    run(alice, records)
+    (asked,) = of(records, "mail")[:1]
+    assert (asked["to"], asked["reply_by"]) == (["bob", "alice@elsewhere"], asked["time"] + 1500 * MS)
+    assert seen == [asked["reply_by"]]
+    assert [message.reply_by for message in alice.heard[1:]] == [Span(milliseconds=1500)]

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.acl import AclMessage
 from aseme_dsl.runtime.directory import Entry, Service
 from aseme_dsl.runtime.team import TeamError
 from aseme_dsl.runtime.transport import Network
@@ -465,3 +466,31 @@ def test_what_cannot_be(talk: Generated, box: Box) -> None:
     with pytest.raises(TeamError, match="no virtual time in common"):
         part_ = part(talk, ["ann"], box.activities, Air().link())
         make(talk, box.activities, here=["ann"], transport=part_.post)
+
+
+def test_an_agent_message_that_comes_twice_is_told_and_taken_once(net: Generated) -> None:
+    """A link below the streams may do that: they take no letter twice; nor do the conversations."""
+    air = Air()
+    boss = part(net, ["ann"], {}, air.link()).start()
+    bob = part(net, ["bob"], {}, air.link()).start()
+    boss.join()
+    wait_until(lambda: bob.of("received"))
+    (got,) = bob.of("received")
+    agent = bob.team.agent("bob")
+    again = AclMessage(
+        "cfp",
+        "ann",
+        ("bob",),
+        "Task",
+        net.message("Task"),
+        "net",
+        got["conversation"],
+        "manager",
+        "contractor",
+        tuple(got["input"]),
+    )
+    bob.team.conversations.arrived(agent, again, {})
+    wait_until(lambda: bob.of("unexpected", reason="it was received before"))
+    bob.stop()
+    assert len(bob.of("received")) == 1
+    assert not bob.of("mail", performative="not_understood")
