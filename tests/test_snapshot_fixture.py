@@ -18,6 +18,7 @@ def test_poem(snapshot):
 @pytest.fixture
 def project(pytester: pytest.Pytester) -> pytest.Pytester:
     """A project with our conftest and one test in a folder of its own."""
+    pytester.makeini("[pytest]\nasyncio_default_fixture_loop_scope = function\n")  # else it warns each time
     pytester.makeconftest(CONFTEST.read_text(encoding="utf-8"))
     (pytester.path / "room").mkdir()
     (pytester.path / "room" / "test_poem.py").write_text(inspect.cleandoc(TEST), encoding="utf-8")
