@@ -40,9 +40,7 @@ INSTALL = 'pip install ".[editor]" (in a clone), or "aseme-dsl[editor]"'
 def command(port: int | None, stdio: bool) -> int:
     """Serve until the editor leaves."""
     if find_spec("pygls") is None:
-        raise click.ClickException(
-            f"the language server needs pygls, which is not installed: {INSTALL}"
-        )
+        raise click.ClickException(f"the language server needs pygls, which is not installed: {INSTALL}")
     from aseme_dsl import __version__
     from aseme_dsl.editor.server import make_server
 

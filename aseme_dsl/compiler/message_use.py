@@ -21,6 +21,7 @@ from aseme_dsl.amola.messages import Channel
 from aseme_dsl.amola.srm import Activity, Subscription
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.compiler.memory import Recall
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
@@ -56,7 +57,7 @@ def message_use(
     written: Iterable[tree.Activity],
     symbols: Symbols,
     recall: Recall,
-) -> MessageUse:
+) -> InPieces[MessageUse]:
     """What the charts' transitions, the activities in them and the modules beside them read and publish.
 
     `activities` is what is said of each, `written` where it is said.
@@ -65,7 +66,9 @@ def message_use(
     read_by = {name: tuple(read_channels(item, symbols)) for name, item in activities.items()}
     reads: list[Use] = []
     writes: list[Use] = []
+    yield
     for chart in charts:
+        yield
         done: set[tuple[str, str]] = set()
         regions: dict[str, str] = {}  # of each state: the innermost region around it
         for node in chart.nodes:

@@ -272,7 +272,7 @@ def _inspecting(
         found += check_deadlines(charts, described)
         yield
         if symbols.system is not None and len(charts) == len(eacs) + len(iacs):
-            found += check_use(
+            found += yield from check_use(
                 _built(iacs), _built(eacs), described, list(_statements(blocks)), symbols, recall
             )
         yield

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
@@ -11,6 +11,7 @@ from aseme_dsl.compiler.leftovers import check_leftovers
 from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.message_life import check_life
 from aseme_dsl.compiler.message_use import message_use
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.compiler.presence import check_presence
 from aseme_dsl.compiler.signal_readers import check_signals
 from aseme_dsl.compiler.symbols import Symbols
@@ -25,17 +26,19 @@ def check_use(
     written: Sequence[tree.Activity],
     symbols: Symbols,
     recall: Recall,
-) -> Iterator[Diagnostic]:
+) -> InPieces[tuple[Diagnostic, ...]]:
     """Messages, signals, timers and variables over their life, in the charts of the roles.
 
     What protocols read and publish counts as read and published, whether a role plays them or not.
     """
-    use = message_use((*roles, *protocols), activities, written, symbols, recall)
+    use = yield from message_use((*roles, *protocols), activities, written, symbols, recall)
     modules = {item.name: item.statement for chart in roles for item in chart.modules}
     activities = {**activities, **modules}
-    yield from check_life(roles, use, activities, symbols)
+    found = [*check_life(roles, use, activities, symbols)]
     for chart in roles:
-        yield from recall(_in_chart, chart, activities, symbols)
+        yield
+        found += recall(_in_chart, chart, activities, symbols)
+    return tuple(found)
 
 
 def _in_chart(
