@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import shutil
 import sys
 import textwrap
 from pathlib import Path
@@ -10,10 +11,11 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.backends.backend import BackendOptions
+from aseme_dsl.backends.jade_like import BACKEND as JADE_LIKE
 from aseme_dsl.backends.monas import BACKEND
 from aseme_dsl.runtime import LoadError, TeamError, activities_in, find_plan, load_system, make_team, run
 from aseme_dsl.runtime.clock import SECOND
-from aseme_dsl.runtime.loading import importing
+from aseme_dsl.runtime.loading import Mixture, importing, load_beside, other_names
 from aseme_dsl.runtime.naming import class_name, module_name
 from tests.support.generated import system_of
 
@@ -138,3 +140,57 @@ def test_projects_may_have_modules_of_one_name(tmp_path: Path) -> None:
         with importing([tmp_path / name]):
             seen.append(importlib.import_module("court").NAME)
     assert seen == ["one", "two", "two", "one"]
+
+
+# ---- packages of several backends ----------------------------------------------------------------
+
+
+@pytest.fixture
+def two(project: Path) -> Path:
+    """The same project, for which jade_like has generated a package, too."""
+    for artefact in JADE_LIKE.generate(system_of(TEXT), BackendOptions()):
+        path = project / "build" / "jade_like" / artefact.path
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(artefact.text, encoding="utf-8")
+    return project
+
+
+def test_activities_import_the_messages_under_other_names(two: Path) -> None:
+    shutil.rmtree(two / "build" / "monas")
+    package = two / "build" / "jade_like" / "Plant"
+    loaded = load_system(package, path=[two], mixture=Mixture(names=("monas", "jade_like")))
+    result = run(loaded, activities_in(two / "activities"), until=10 * SECOND)
+    assert result.reason == "time" and not result.failed
+    assert other_names(loaded.modules) == {"monas": "jade_like"}
+
+
+def test_roles_are_taken_from_several_packages_that_have_the_same_messages(two: Path) -> None:
+    mixture = Mixture({"desk": "jade_like", "of_another_system": "jade_like"}, ("monas", "jade_like"))
+    loaded = load_system(two / "build" / "monas" / "Plant", path=[two], mixture=mixture)
+    assert loaded.charts["robot"].AGENT is None
+    assert loaded.charts["desk"].AGENT is not None
+    assert loaded.modules["jade_like.Plant.messages"] is loaded.modules["monas.Plant.messages"]
+    assert other_names(loaded.modules) == {"jade_like": "monas"}
+    assert not run(loaded, activities_in(two / "activities"), until=SECOND).failed
+
+
+def test_a_version_beside_one_that_runs_leaves_its_modules_alone(two: Path) -> None:
+    mixture = Mixture({"desk": "jade_like"}, ("monas", "jade_like"))
+    package = two / "build" / "monas" / "Plant"
+    loaded = load_system(package, path=[two], mixture=mixture)
+    other = load_beside(package, loaded.modules, [two], mixture)
+    assert other.charts["desk"] is not loaded.charts["desk"]
+    assert other.messages["M"] is loaded.messages["M"]
+    names = [name for name in loaded.modules if "Plant" in name]
+    assert all(sys.modules[name] is loaded.modules[name] for name in names)
+
+
+def test_a_package_of_another_project_is_not_taken_for_a_name(
+    two: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """After `monas` was only another name, it may be a folder again."""
+    load_system(two / "build" / "jade_like" / "Plant", mixture=Mixture(names=("monas", "jade_like")))
+    elsewhere = tmp_path_factory.mktemp("elsewhere") / "build"
+    shutil.copytree(two / "build" / "monas", elsewhere / "monas")
+    loaded = load_system(elsewhere / "monas" / "Plant", mixture=Mixture(names=("monas", "jade_like")))
+    assert str(loaded.modules["monas.Plant.messages"].__file__).startswith(str(elsewhere))
