@@ -29,7 +29,7 @@ _SUFFIXES = {".svg": "svg", ".mmd": "mermaid", ".mermaid": "mermaid", ".txt": "t
 @click.command(
     short_help="Show what agents say to each other.",
     help="Show the agent messages of a run: as lines of text, as a Mermaid sequence diagram, or as an SVG"
-    " picture. TRACE is a trace, or a folder with a trace.jsonl in it; several are the processes of one run."
+    " picture. TRACE is a trace, or the folder of a run or a project; several are the processes of one run."
     " The filters go together; of several of one kind, any. What they leave out is counted.",
     epilog="Example: asemec sniff out --protocol contract_net -o talk.svg   ·   asemec sniff out --follow",
 )
@@ -84,7 +84,7 @@ def command(
     if follow and (output is not None or format_ != "text"):
         raise click.UsageError("--follow shows text as it comes: leave --format and -o out.")
     wanted = Wanted(conversations, protocols, agents, since, until)
-    paths = [path / "trace.jsonl" if path.is_dir() else path for path in traces]
+    paths = [found for path in traces for found in _traces(path, follow)]
     try:
         if follow:
             return _follow(paths, wanted, as_json)
@@ -101,6 +101,23 @@ def _format(given: str | None, output: Path | None) -> str:
     if found is None:
         raise click.UsageError(f"{output} cannot be written: it is called .svg, .mmd or .txt.")
     return found
+
+
+def _traces(path: Path, follow: bool) -> list[Path]:
+    """The traces behind an argument: of a folder those of its last run, of a project those in its output."""
+    from aseme_dsl.build.configuration import find_configuration
+
+    if not path.is_dir():
+        return [path]
+    if (path / "pyproject.toml").is_file():
+        configuration, _ = find_configuration(path)
+        path = configuration.output or path
+    whole = path / "trace.jsonl"
+    each = sorted(path.glob("trace.*.jsonl"))
+    if follow or not each:
+        return [whole]
+    last = max(item.stat().st_mtime for item in each)
+    return [whole] if whole.is_file() and whole.stat().st_mtime > last else each
 
 
 # ---- as it comes ---------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 import threading
@@ -219,6 +220,23 @@ def test_the_processes_of_a_run_are_put_together(folder: Path, here: Here) -> No
     ]
     # without the other trace, the sender is somebody else
     assert lines(here("sniff", "b.jsonl").out)[0] == "1.1 s one -- inform Note (n 1) --> two [talk-one-2]"
+
+
+def test_a_folder_stands_for_its_last_run(folder: Path, here: Here) -> None:
+    """Of several processes all traces; of a project those in its output."""
+    Path("build").mkdir()
+    Path("pyproject.toml").write_text('[tool.asemec]\nfiles = ["t.aseme"]\noutput = "build"\n', "utf-8")
+    one = header("one", clock="real", start="2026-01-01T10:00:00.000000", elsewhere=["two"])
+    two = header("two", clock="real", start="2026-01-01T10:00:02.000000", elsewhere=["one"])
+    write(Path("build/trace.jsonl"), header("one"), mail(9, "one", ["two"], 1), FINISH)
+    write(Path("build/trace.one.jsonl"), one, mail(3, "one", ["two"], 1), FINISH)
+    write(Path("build/trace.two.jsonl"), two, mail(1.5, "two", ["one"], 2), FINISH)
+    os.utime("build/trace.jsonl", (1, 1))
+    assert [line.split()[0] for line in lines(here("sniff", ".").out)] == ["3", "3.5"]
+    os.utime("build/trace.jsonl")
+    os.utime("build/trace.one.jsonl", (1, 1))
+    os.utime("build/trace.two.jsonl", (1, 1))
+    assert [line.split()[0] for line in lines(here("sniff", "build").out)] == ["9"]
 
 
 # ---- while it is written ---------------------------------------------------------------------------

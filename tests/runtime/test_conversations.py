@@ -286,6 +286,36 @@ def test_performatives_are_fipas() -> None:
     assert fipa_name("accept_proposal") == "accept-proposal"
 
 
+def test_each_of_them_is_sent_and_taken() -> None:
+    """All 22, one after the other, from the text to the run."""
+    sends = ", ".join(f"{performative} Note" for performative in PERFORMATIVES)
+    steps = [f"S{number}" for number in range(len(PERFORMATIVES))]
+    said_by = "  ".join(
+        f"enter {step} : / send {performative} Note to b"
+        for step, performative in zip(steps, PERFORMATIVES, strict=True)
+    )
+    heard_by = "  ".join(
+        f"enter {step.replace('S', 'T')} : {performative} Note from a"
+        for step, performative in zip(steps, PERFORMATIVES, strict=True)
+    )
+    acts = "  ".join(f"{step} takes 1ms  {step.replace('S', 'T')} takes 1ms" for step in steps)
+    run = play(f"""
+        system S
+        message Note {{ string text }}
+        aip p {{
+          participant a {{ sends {sends}  process = {" . ".join(steps)} }}
+          participant b {{ receives {sends}  process = {" . ".join(steps).replace("S", "T")} }}
+          control a {{ {said_by} }}
+          control b {{ {heard_by} }}
+        }}
+        srm r {{ plays p.a  liveness {{ r = a }}  activities {{ {acts} }} }}
+        srm s {{ plays p.b  liveness {{ s = b }} }}
+        team T {{ one : r  two : s }}
+        """)
+    assert [line.split()[2] for line in said(run)] == list(PERFORMATIVES)
+    assert unexpected(run) == [] and run.result.reason == "finished"
+
+
 def test_no_more_messages_wait_than_an_agent_can_remember(monkeypatch: pytest.MonkeyPatch) -> None:
     """Who asks for ever somebody who never listens is told, and nothing grows."""
     monkeypatch.setattr(conversation, "WAITING", 20)
