@@ -128,7 +128,7 @@ def _functions(code: PlainCode) -> dict[str, _Function]:
         body = tuple(method.body[1:])  # without what it is for
         if name == "send":
             found |= {_ON + event: _Function(part, "bool") for event, part in _by_event(body, methods)}
-        elif name != "__init__" and not name.startswith("_on_"):
+        elif name not in ("__init__", "due") and not name.startswith("_on_"):
             returns = method.returns.id if isinstance(method.returns, ast.Name) else "None"
             found[name] = _Function(body, returns)
     return found

@@ -71,6 +71,10 @@ def _by_key(call: Call, arguments: Sequence[str]) -> str:
     return f"self.call({', '.join([repr(function_key(call)), *arguments])})"
 
 
+def _of_board(timer: str) -> str:
+    return f"b.timers.get({timer!r}, NEVER)"
+
+
 @dataclass
 class Names:
     """The names of one generated method and what the emitted code turned out to use."""
@@ -86,6 +90,8 @@ class Names:
     """The states whose outcome is asked for by an activity's name."""
     states: Callable[[StateValue], str] = _nowhere
     """The code that answers a question about a state."""
+    timer: Callable[[str], str] = _of_board
+    """The code for the moment at which a timer runs out."""
     called: Callable[[Call, Sequence[str]], str] = _by_key
     """The code that calls a function of the document."""
     prefix: str = ""
@@ -218,7 +224,7 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             call = f"b.mean({channel!r}, {message.host!r}, now - {_wrapped(extent.code)}, {member!r})"
             return Piece(local, (*extent.needs, f"({local} := {call}) is not None"), extent.known)
         case Expired(timer=timer):
-            return Piece(f"b.timers.get({timer!r}, NEVER) <= now", known=known)
+            return Piece(f"{names.timer(timer)} <= now", known=known)
         case Outcome(activity=activity):
             return _outcome(activity, names, known)
         case Index():

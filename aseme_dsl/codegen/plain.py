@@ -23,7 +23,12 @@ from aseme_dsl.amola.expression import (
     Call,
     Evaluate,
     Event,
+    Expired,
+    Failed,
+    Outcome,
     Raised,
+    Random,
+    StartTimer,
     TransitionExpression,
     Value,
     VariableValue,
@@ -31,7 +36,15 @@ from aseme_dsl.amola.expression import (
 )
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, TransitionKind
 from aseme_dsl.amola.system import System
-from aseme_dsl.codegen.expressions import Names, Piece, converted, enum_name, function_key, may_fail
+from aseme_dsl.codegen.expressions import (
+    Names,
+    Piece,
+    converted,
+    enum_name,
+    evaluate,
+    function_key,
+    may_fail,
+)
 from aseme_dsl.codegen.face import Face, Identifiers, Method, docstring, natural
 from aseme_dsl.codegen.flat import FlatChart, Way
 from aseme_dsl.codegen.resting import is_open, resting
@@ -44,6 +57,9 @@ IN_LINE = 400
 
 BRANCHES = 8
 """More events than this are found in a table, fewer by comparisons."""
+
+GUARDS = 4
+"""So many conditions in a row are not looked at again before the blackboard has changed, if it is tracked."""
 
 DEEP = 24
 """Code that is indented further moves into a method (CPython refuses more than 100 levels)."""
@@ -58,12 +74,14 @@ class PlainOptions:
 
     `mapping`: the blackboard is a dictionary instead of a class with slots. `watched`: each activity has a
     method that is called as it starts, and one that is called when it is cut short, and `took` is told of
-    each transition. `tables`: regions with many leaves find what is to do in a tuple of functions.
+    each transition. `tables`: regions with many leaves find what is to do in a tuple of functions. `gates`:
+    many conditions in a row are skipped while a tracked blackboard has not changed.
     """
 
     mapping: bool = False
     watched: bool = False
     tables: bool = True
+    gates: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,13 +160,27 @@ class _Generator(Face):
         self.board_name = f"{class_name}Blackboard"
         self.options = options
         self.board_names = Identifiers()
+        for name in ("tracked", "changed"):
+            self.board_names.name(("reserved", name), name)
+        for name in self.variables:
+            self._on_board(name)
         self.function_names = Identifiers()
         self.functions: dict[str, tuple[str, str, str]] = {}
         self.event_methods: dict[str, str] = {}
         self.leaving: dict[str, bool] = {}
         """Which methods that leave a region there are; False for those with nothing to do."""
         self.spends = False
+        self.gated: set[tuple[str, frozenset[str], tuple[str, ...]]] = set()
+        self.gates: dict[str, frozenset[str]] = {}
+        """What says of many conditions that they still do not hold, with what on the blackboard they read."""
         self.modes = self._modes()
+        self.timed_regions = self._timed_regions()
+        self.is_timed = bool(self.flat.timed or self.timed_regions)
+        self.may_fail = options.watched or any(
+            isinstance(event, Failed) for item in chart.transitions for event in item.expression.events
+        )
+        self.has_outcomes = any(isinstance(value, Outcome) for _, value in chart.values())
+        self.has_chance = any(isinstance(value, Random) for _, value in chart.values())
         self.faults = any(may_fail(value) for _, value in chart.values())
         self.copied = self._copied()
         self.seen = {key: self._place_on_board(slot) for key, (slot, _) in self._message_slots().items()}
@@ -165,14 +197,16 @@ class _Generator(Face):
         )
         return (*names, STEP)
 
+    def _on_board(self, name: str) -> str:
+        """What a variable is called on the blackboard: as in the document, if that is free."""
+        return self.board_names.name(("variable", name), name)
+
     def _place_on_board(self, name: str) -> str:
         return f"bb[{name!r}]" if self.options.mapping else f"bb.{name}"
 
     def _message_slots(self) -> dict[tuple[str, str | None], tuple[str, str]]:
         """The places of the messages that conditions read, by channel and host, with their types."""
         found: dict[tuple[str, str | None], tuple[str, str]] = {}
-        for variable in self.variables:
-            self.board_names.name(("variable", variable), variable)
         for members in self.flat.members.values():
             for member in members:
                 key = str(member.channel), member.host
@@ -185,13 +219,17 @@ class _Generator(Face):
 
     def _names_of(self, region: int) -> dict[str, str]:
         return {
-            name: f"self.{self._copy(name, region)}" if name in self.copied else self._place_on_board(name)
+            name: f"self.{self._copy(name, region)}"
+            if name in self.copied
+            else self._place_on_board(self._on_board(name))
             for name in self.variables
         }
 
     def _names(self, region: int, prefix: str = "") -> Names:
         variables = self.names[region]
-        return Names(self.seen, variables, self.fields, self.enums, called=self._called_by, prefix=prefix)
+        names = Names(self.seen, variables, self.fields, self.enums, called=self._called_by, prefix=prefix)
+        names.timer = lambda timer: f"self.timers.get({(region, timer)!r}, NEVER)"
+        return names
 
     def _called_by(self, call: Call, arguments: Sequence[str]) -> str:
         """The call of a function of the document, which stands under a name of its own in the module."""
@@ -258,6 +296,15 @@ class _Generator(Face):
         if re.search(r"\bnow\b(?! =)", text):
             found.append("    " * depth + "now = self.now")
         return found
+
+    def _timed_regions(self) -> frozenset[int]:
+        """The regions that have timers."""
+        return frozenset(
+            self.flat.region_number[transition.source]
+            for transition in self.chart.transitions
+            for item in (*transition.expression.actions, *values_of(transition.expression))
+            if isinstance(item, StartTimer | Expired)
+        )
 
     # ---- what may follow -------------------------------------------------------------------
 
@@ -341,7 +388,9 @@ class _Generator(Face):
             if not expression.events:
                 continue
             raised = any(isinstance(e, Raised) and e.name == mode for e in expression.events)
-            timed = any(not isinstance(e, Raised) for e in expression.events)
+            timed = any(
+                isinstance(e, After) or (isinstance(e, Failed) and mode == STEP) for e in expression.events
+            )
             if not raised and not timed and not expression.when:
                 return None
             if raised:
@@ -414,6 +463,8 @@ class _Generator(Face):
         return any(
             (event.name == mode and not spent)
             if isinstance(event, Raised)
+            else mode == STEP
+            if isinstance(event, Failed)
             else not (entered and isinstance(event, After) and event.duration > 0)
             for event in expression.events
         )
@@ -430,9 +481,11 @@ class _Generator(Face):
             methods += mode.functions.values()
             self.tables += [line for table in mode.tables.values() for line in table]
         head = self._head()
+        methods = [self._told(method) for method in (*methods, *self.methods)]
+        methods += self._due()
         methods += self._hooks()
         board = tuple(self._board())
-        body = [line for method in [head, *methods, *self.methods] for line in [*method, ""]]
+        body = [line for method in [head, *methods] for line in [*method, ""]]
         constants = tuple(
             (enum_name(enum, constant), f"{enum}.{constant}") for enum, constant in sorted(self.enums)
         )
@@ -449,9 +502,24 @@ class _Generator(Face):
             tuple(self.tables),
         )
 
+    def _told(self, method: list[str]) -> list[str]:
+        """A method in which what is written makes the conditions that read it be looked at again."""
+        lines: list[str] = []
+        for line in method:
+            text = line.lstrip()
+            if not text.startswith(_WROTE):
+                lines.append(line)
+                continue
+            gates = [gate for gate, read in self.gates.items() if text.removeprefix(_WROTE) in read]
+            if gates:
+                lines.append(f"{line[: len(line) - len(text)]}{' = '.join(gates)} = False")
+        return lines
+
     def _board(self) -> list[str]:
         """The class of the blackboard, or the function that makes a dictionary."""
-        values = [(v.name, self._python(v.type), self._initial(v)) for v in self.chart.variables]
+        values = [
+            (self._on_board(v.name), self._python(v.type), self._initial(v)) for v in self.chart.variables
+        ]
         for slot, message in self._message_slots().values():
             self.messages.add(message)
             values.append((slot, f"{message} | None", "None"))
@@ -464,10 +532,23 @@ class _Generator(Face):
                 f"    return {{{entries}}}",
             ]
         lines = [f"class {self.board_name}:", f"    {document}", ""]
-        lines.append(f"    __slots__ = {_tuple([name for name, _, _ in values])}")
-        if values:
+        gates = [gate.removeprefix("bb.") for gate in self.gates]
+        names = [name for name, _, _ in values]
+        lines.append(f"    __slots__ = {_tuple([*names, *gates, *(['tracked'] if gates else [])])}")
+        if gates:
+            lines += [
+                "",
+                "    def __init__(self, *, tracked: bool = False) -> None:",
+                '        """`tracked`: whoever writes to it says `changed()` afterwards."""',
+                "        self.tracked = tracked",
+            ]
+        elif values:
             lines += ["", "    def __init__(self) -> None:"]
-            lines += [f"        self.{name}: {kind} = {initial}" for name, kind, initial in values]
+        lines += [f"        self.{name}: {kind} = {initial}" for name, kind, initial in values]
+        if gates:
+            lines += [f"        self.{' = self.'.join(gates)} = False", "", "    def changed(self) -> None:"]
+            lines.append('        """Something was written: look at all conditions again."""')
+            lines.append(f"        self.{' = self.'.join(gates)} = False")
         return lines
 
     def _head(self) -> list[str]:
@@ -478,8 +559,14 @@ class _Generator(Face):
         for label in sorted(self.flat.timed):
             slots.append(self._time(label))
             annotations.append(f"    {self._time(label)}: int")
-        if self.flat.timed:
+        if self.is_timed:
             slots.append("now")
+        fields = [("timers", "dict[tuple[int, str], int]", "{}", bool(self.timed_regions))]
+        fields.append(("failures", "dict[str, str]", "{}", self.may_fail))
+        fields.append(("outcomes", "dict[str, str | None]", "{}", self.has_outcomes))
+        fields.append(("chance", "Random", "Random(1)", self.has_chance))
+        fields = [item for item in fields if item[3]]
+        slots += [name for name, *_ in fields]
         for label in self.flat.counted:
             slots.append(self._count(label))
             annotations.append(f"    {self._count(label)}: int")
@@ -537,8 +624,9 @@ class _Generator(Face):
         lines += ["", *annotations]
         lines += ["", f"    def __init__(self, bb: {self._board_type()} | None = None) -> None:"]
         lines.append(f"        self.bb = {self.board_name}() if bb is None else bb")
-        if self.flat.timed:
+        if self.is_timed:
             lines.append("        self.now = 0")
+        lines += [f"        self.{name}: {kind} = {value}" for name, kind, value, _ in fields]
         if self.copied:
             lines.append("        self.writes: list[tuple[int, str, Any]] = []")
         if self.faults:
@@ -579,6 +667,27 @@ class _Generator(Face):
         return self._written(
             "start(self) -> None", "Enter the root, and go on until nothing is enabled.", lines
         )
+
+    def _due(self) -> list[list[str]]:
+        """The method that says when time alone may matter, where it may."""
+        if not self.is_timed:
+            return []
+        lines = ["now = self.now", "best = NEVER"]
+        for wait in self.flat.waits:
+            found = self.flat.range.get(wait.source)
+            if found is None:
+                continue
+            where = self._inside(self.flat.region_number[wait.source], *found)
+            at = (
+                f"self.{self._time(wait.source)} + {wait.amount}"
+                if wait.kind == "after"
+                else f"self.timers.get({(self.flat.region_number[wait.source], wait.name)!r}, NEVER)"
+            )
+            body = [f"at = {at}", "if now < at < best:", "    best = at"]
+            lines += body if where == "True" else [f"if {where}:", *_indented(body, 1)]
+        lines.append("return None if best == NEVER else best")
+        document = "The next moment (ns) at which time alone may enable something that is waited for."
+        return [["    def due(self) -> int | None:", f'        """{document}"""', *_indented(lines, 2)]]
 
     def _send(self, bodies: dict[str, tuple[list[str], _Mode]]) -> list[str]:
         """The method that makes a step with an event: a body for each."""
@@ -652,7 +761,7 @@ class _Generator(Face):
     def _taken_copies(self, name: str) -> list[str]:
         """The copies of a variable at the beginning of a step."""
         copies = [f"self.{self._copy(name, region)}" for region in self.flat.variable_regions[name]]
-        return [f"{' = '.join(copies)} = {self._place_on_board(name)}"]
+        return [f"{' = '.join(copies)} = {self._place_on_board(self._on_board(name))}"]
 
     def _region(self, mode: _Mode, region: int, depth: int) -> list[str]:
         """One round of a region: by its active leaf, what can be taken from there."""
@@ -881,6 +990,7 @@ class _Generator(Face):
         """The first candidate that is open is taken; `otherwise` is done where none is."""
         lines: list[str] = []
         word = "if"
+        gate = "" if otherwise else self._gate(candidates)
         for candidate in candidates:
             taken = self._take(mode, region, leaf, number, candidate)
             notes = [f"# {self._place(step)}" for step in candidate.taken]
@@ -891,9 +1001,30 @@ class _Generator(Face):
             test = " and ".join(candidate.tests)
             lines += [*notes, f"{word} {test}:", *_indented(taken, 1)]
             word = "elif"
+        if gate:
+            lines += ["else:", f"    {gate} = bb.tracked"]
+            return [f"if not {gate}:  # something has changed", *_indented(lines, 1)]
         if otherwise:
             return [*lines, "else:", *_indented(otherwise, 1)] if lines else list(otherwise)
         return lines
+
+    def _gate(self, candidates: list[_Candidate]) -> str:
+        """What says that none of many conditions holds, as long as nothing changes that they read."""
+        tests = [test for candidate in candidates for test in candidate.tests]
+        if len(candidates) < GUARDS or self.options.mapping or not self.options.gates:
+            return ""
+        if any(not item.tests or re.search(r"\bself\b|\bnow\b", " ".join(item.tests)) for item in candidates):
+            return ""
+        read = frozenset(re.findall(r"\bbb\.\w+", " ".join(tests)))
+        found = next(
+            (name for name, reads in self.gates.items() if (name, reads, tuple(tests)) in self.gated), ""
+        )
+        if not found:
+            number = len(self.gates) + 1
+            found = "bb." + self.board_names.name(("gate", number), f"still_{number}")
+            self.gates[found] = read
+            self.gated.add((found, read, tuple(tests)))
+        return found
 
     def _candidates(
         self,
@@ -945,6 +1076,8 @@ class _Generator(Face):
         for event in events:
             if isinstance(event, After):
                 tests.append(f"now - self.{self._time(source)} >= {event.duration}")
+            elif isinstance(event, Failed) and mode.event == STEP:
+                tests.append(f"self.failed_inside({source!r})")
             elif isinstance(event, Raised) and event.name == mode.event:
                 if not mode.loops:
                     return ()
@@ -987,7 +1120,7 @@ class _Generator(Face):
     def _leave(self, region: int, scope: str, leaf: Node, number: int | None) -> list[str]:
         """What is done as everything inside `scope` is left; None for a BASIC state that may be complete."""
         lines: list[str] = []
-        if leaf.type is NodeType.BASIC and self.options.watched:
+        if leaf.type is NodeType.BASIC and (self.options.watched or self.may_fail):
             lines += self._stop(region, leaf, number)
         elif leaf.type is NodeType.AND:
             for inner in self.flat.regions_of(leaf.label):
@@ -1054,6 +1187,8 @@ class _Generator(Face):
         if target in self.rests.passed:
             return self._pass(mode, region, node, number)
         lines = self._stand(region, node, number)
+        if target in self.flat.ending and self.has_outcomes:
+            lines.append(f"self.await_outcome({target!r})")
         if node.type is NodeType.BASIC and self.options.watched:
             lines += self._begin(region, node)
         elif node.type is NodeType.AND:
@@ -1090,6 +1225,8 @@ class _Generator(Face):
                     around = self.flat.enclosing(around)
                 if around is not None:
                     lines.append(f"self.{self._copy(name, region)} = self.{self._copy(name, around)}")
+        if region in self.timed_regions:
+            lines.append(f"self.drop_timers({region})")
         label = self.flat.regions[region].label
         lines += self._on_entry(region, self.chart.node(label))
         return [*lines, *self._enter_inside(mode, region, label)]
@@ -1106,14 +1243,27 @@ class _Generator(Face):
         return lines
 
     def _begin(self, region: int, node: Node) -> list[str]:
-        """The call that starts the activity of a state."""
-        return [f"self.{self._hook('start', node)}({node.label!r})"]
+        """The call that starts the activity of a state, with what it is given."""
+        names = self._names(region, f"{region}_")
+        self._asked_at(node.label, names)
+        said = self.flat.said_of(node)
+        types = {item.name: item.type for item in said.parameters} if said is not None else {}
+        given = [
+            converted(evaluate(item.value, names), item.value.type, types.get(item.name, item.value.type))
+            for item in node.arguments
+        ]
+        return [f"self.{self._hook('start', node)}({', '.join([repr(node.label), *given])})"]
 
     def _stop(self, region: int, node: Node, number: int | None) -> list[str]:
         """The call that cuts an activity short, unless it has returned."""
         if number != self.flat.leaf[node.label]:
             return []
-        return [f"self.{self._hook('stop', node)}({node.label!r})"]
+        stop = [f"self.{self._hook('stop', node)}({node.label!r})"] if self.options.watched else []
+        if not self.may_fail:
+            return stop
+        if not stop:
+            return ["if self.failures:", f"    self.failures.pop({node.label!r}, None)"]
+        return [f"if self.failures.pop({node.label!r}, None) is None:", *_indented(stop, 1)]
 
     def _hooks(self) -> Iterator[list[str]]:
         """What subclasses override: `took`, and two methods for each activity."""
@@ -1126,10 +1276,16 @@ class _Generator(Face):
         for node in activities.values() if self.options.watched else ():
             for word, document in (("start", "begins"), ("stop", "is cut short")):
                 told = f"{docstring(node.activity or '')} {document}, the activity of the state `label`."
-                yield [
-                    f"    def {self._hook(word, node)}(self, label: str) -> None:",
-                    f'        """{told}"""',
-                ]
+                parameters = self._parameters(node) if word == "start" else []
+                signature = ", ".join(["self", "label: str", *parameters])
+                yield [f"    def {self._hook(word, node)}({signature}) -> None:", f'        """{told}"""']
+
+    def _parameters(self, node: Node) -> list[str]:
+        """What the method of an activity is given: by the declared types, or by those of the values."""
+        said = self.flat.said_of(node)
+        declared = {item.name: item.type for item in said.parameters} if said is not None else {}
+        kinds = ((item.name, declared.get(item.name, item.value.type)) for item in node.arguments)
+        return [f"{name}: {'Any' if kind.element else self._python(kind)}" for name, kind in kinds]
 
     def _hook(self, word: str, node: Node) -> str:
         """The method by which an activity is told something."""
@@ -1155,23 +1311,39 @@ class _Generator(Face):
                 )
             case Evaluate(value=value):
                 self._computed(method, 0, number, (value,), lambda piece: [piece.code])
+            case StartTimer(timer=timer, duration=duration):
+                place = f"self.timers[{(region, timer)!r}]"
+                self._computed(
+                    method, 0, number, (duration,), lambda piece: [f"{place} = now + {piece.code}"]
+                )
             case _:
                 raise AssertionError(f"{action} is refused")
 
     def _assignment(self, region: int, target: VariableValue, value: Value, piece: Piece) -> list[str]:
         code = converted(piece, value.type, target.type)
         if target.name not in self.copied:
-            return [f"{self._place_on_board(target.name)} = {code}"]
+            place = self._place_on_board(self._on_board(target.name))
+            return [f"{place} = {code}", f"{_WROTE}{place}"]
         copy = f"self.{self._copy(target.name, region)}"
-        return [f"{copy} = {code}", f"self.writes.append(({region}, {target.name!r}, {copy}))"]
+        return [
+            f"{copy} = {code}",
+            f"self.writes.append(({region}, {self._on_board(target.name)!r}, {copy}))",
+        ]
 
 
+_WROTE = "@wrote "
+"""Stands where something on the blackboard was written, until it is known which conditions read it."""
 _NOTHING = ["        return False"]
 _EPILOGUE_OF_COPIES = ["if self.writes:", "    self.spread()"]
 
 
 def _indented(lines: Iterable[str], depth: int) -> list[str]:
     return ["    " * depth + line for line in lines]
+
+
+def _is_dynamic(event: Event, mode: str) -> bool:
+    """Whether only a running chart knows if an event is there; a failure makes a step without an event."""
+    return isinstance(event, After) or (isinstance(event, Failed) and mode == STEP)
 
 
 def _tuple(names: Iterable[str]) -> str:

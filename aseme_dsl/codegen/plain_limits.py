@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
@@ -10,26 +10,24 @@ from aseme_dsl.amola.expression import (
     Assign,
     At,
     Bound,
-    Expired,
-    Failed,
     Index,
     Lost,
     Mean,
     Member,
-    Outcome,
     Publish,
-    Random,
     ReadMessages,
     Received,
     Send,
     Sender,
-    StartTimer,
     Value,
     VariableValue,
     values_of,
+    walk,
 )
 from aseme_dsl.amola.messages import AGENT, Comm
+from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import OriginKind, Statechart, Transition, TransitionKind
+from aseme_dsl.codegen.expressions import may_fail
 from aseme_dsl.source import Span
 
 AGENT_MESSAGES = "the messages of agents"
@@ -38,15 +36,12 @@ PROTOCOLS = "what a participant of a protocol does"
 PUBLISHING = "publishing"
 SIGNALS = "signals (a program sends events)"
 DATA = "data with its time of measurement, and looking back"
-TIMERS = "timers (there is `after`)"
 AGES = "how old a message is"
-OUTCOMES = "the outcome of an activity"
-FAILURES = "the failure of an activity"
+DEADLINES = "the deadline of an activity"
+GIVEN = "what an activity is given, where that may be absent or fail"
 NUMBERS = "the number of an agent"
-CHANCE = "chance"
 STAYING = "`on`"
 RESUMING = "`resume`"
-PACE = "`every`"
 READING = "reading messages during a step"
 
 
@@ -58,14 +53,26 @@ class Limit:
     span: Span
 
 
-def limits(chart: Statechart) -> tuple[Limit, ...]:
-    """Everything that is refused, in document order; a chart without any is generated."""
-    found = {(limit.what, limit.span.source.path, limit.span.start): limit for limit in _limits(chart)}
+def limits(chart: Statechart, activities: Iterable[Activity] = ()) -> tuple[Limit, ...]:
+    """Everything that is refused, in document order; a chart without any is generated.
+
+    `activities` are those of the system.
+    """
+    found = {(item.what, item.span.source.path, item.span.start): item for item in _limits(chart, activities)}
     return tuple(sorted(found.values(), key=lambda limit: (limit.span.source.path, limit.span.start)))
 
 
-def _limits(chart: Statechart) -> Iterator[Limit]:
+def _limits(chart: Statechart, activities: Iterable[Activity]) -> Iterator[Limit]:
+    used = {node.activity for node in chart.nodes}
+    for said in activities:
+        if said.name in used and said.within is not None:
+            yield Limit(DEADLINES, said.span)
     for node in chart.nodes:
+        for argument in node.arguments:
+            for value in walk(argument.value):
+                what = GIVEN if may_fail(value) else _of_value(value)
+                if what is not None:
+                    yield Limit(what, value.span)
         if node.origin.kind is OriginKind.PROTOCOL:
             yield Limit(PROTOCOLS, node.span)
     for transition in chart.transitions:
@@ -81,14 +88,10 @@ def _of_transition(transition: Transition) -> Iterator[Limit]:
         yield Limit(STAYING, transition.span)
     if transition.resume:
         yield Limit(RESUMING, transition.span)
-    if expression.every is not None:
-        yield Limit(PACE, transition.span)
     for event in expression.events:
         match event:
             case Received() | Lost():
                 yield Limit(AGENT_MESSAGES, event.span)
-            case Failed():
-                yield Limit(FAILURES, event.span)
     for action in expression.actions:
         match action:
             case Send():
@@ -97,8 +100,6 @@ def _of_transition(transition: Transition) -> Iterator[Limit]:
                 yield Limit(PUBLISHING, action.span)
             case ReadMessages():
                 yield Limit(READING, action.span)
-            case StartTimer():
-                yield Limit(TIMERS, action.span)
             case Assign(target=Member()):
                 yield Limit(PUBLISHING, action.span)
     for value in values_of(expression):
@@ -115,14 +116,8 @@ def _of_value(value: Value) -> str | None:
             return AGES
         case At() | Mean():
             return DATA
-        case Expired():
-            return TIMERS
         case Index():
             return NUMBERS
-        case Random():
-            return CHANCE
-        case Outcome():
-            return OUTCOMES
         case VariableValue(type=kind) if kind == AGENT:
             return AGENTS
         case Member(channel=channel):

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from aseme_dsl.amola.expression import NEVER, Outcome, StateValue, TransitionExpression
+from aseme_dsl.amola.expression import NEVER, Failed, Outcome, StateValue, TransitionExpression
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
 
 
@@ -38,13 +38,16 @@ class Resting:
 def resting(chart: Statechart, *, watched: bool) -> Resting:
     """What can be active between two rounds; `watched`: each activity is told when it is cut short."""
     asked = any(isinstance(value, StateValue | Outcome) for _, value in chart.values())
+    failing = any(isinstance(e, Failed) for item in chart.transitions for e in item.expression.events)
     passed = {} if asked else _passed(chart)
     reached = _reached(chart)
     completing = {
         node.label
         for node in chart.nodes
         if node.type is NodeType.BASIC
-        and (watched or asked or any(_needs_completion(item) for item in chart.outgoing(node.label)))
+        and (
+            watched or asked or failing or any(_needs_completion(item) for item in chart.outgoing(node.label))
+        )
     }
     return Resting(asked, passed, reached, frozenset(completing))
 

@@ -62,6 +62,7 @@ def function_at(target: str, name: str, declared: str) -> Callable[..., Any]:
             found.append(find_function(target))
         return checked(name, found[0](*arguments), expected)
 
+    call.called = name  # type: ignore[attr-defined]
     return call
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Iterator, Mapping
+from random import Random
 from typing import Any, ClassVar
 
 ROUNDS = 1000
@@ -17,6 +18,14 @@ ABSENT = "absent value"
 """Why an action was not done that needs a message which is not there."""
 
 _log = logging.getLogger("aseme_dsl.plain")
+
+
+NEVER = 2**63 - 1
+"""When a timer runs out that was not started."""
+
+
+class ActivityFailed(RuntimeError):
+    """An activity has failed, and no `error` transition takes that."""
 
 
 class Unsettled(RuntimeError):
@@ -39,6 +48,14 @@ class Plain:
     """What regions have written that others see in the next step."""
     faulty: set[int]
     """The transitions of which something could not be done in this step."""
+    failures: dict[str, str]
+    """The states whose activity has failed, with the reason."""
+    outcomes: dict[str, str | None]
+    """How the activities of states have ended, None for those that have not; the last is the newest."""
+    timers: dict[tuple[int, str], int]
+    """When the timers of each region run out, in ns."""
+    chance: Random
+    """What `random()` draws from."""
 
     LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = ()
     """The labels of each region's leaves by their numbers."""
@@ -69,22 +86,48 @@ class Plain:
 
     # ---- the same for all ------------------------------------------------------------------
 
-    def done(self, label: str) -> bool:
+    def done(self, label: str, outcome: str | None = None) -> bool:
         """One step, before which the activity of a BASIC state has returned; whether anything was taken.
+
+        That is of no account if the state is not active, or its activity has returned before. `outcome` is
+        the name of how it has ended, for activities that say so.
+
+        Raises:
+            KeyError: the statechart has no such state, or can never be in it.
+        """
+        found = self._running(label)
+        if found is not None:
+            region, number = found
+            setattr(self, f"r{region}", number + 1)
+            if outcome is not None:
+                self.outcomes.pop(label, None)
+                self.outcomes[label] = outcome
+        return self.step()
+
+    def failed(self, label: str, reason: str) -> bool:
+        """One step, before which the activity of a BASIC state has failed; whether anything was taken.
 
         That is of no account if the state is not active, or its activity has returned before.
 
         Raises:
             KeyError: the statechart has no such state, or can never be in it.
+            ActivityFailed: the step has not left the state: no `error` transition has taken it.
         """
+        found = self._running(label)
+        takes = hasattr(self, "failures")  # there is an `error` transition
+        if takes and found is not None:
+            self.failures[label] = reason
+        taken = self.step()
+        if self.failures if takes else label in self.configuration():
+            raise ActivityFailed(f"the activity of {label} failed: {reason}")
+        return taken
+
+    def _running(self, label: str) -> tuple[int, int] | None:
+        """The region of a BASIC state and its number, if its activity runs and that matters."""
         found = self.RUNNING.get(label)
-        if found is not None:
-            region, number = found
-            if found in self._active():
-                setattr(self, f"r{region}", number + 1)
-        elif not any(label in labels for labels in self.LEAVES):
+        if found is None and not any(label in labels for labels in self.LEAVES):
             raise KeyError(f"{type(self).__name__} has no state {label}")
-        return self.step()
+        return found if found is not None and found in self._active() else None
 
     def configuration(self) -> tuple[str, ...]:
         """The labels of the active leaves, region by region in document order."""
@@ -131,10 +174,33 @@ class Plain:
             _log.warning("%s, transition %d: %s", type(self).__name__, transition, text)
         return False
 
+    def failed_inside(self, label: str) -> bool:
+        """Whether an activity of the state or inside it has failed."""
+        return any(item == label or item.startswith(label + ".") for item in self.failures)
+
+    def await_outcome(self, label: str) -> None:
+        """A state whose activity ends with an outcome is entered: there is none until it has."""
+        self.outcomes.pop(label, None)
+        self.outcomes[label] = None
+
+    def last_outcome(self, labels: tuple[str, ...]) -> str | None:
+        """The outcome of that of the states which ended or was entered last; None if it has not ended."""
+        last = next((label for label in reversed(self.outcomes) if label in labels), "")
+        return self.outcomes.get(last)
+
+    def drop_timers(self, region: int) -> None:
+        """A region begins without timers."""
+        for key in [key for key in self.timers if key[0] == region]:
+            del self.timers[key]
+
+    def random(self) -> float:
+        """The next number in [0, 1)."""
+        return self.chance.random()
+
     def unsettled(self) -> Unsettled:
         """The error of a step that does not settle."""
         active = ", ".join(self.configuration())
         return Unsettled(f"{type(self).__name__} does not settle after {ROUNDS} rounds, at {active}")
 
 
-__all__ = ["ABSENT", "ROUNDS", "Plain", "Unsettled"]
+__all__ = ["ABSENT", "NEVER", "ROUNDS", "ActivityFailed", "Plain", "Unsettled"]

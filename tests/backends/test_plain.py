@@ -10,7 +10,9 @@ import pytest
 
 from aseme_dsl.backends.backend import BackendOptions, Refused
 from aseme_dsl.backends.plain import BACKEND
+from aseme_dsl.codegen.plain import PlainOptions
 from tests.support.generated import generate, system_of
+from tests.support.plain_engine import plain_class
 
 LAMP = """
 system Lamp
@@ -103,7 +105,6 @@ srm R {
     ]
     assert told == [
         ("signals (a program sends events)", 2),
-        ("timers (there is `after`)", 2),
         ("publishing", 1),
     ]
 
@@ -113,3 +114,60 @@ def test_without_conditions_over_it_a_message_has_no_place() -> None:
     text = next(a.text for a in BACKEND.generate(made.system, BackendOptions()) if a.path == "Lamp/lamp.py")
     assert "room_state_Room: Room | None = None" in text
     assert "bb.room_state_Room" in text
+
+
+MANY = """
+system Many
+srm R {
+  var a : bool = false
+  var b : bool = false
+  var c : bool = false
+  var d : bool = false
+  var tracked : int = 0
+  liveness { R = (Wait . Go)~ }
+  control R {
+    enter Go : when [a]
+    enter Go : when [b]
+    enter Go : when [c]
+    enter Go : when [d] / d = false; tracked = tracked + 1
+    leave Go : when [!a && !b && !c]
+  }
+}
+"""
+
+
+def test_a_tracked_blackboard_is_looked_at_when_it_has_changed() -> None:
+    kind = plain_class(generate(MANY), "R", PlainOptions())
+    board = vars(sys.modules[kind.__module__])["RBlackboard"](tracked=True)
+    chart = kind(board)
+    chart.start()
+    assert not chart.step()
+    board.d = True
+    assert not chart.step(), "nobody has said so"
+    board.changed()
+    assert chart.step()
+    assert (chart.configuration(), board.d, board.tracked_2) == (("0.2.2",), False, 1)
+
+
+def test_one_that_is_not_tracked_is_looked_at_each_time() -> None:
+    chart = plain_class(generate(MANY), "R", PlainOptions())()
+    chart.start()
+    assert not chart.step()
+    chart.bb.a = True
+    assert chart.step()
+    assert chart.configuration() == ("0.2.3",)
+
+
+def test_what_the_statechart_writes_itself_is_looked_at() -> None:
+    text = MANY.replace("leave Go : when [!a && !b && !c]", "leave Go : on / a = true")
+    kind = plain_class(generate(text), "R", PlainOptions())
+    board = vars(sys.modules[kind.__module__])["RBlackboard"](tracked=True)
+    chart = kind(board)
+    chart.start()
+    board.b = True
+    board.changed()
+    assert chart.step()
+    board.b = False
+    board.changed()
+    assert chart.send("on")
+    assert chart.configuration() == ("0.2.3",), "back in Wait, `a` leads on at once"

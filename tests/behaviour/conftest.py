@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
 
 import pytest
@@ -10,6 +10,7 @@ import pytest
 from tests.behaviour.running import Engine, Run
 from tests.oracle.interpreter import Reference
 from tests.support.generated import Generated, generate
+from tests.support.plain_engine import CannotDo, PlainEngine
 
 PRELUDE = """
 system S
@@ -45,7 +46,11 @@ def step_class(made: Generated, role: str) -> Engine:
     return made.chart(role, "me")
 
 
-@pytest.fixture(params=[interpreter, step_class], ids=["interpreter", "generated"])
+def plain_chart(made: Generated, role: str) -> Engine:
+    return PlainEngine(made, role)
+
+
+@pytest.fixture(params=[interpreter, step_class, plain_chart], ids=["interpreter", "generated", "plain"])
 def play(request: pytest.FixtureRequest) -> Play:
     """`play(text)` gives an agent with the role `R` of the text, not yet stepped."""
 
@@ -54,3 +59,12 @@ def play(request: pytest.FixtureRequest) -> Play:
         return Run(request.param(made, "R"), made.plan("R"), made)
 
     return start
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
+    """What the plain face refuses, or no program can do with it, is skipped, with the reason."""
+    try:
+        return (yield)
+    except CannotDo as refused:
+        pytest.skip(f"the plain face: {refused}")

@@ -13,6 +13,7 @@ from aseme_dsl.amola.expression import (
     Evaluate,
     Event,
     Expired,
+    Failed,
     Index,
     Literal,
     Mean,
@@ -20,6 +21,7 @@ from aseme_dsl.amola.expression import (
     Outcome,
     Raised,
     Random,
+    StartTimer,
     Value,
     VariableValue,
     rewritten_expression,
@@ -31,17 +33,22 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.plain_limits import limits
 
 
-def without_limits(system: System) -> System | None:
-    """The system with something else wherever the plain face would refuse; None for one with protocols."""
+def without_limits(system: System, *, simple: bool = True) -> System | None:
+    """The system with something else wherever the plain face would refuse; None for one with protocols.
+
+    A `simple` one has no timers, failures, paces and chance, either.
+    """
     if any(node.origin.kind is OriginKind.PROTOCOL for chart in system.iacs for node in chart.nodes):
         return None
-    changed = replace(system, iacs=tuple(_tamed(chart) for chart in system.iacs))
+    changed = replace(system, iacs=tuple(_tamed(chart, simple) for chart in system.iacs))
     assert not any(limits(chart) for chart in changed.iacs)
     return changed
 
 
-def _tamed(chart: Statechart) -> Statechart:
-    transitions = tuple(_tame(item) for item in chart.transitions if item.kind is not TransitionKind.ON)
+def _tamed(chart: Statechart, simple: bool) -> Statechart:
+    transitions = tuple(
+        _tame(item, simple) for item in chart.transitions if item.kind is not TransitionKind.ON
+    )
     channels = {value.channel for value in _members(transitions)}
     reads = tuple(sorted(channels, key=str))
     regions = tuple(replace(region, reads=reads, writes=()) for region in chart.regions)
@@ -52,23 +59,33 @@ def _members(transitions: tuple[Transition, ...]) -> list[Member]:
     return [v for item in transitions for v in values_of(item.expression) if isinstance(v, Member)]
 
 
-def _tame(transition: Transition) -> Transition:
-    expression = rewritten_expression(transition.expression, _plain_value)
-    events = tuple(dict.fromkeys(_plain_event(event) for event in expression.events))
+def _tame(transition: Transition, simple: bool) -> Transition:
+    expression = rewritten_expression(transition.expression, _simple_value if simple else _plain_value)
+    events = tuple(dict.fromkeys(_plain_event(event, simple) for event in expression.events))
+    kept = Evaluate if simple else Evaluate | StartTimer
     actions = tuple(
         action
         for action in expression.actions
-        if isinstance(action, Evaluate)
+        if isinstance(action, kept)
         or (isinstance(action, Assign) and isinstance(action.target, VariableValue))
     )
-    expression = replace(expression, events=events, actions=actions, every=None)
+    every = None if simple else expression.every
+    expression = replace(expression, events=events, actions=actions, every=every)
     if expression == replace(transition.expression):
         expression = transition.expression  # what is NEVER stays it
     return replace(transition, expression=expression, resume=False)
 
 
-def _plain_event(event: Event) -> Event:
-    return event if isinstance(event, Raised | After) else Raised("fail", event.span)
+def _plain_event(event: Event, simple: bool) -> Event:
+    if isinstance(event, Raised | After) or (isinstance(event, Failed) and not simple):
+        return event
+    return Raised("fail", event.span)
+
+
+def _simple_value(value: Value) -> Value:
+    if isinstance(value, Expired | Random):
+        return _something(value.type.kind, value)
+    return _plain_value(value)
 
 
 def _plain_value(value: Value) -> Value:
@@ -77,7 +94,7 @@ def _plain_value(value: Value) -> Value:
             return replace(value, channel=Channel("t", Comm.STATE, channel.message))
         case At(message=message, type=kind) | Mean(message=message, type=kind):
             return _something(kind.kind, value) if kind != message.type else message
-        case Age() | Expired() | Index() | Random() | Outcome():
+        case Age() | Index() | Outcome():
             return _something(value.type.kind, value)
     return value
 

@@ -12,6 +12,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from itertools import cycle
+from random import Random
 from typing import Any
 
 import pytest
@@ -22,6 +23,7 @@ from aseme_dsl.runtime.inputs import (
     Arrived,
     Cancel,
     Completed,
+    Crashed,
     Fault,
     Happened,
     Input,
@@ -36,7 +38,7 @@ from tests.oracle.interpreter import Reference
 from tests.oracle.plain import without_limits
 from tests.oracle.playing import filled, like
 from tests.support.generated import Generated, imported, system_of
-from tests.support.plain_engine import PlainEngine, plain_class
+from tests.support.plain_engine import CannotDo, PlainEngine, plain_class
 
 EXAMPLES = int(os.environ.get("ORACLE_EXAMPLES", "200"))
 FIRST = int(os.environ.get("ORACLE_FIRST", "0"))
@@ -69,6 +71,9 @@ class Game:
         self.actual = PlainEngine(self.made, "R")
         self.bare = plain_class(self.made, "R", PlainOptions())()
         self.mapped = plain_class(self.made, "R", PlainOptions(mapping=True))()
+        for chart in (self.bare, self.mapped):
+            if hasattr(chart, "chance"):
+                chart.chance = Random("1/me")
 
     def play(self, choices: Choices) -> None:
         self.step([], None)
@@ -100,16 +105,21 @@ class Game:
             return Happened(choices.one_of(names or EVENTS))
         if kind == "done" and self.running:
             label = choices.one_of(list(self.running))
-            return Completed(label, self.running.pop(label))
+            token = self.running.pop(label)
+            return Crashed(label, token, "no battery") if choices.one_in(6) else Completed(label, token)
         return None
 
     def step(self, board: list[Input], call: Input | None) -> None:
         inputs = [*board, *([] if call is None else [call])]
         self.story.append(f"at {self.now / MS} ms: {inputs}")
         expected = self.expected.step(self.now, inputs)
-        if isinstance(call, Completed):  # what starts in one round may start in another order
+        if isinstance(call, Completed | Crashed):  # what starts in one round may start in another order
             inputs[-1] = replace(call, token=self.actual.token.get(call.label, 0))
-        actual = self.actual.step(self.now, inputs)
+        try:
+            actual = self.actual.step(self.now, inputs)
+        except CannotDo:
+            self.compare("the failure", expected.failure is not None, True)
+            return
         self.compare("the step", _seen(expected, self.plan), _seen(actual, self.plan))
         if expected.failure is not None:
             return
@@ -149,6 +159,8 @@ class Game:
             chart.send(call.name)
         elif isinstance(call, Completed):
             chart.done(call.label)
+        elif isinstance(call, Crashed):
+            chart.failed(call.label, call.reason)
         else:
             chart.step()
 
@@ -195,7 +207,7 @@ def play(choices: Choices) -> Iterator[Game]:
         AssertionError: it does not compile, or the two engines differ.
     """
     written = text(choices)
-    system = without_limits(system_of(written))
+    system = without_limits(system_of(written), simple=False)
     if system is None:
         return
     made = imported(system)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import importlib
+import inspect
 import sys
 from collections.abc import Iterable
+from random import Random
 from typing import Any
 
 from aseme_dsl.backends.backend import BackendOptions
@@ -17,6 +19,7 @@ from aseme_dsl.runtime.inputs import (
     Completed,
     Crashed,
     Fault,
+    FunctionResult,
     Happened,
     Input,
     Mail,
@@ -24,7 +27,7 @@ from aseme_dsl.runtime.inputs import (
     Start,
     Written,
 )
-from aseme_dsl.runtime.plain import Plain, Unsettled
+from aseme_dsl.runtime.plain import ActivityFailed, Plain, Unsettled
 from tests.support.generated import Generated
 
 
@@ -40,7 +43,7 @@ def plain_class(made: Generated, role: str, options: PlainOptions) -> Any:
     """
     chart = made.system.iac(role)
     assert chart is not None
-    refused = limits(chart)
+    refused = limits(chart, made.system.activities)
     if refused:
         raise CannotDo("; ".join(dict.fromkeys(limit.what for limit in refused)))
     name = f"plain_{role}{'_watched' * options.watched}{'_mapping' * options.mapping}"
@@ -69,6 +72,8 @@ class PlainEngine:
         self.chart = _telling(kind, self)()
         self.slots = {(channel, host): slot for slot, channel, host in getattr(kind, "MESSAGES", ()) if slot}
         chart = self.chart
+        if hasattr(chart, "chance"):
+            chart.chance = Random("1/me")
         for agent, name, value in self.plan.settings:
             if agent == "me":
                 setattr(chart.bb, name, value)
@@ -92,11 +97,11 @@ class PlainEngine:
                     setattr(self.chart.bb, variable, value)
                 case Happened():
                     calls.append(item)
-                case Completed(label, token):
+                case Completed(label, token) | Crashed(label, token):
                     if token == self.token.get(label):
                         del self.token[label]  # what has returned does not return again
                         calls.append(item)
-                case Crashed() | Mail():
+                case Mail():
                     raise CannotDo(f"{type(item).__name__} as an input")
         if len(calls) > 1 or (calls and not self.started):
             raise CannotDo("several inputs in one step")
@@ -106,6 +111,8 @@ class PlainEngine:
             self.call(calls)
         except Unsettled as error:
             self.failure = str(error)
+        except ActivityFailed as error:
+            raise CannotDo("stopping: the program is told of the failure") from error
         self.outcome.failure = self.failure
         self.outcome.finished = self.failure is None and self.chart.finished
         return self.outcome
@@ -118,8 +125,10 @@ class PlainEngine:
         match calls:
             case [Happened(name)]:
                 self.chart.send(name)
-            case [Completed(label, _)]:
-                self.chart.done(label)
+            case [Completed(label, _, outcome)]:
+                self.chart.done(label, outcome)
+            case [Crashed(label, _, reason)]:
+                self.chart.failed(label, reason)
             case _:
                 self.chart.step()
 
@@ -130,7 +139,10 @@ class PlainEngine:
                 setattr(self.chart.bb, slot, item.message)
 
     def due(self, now: int) -> int | None:
-        found: int | None = self.chart.due(now) if hasattr(self.chart, "due") else None
+        if self.failure is not None or self.chart.finished or not hasattr(self.chart, "due"):
+            return None
+        self.chart.now = now
+        found: int | None = self.chart.due()
         return found
 
     def configuration(self) -> tuple[str, ...]:
@@ -148,7 +160,9 @@ def _telling(kind: Any, engine: PlainEngine) -> Any:
         engine.tokens += 1
         engine.token[label] = engine.tokens
         activity = engine.plan.by_label[label].activity or ""
-        engine.outcome.effects.append(Start(label, activity, engine.tokens))
+        names = list(inspect.signature(getattr(kind, f"start_{activity}")).parameters)[2:]
+        given = tuple(zip(names, arguments, strict=True))
+        engine.outcome.effects.append(Start(label, activity, engine.tokens, given))
 
     def stop(self: Any, label: str) -> None:
         activity = engine.plan.by_label[label].activity or ""
@@ -163,7 +177,27 @@ def _telling(kind: Any, engine: PlainEngine) -> Any:
             engine.outcome.effects.append(Fault(transition, str(reason)))
         return False
 
-    methods: dict[str, Any] = {"took": took, "fault": fault}
+    def noting(name: str, function: Any) -> Any:
+        def call(*arguments: Any) -> Any:
+            value = function(*arguments)
+            engine.outcome.effects.append(FunctionResult(name, value))
+            return value
+
+        return call
+
+    module = vars(sys.modules[kind.__module__])
+    for name, function in list(module.items()):
+        original = getattr(function, "original", function)
+        if getattr(original, "called", None):
+            module[name] = noting(original.called, original)
+            module[name].original = original
+
+    def random(self: Any) -> float:
+        value: float = self.chance.random()
+        engine.outcome.effects.append(FunctionResult("random", value))
+        return value
+
+    methods: dict[str, Any] = {"took": took, "fault": fault, "random": random}
     methods |= {name: start for name in vars(kind) if name.startswith("start_")}
     methods |= {name: stop for name in vars(kind) if name.startswith("stop_")}
     return type(f"Telling{kind.__name__}", (kind,), methods)

@@ -6,7 +6,17 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from aseme_dsl.amola.expression import Arithmetic, Call, Member, Value
+from aseme_dsl.amola.expression import (
+    Arithmetic,
+    Call,
+    Expired,
+    Failed,
+    Member,
+    Outcome,
+    Random,
+    StartTimer,
+    Value,
+)
 from aseme_dsl.amola.messages import DURATION, Kind, Type
 from aseme_dsl.amola.statechart import Statechart, Variable
 from aseme_dsl.amola.system import System
@@ -27,6 +37,11 @@ _TYPES = {Kind.BOOL: "?", Kind.INT: "i8", Kind.DOUBLE: "f8", Kind.DURATION: "i8"
 MESSAGES = "messages (what it sees are variables)"
 FUNCTIONS = "functions that are written in Python"
 DIVISION = "division, which may fail"
+TIMERS = "timers (there is `after`)"
+PACES = "`every`"
+FAILURES = "the failure of an activity"
+OUTCOMES = "the outcome of an activity"
+CHANCE = "chance (draw outside, into a variable)"
 TYPES = "values that are no truths and no numbers"
 
 
@@ -58,7 +73,7 @@ class BatchBackend:
 
 
 def _code(system: System, chart: Statechart) -> object:
-    code = generate_plain(system, chart, class_name(chart.name), PlainOptions(tables=False))
+    code = generate_plain(system, chart, class_name(chart.name), PlainOptions(tables=False, gates=False))
     constants = {
         enum_name(enum.name, constant): number for enum in system.enums for constant, number in enum.constants
     }
@@ -84,6 +99,15 @@ def _limits(chart: Statechart) -> Iterator[Limit]:
     for variable in chart.variables:
         if not _is_number(variable.type):
             yield Limit(TYPES, variable.span)
+    for transition in chart.transitions:
+        if transition.expression.every is not None:
+            yield Limit(PACES, transition.span)
+        for event in transition.expression.events:
+            if isinstance(event, Failed):
+                yield Limit(FAILURES, event.span)
+        for action in transition.expression.actions:
+            if isinstance(action, StartTimer):
+                yield Limit(TIMERS, action.span)
     for _, value in chart.values():
         what = _of_value(value) or ("" if _is_number(value.type) else TYPES)
         if what:
@@ -98,6 +122,12 @@ def _of_value(value: Value) -> str | None:
     match value:
         case Member():
             return MESSAGES
+        case Expired():
+            return TIMERS
+        case Outcome():
+            return OUTCOMES
+        case Random():
+            return CHANCE
         case Call(function=function) if not function.target.startswith("builtin:"):
             return FUNCTIONS
         case Arithmetic(operator="/" | "%"):

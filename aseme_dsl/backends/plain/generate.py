@@ -15,8 +15,12 @@ from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.runtime.naming import class_name, usable
 
-_STANDARD = (("collections.abc", ("Callable", "Mapping")), ("typing", ("Any", "ClassVar")))
-_RUNTIME = ("ABSENT", "ROUNDS", "Plain")
+_STANDARD = (
+    ("collections.abc", ("Callable", "Mapping")),
+    ("random", ("Random",)),
+    ("typing", ("Any", "ClassVar")),
+)
+_RUNTIME = ("ABSENT", "NEVER", "ROUNDS", "Plain")
 """What a module imports where it uses it."""
 
 
@@ -32,7 +36,7 @@ class PlainBackend:
         Raises:
             Refused: a role does what only an agent can do.
         """
-        problems = [problem for chart in system.iacs for problem in problems_of(chart)]
+        problems = [problem for chart in system.iacs for problem in problems_of(system, chart)]
         if problems:
             raise Refused(tuple(problems))
         templates = environment(options, Path(__file__).parent / "templates")
@@ -86,10 +90,15 @@ def module_text(
     return tidy(rendered(templates, "plain.py.j2", "", known).text)
 
 
-def problems_of(chart: Statechart) -> Iterator[Diagnostic]:
+def problems_of(system: System, chart: Statechart) -> Iterator[Diagnostic]:
     """One problem for each thing that a statechart cannot do here, with all its places."""
     what = f"a plain statechart such as `{chart.name}` cannot do this"
-    yield from refusals(limits(chart), "E320", what, "the other backends make agents of the roles, which can")
+    yield from refusals(
+        limits(chart, system.activities),
+        "E320",
+        what,
+        "the other backends make agents of the roles, which can",
+    )
 
 
 def refusals(found: Iterable[Limit], code: str, what: str, hint: str) -> Iterator[Diagnostic]:
