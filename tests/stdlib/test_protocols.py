@@ -402,6 +402,28 @@ def test_two_lines_are_a_role(item: Protocol) -> None:
     assert used == set(item.acts)
 
 
+def test_one_role_may_play_all_of_them() -> None:
+    """What has the same name in two of them gets another one with `as`; activities of one name do the same."""
+    first = [next(iter(item.parts.values())) for item in PROTOCOLS]
+    other = [list(item.parts.values())[-1] for item in PROTOCOLS]
+    lines = ["system All", "import protocols"]
+    for role, parts, formula in (("boss", first, " . "), ("hand", other, "~ || ")):
+        named = [f"{part}_{number}" for number, part in enumerate(parts)]
+        plays = (
+            f"plays {p.name}.{part} as {name}" for p, part, name in zip(PROTOCOLS, parts, named, strict=True)
+        )
+        end = "~" if "~" in formula else ""
+        lines += [f"srm {role} {{", *plays, f"liveness {{ {role} = {formula.join(named)}{end} }} }}"]
+    lines += ["srm middle { plays brokering.broker  liveness { middle = broker~ } }"]
+    lines += ["team T { ann : boss  bob, cid : hand  dan : middle }"]
+    found = analyse(Source("all.aseme", "\n".join(lines)))
+    assert found.diagnostics == (), render_text(found.diagnostics)
+    run = play("\n".join(lines), until=LIMIT)
+    conversations = [record["conversation"] for record in run.of("conversation", what="open")]
+    assert [name.partition("-")[0] for name in conversations] == [item.name for item in PROTOCOLS]
+    assert "ann" not in {agent.name for agent in run.result.agents if not agent.finished}
+
+
 @pytest.mark.parametrize("end", ENDS, ids=str)
 def test_it_ends(end: End) -> None:
     run = played(end)
