@@ -403,15 +403,14 @@ def test_two_lines_are_a_role(item: Protocol) -> None:
 
 
 def test_one_role_may_play_all_of_them() -> None:
-    """What has the same name in two of them gets another one with `as`; activities of one name do the same."""
+    """What has one name in two of them gets another one with `as`; activities of one name do the same."""
     first = [next(iter(item.parts.values())) for item in PROTOCOLS]
     other = [list(item.parts.values())[-1] for item in PROTOCOLS]
     lines = ["system All", "import protocols"]
     for role, parts, formula in (("boss", first, " . "), ("hand", other, "~ || ")):
         named = [f"{part}_{number}" for number, part in enumerate(parts)]
-        plays = (
-            f"plays {p.name}.{part} as {name}" for p, part, name in zip(PROTOCOLS, parts, named, strict=True)
-        )
+        together = zip(PROTOCOLS, parts, named, strict=True)
+        plays = (f"plays {item.name}.{part} as {name}" for item, part, name in together)
         end = "~" if "~" in formula else ""
         lines += [f"srm {role} {{", *plays, f"liveness {{ {role} = {formula.join(named)}{end} }} }}"]
     lines += ["srm middle { plays brokering.broker  liveness { middle = broker~ } }"]
