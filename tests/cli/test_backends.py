@@ -19,8 +19,7 @@ team Pair { a : walker  b : watcher }
 """
 
 OWN = """\
-from jade_like.Walker.robot import behaviours
-from jade_like.Walker.robot.agent import RobotAgent as Generated
+from jade_like.Walker.robot import agent, behaviours
 
 
 class Walk(behaviours.Walk):
@@ -28,7 +27,7 @@ class Walk(behaviours.Walk):
         self.log(f"{self.agent.name} sets out")
 
 
-class RobotAgent(Generated):
+class WalkerRobotAgent(agent.RobotAgent):
     def setup(self) -> None:
         self.use(Walk)
 """
@@ -52,7 +51,7 @@ def test_what_jade_like_writes(here: Here, folder: Path) -> None:
         "jade_like/Walker/robot/behaviours.py",
         "jade_like/Walker/robot/plan.py",
         "jade_like/Walker/robot/step.py",
-        "monas/activities/robot_agent.py",
+        "monas/activities/walker_robot_agent.py",
         "monas/activities/stand.py",
         "monas/activities/walk.py",
     }
@@ -77,7 +76,7 @@ def test_both_backends_have_the_same_plans_steps_messages_and_activities(here: H
         one, other = (folder / "out" / name / "Walker" / path for name in ("monas", "jade_like"))
         assert one.read_bytes() == other.read_bytes()
     assert {path for path in written if "activities" in path} == {
-        "monas/activities/robot_agent.py",
+        "monas/activities/walker_robot_agent.py",
         "monas/activities/stand.py",
         "monas/activities/walk.py",
     }
@@ -86,7 +85,7 @@ def test_both_backends_have_the_same_plans_steps_messages_and_activities(here: H
 
 def test_what_is_the_users_stays_whichever_backend_is_built(here: Here, folder: Path) -> None:
     here("build", "good.aseme", "--backend", "jade_like")
-    own = folder / "out/monas/activities/robot_agent.py"
+    own = folder / "out/monas/activities/walker_robot_agent.py"
     own.write_text(OWN)
     walk = folder / "out/monas/activities/walk.py"
     walk.write_text("class Walk:\n    def execute(self, context):\n        context.wait(0.5)\n")
@@ -98,7 +97,7 @@ def test_what_is_the_users_stays_whichever_backend_is_built(here: Here, folder: 
 
 def test_an_own_behaviour_is_heard_in_a_run(here: Here, folder: Path) -> None:
     here("build", "good.aseme", "--backend", "jade_like")
-    (folder / "out/monas/activities/robot_agent.py").write_text(OWN)
+    (folder / "out/monas/activities/walker_robot_agent.py").write_text(OWN)
     (folder / "in.jsonl").write_text(SEEN)
     done = asemec("run", "out", "--for", "2500ms", "--input", "in.jsonl", cwd=folder)
     assert done.code == 0, done.err
@@ -110,11 +109,11 @@ def test_an_own_behaviour_is_heard_in_a_run(here: Here, folder: Path) -> None:
 @pytest.mark.parametrize(
     ("wrong", "said"),
     [
-        ("import nothing_of_that_name", "robot_agent.py cannot be imported: ModuleNotFoundError"),
-        ("class Robot:\n    pass", "robot_agent.py has no class RobotAgent"),
+        ("import nothing_of_that_name", "walker_robot_agent.py cannot be imported: ModuleNotFoundError"),
+        ("class Robot:\n    pass", "walker_robot_agent.py has no class WalkerRobotAgent"),
         (
-            "class RobotAgent:\n    pass",
-            "RobotAgent is no subclass of jade_like.Walker.robot.agent.RobotAgent",
+            "class WalkerRobotAgent:\n    pass",
+            "WalkerRobotAgent is no subclass of jade_like.Walker.robot.agent.RobotAgent",
         ),
     ],
 )
@@ -122,11 +121,31 @@ def test_a_class_of_the_user_that_does_not_fit_is_said_before_the_run(
     folder: Path, wrong: str, said: str
 ) -> None:
     asemec("build", "good.aseme", "--backend", "jade_like", cwd=folder)
-    (folder / "out/monas/activities/robot_agent.py").write_text(wrong + "\n")
+    (folder / "out/monas/activities/walker_robot_agent.py").write_text(wrong + "\n")
     done = asemec("run", "out", cwd=folder)
     assert done.code == 1
     assert said in done.err
     assert "Traceback" not in done.err
+
+
+def test_systems_that_share_a_folder_of_activities_have_agents_of_their_own(here: Here, folder: Path) -> None:
+    (folder / "other.aseme").write_text(GOOD.replace("system Walker", "system Runner"))
+    for name in ("good", "other"):
+        done = here(
+            "run",
+            f"{name}.aseme",
+            "--backend",
+            "jade_like",
+            "-o",
+            f"out_{name}",
+            "--activities",
+            "mine",
+            "--for",
+            "1s",
+        )
+        assert done.code == 0, done.err
+    written = {path.name for path in (folder / "mine").glob("*_agent.py")}
+    assert written == {"walker_robot_agent.py", "runner_robot_agent.py"}
 
 
 @pytest.mark.parametrize("name", ["monas", "jade_like"])

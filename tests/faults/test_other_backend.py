@@ -12,8 +12,7 @@ from tests.faults.test_restarted_version import CHANGED, ROBOTS, begun_as, swap,
 pytest.importorskip("zenoh")
 
 OWN = """\
-from jade_like.Talk.robot import behaviours
-from jade_like.Talk.robot.agent import RobotAgent as Generated
+from jade_like.Talk.robot import agent, behaviours
 
 
 class Robot(behaviours.Robot):
@@ -24,7 +23,7 @@ class Robot(behaviours.Robot):
         self.log("is left")
 
 
-class RobotAgent(Generated):
+class TalkRobotAgent(agent.RobotAgent):
     def setup(self) -> None:
         self.use(Robot)
 """
@@ -36,7 +35,7 @@ def logs(trace: list[dict[str, object]]) -> list[object]:
 
 def test_robots_with_behaviours_are_changed_and_come_back(tmp_path: Path) -> None:
     folder = project(tmp_path)
-    (folder / "activities" / "robot_agent.py").write_text(OWN)
+    (folder / "activities" / "talk_robot_agent.py").write_text(OWN)
     with started(folder, "--backend", "jade_like") as run:
         run.wait_for_talk()
         assert logs(run.trace("robot1")) == ["begins"]

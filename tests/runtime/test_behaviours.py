@@ -222,10 +222,10 @@ def test_a_class_of_the_user_that_shows_something_else_is_refused_before_the_run
     class WalkerAgent:
         pass
 
-    (problem,) = activity_errors(made.charts.values(), {"WalkerAgent": WalkerAgent}.get)
+    (problem,) = activity_errors(made.charts.values(), {"SWalkerAgent": WalkerAgent}.get)
     assert problem.startswith("WalkerAgent is no subclass of generated_")
     with pytest.raises(TeamError, match="WalkerAgent is no subclass"):
-        make(made, {"WalkerAgent": WalkerAgent})
+        make(made, {"SWalkerAgent": WalkerAgent})
 
 
 def test_an_agent_that_fails_leaves_everything() -> None:

@@ -83,7 +83,7 @@ class JadeLikeBackend:
         artefacts = [system_file(templates, system, roles, shown=True), messages]
         for chart, role in zip(system.iacs, roles, strict=True):
             folder = f"{system.name}/{usable(chart.name)}"
-            own = _own(chart, taken)
+            own = _own(system, chart, taken)
             shown = options.known.recall(_shown, role.seen)
             known = {
                 "system": system,
@@ -118,9 +118,12 @@ def _shown(seen: System) -> Shown:
     return Shown(classes, _imported(classes), tuple(_offers(seen, tree)), _example(tree))
 
 
-def _own(chart: Statechart, taken: set[str]) -> str:
-    """The name of the user's class for a role, whose module no activity has."""
-    wish = name = f"{class_name(chart.name)}Agent"
+def _own(system: System, chart: Statechart, taken: set[str]) -> str:
+    """The name of the user's class for a role, whose module no activity has.
+
+    The system's is in it: several systems may have their activities in one folder.
+    """
+    wish = name = "".join(dict.fromkeys(map(class_name, (system.name, chart.name)))) + "Agent"
     number = 2
     while f"{ACTIVITIES}/{module_name(name)}.py" in taken:
         name, number = f"{wish}{number}", number + 1
