@@ -18,8 +18,7 @@ import itertools
 import threading
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field, replace
-from datetime import UTC, datetime, timedelta
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime import outsiders
@@ -28,18 +27,17 @@ from aseme_dsl.runtime.acl import (
     AclMessage,
     AgentIdentifier,
     FipaMessage,
-    Span,
     name_of,
     performative_of,
 )
-from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.board import QUEUE
-from aseme_dsl.runtime.clock import MILLISECOND, SECOND
+from aseme_dsl.runtime.conversation_trace import ConversationTrace
 from aseme_dsl.runtime.convert import Messages, mailed
 from aseme_dsl.runtime.directory import Directory
 from aseme_dsl.runtime.inputs import LOST, Identity, Mail
-from aseme_dsl.runtime.invitations import Invitations, Part
+from aseme_dsl.runtime.invitations import Part
 from aseme_dsl.runtime.management import Management
+from aseme_dsl.runtime.participation import REMEMBERED, Conversation, Desk, Participation
 from aseme_dsl.runtime.plan import BranchInfo, Plan
 from aseme_dsl.runtime.trace import Trace
 from aseme_dsl.runtime.transport.port import LOCAL, Transport
@@ -51,69 +49,9 @@ if TYPE_CHECKING:
 
 WAITING = 1000
 """So many messages wait at the most, at one agent, for a participant to be entered."""
-REMEMBERED = 4096
-"""Of so many conversations that are over here is known who has left them, while others may not know it; and
-so many messages from elsewhere are known again."""
 
 Hears = Callable[[FipaMessage], None]
 """What an agent in this process that is not of the team is told messages by."""
-
-
-@dataclass(slots=True)
-class _Branch:
-    """A protocol branch that is entered: in which conversation it takes part, and what it has not taken."""
-
-    info: BranchInfo
-    conversation: str | None = None
-    waiting: dict[Identity, Mail] = field(default_factory=dict)
-    taken: dict[tuple[str, str, str], Mail] = field(default_factory=dict)
-    """The last one taken of each kind and sender, the newest at the end."""
-    answered: dict[str, Mail] = field(default_factory=dict)
-    """The last one taken of each sender: what is sent to it next is an answer to that."""
-    was_full: bool = False
-
-    @property
-    def part(self) -> Part:
-        return self.info.protocol, self.info.participant
-
-
-@dataclass(slots=True)
-class _Conversation:
-    """Who takes part, by participant; who is invited, and who has left."""
-
-    protocol: str
-    members: dict[str, list[str]] = field(default_factory=dict)
-    past: set[tuple[str, str]] = field(default_factory=set)
-    places: dict[tuple[str, str], _Branch] = field(default_factory=dict)
-    """The branches here that take part, by agent and participant."""
-    invitations: int = 0
-    """How many of its messages wait here for a participant to be entered or free."""
-    outsiders: dict[str, tuple[AgentIdentifier, ...]] = field(default_factory=dict)
-    """Who is to get what is said to an agent that is not of the team."""
-
-
-@dataclass(slots=True)
-class _Desk:
-    """An agent here: its branches that are entered, those of them that are free, and what waits for one."""
-
-    branches: dict[str, _Branch] = field(default_factory=dict)
-    free: dict[Part, dict[str, _Branch]] = field(default_factory=dict)
-    invitations: Invitations = field(default_factory=Invitations)
-    heard: dict[tuple[Any, ...], None] = field(default_factory=dict)
-    """The messages from elsewhere that came last."""
-
-    def first_free(self, part: Part) -> _Branch | None:
-        """The branch of a participant that was free first."""
-        return next(iter(self.free.get(part, {}).values()), None)
-
-    def was_heard(self, message: tuple[Any, ...]) -> bool:
-        """Whether a message has come before; from now on it has."""
-        if message in self.heard:
-            return True
-        self.heard[message] = None
-        if len(self.heard) > REMEMBERED:
-            del self.heard[next(iter(self.heard))]
-        return False
 
 
 class Conversations:
@@ -130,7 +68,7 @@ class Conversations:
         """So many messages, `queue`, may wait for a participant to take them."""
         self.directory = Directory(driver, trace)
         self._driver = driver
-        self._trace = trace
+        self._told = ConversationTrace(driver, trace)
         self._transport = transport
         self._queue = queue
         self._agents: dict[str, Agent] = {}
@@ -140,7 +78,7 @@ class Conversations:
         """Who has left the conversations that are forgotten here but may go on elsewhere, the newest last."""
         self.links: Links | None = None
         """The simulated links between the agents, if they are not perfect."""
-        self._desks: dict[str, _Desk] = {}
+        self._desks: dict[str, Desk] = {}
         self._playing: dict[Part, list[str]] = {}
         """Who plays a participant, in the team's order, as far as somebody has asked."""
         self._outside: dict[str, Hears] = {}
@@ -149,7 +87,7 @@ class Conversations:
         """Of what outsiders say."""
         self._asked: dict[str, str] = {}
         """The conversations of what was sent to outsiders, by what an answer calls it, the newest last."""
-        self._conversations: dict[str, _Conversation] = {}
+        self._conversations: dict[str, Conversation] = {}
         self._management = Management(self.directory, system, self._tell_outside, self._plans)
         self._opened: dict[tuple[str, str], int] = {}
         self._lock = threading.RLock()
@@ -157,7 +95,7 @@ class Conversations:
     def join(self, agent: Agent) -> None:
         """An agent can be talked to; the order in which they come is the team's."""
         self._agents[agent.name] = agent
-        self._desks[agent.name] = _Desk()
+        self._desks[agent.name] = Desk()
         self.join_elsewhere(agent.name, agent.plan)
         self.directory.appeared(agent.name, agent.plan)
 
@@ -213,7 +151,7 @@ class Conversations:
                 invited, part, reason = self._receivers(agent, place, to, performative, message)
                 if reason:
                     text = f"{performative} {message} is not sent: {reason}"
-                    self._trace.fault(self._driver.clock.now(), agent.name, text)
+                    self._told.fault(agent.name, text)
                     return
                 receivers = tuple(name for name in invited if name not in excepts)
                 self._send(agent, place, performative, message, content, receivers, part, reply_by)
@@ -229,7 +167,7 @@ class Conversations:
                 text = (
                     f"{performative} {message} is not sent: {to} plays no part of {protocol} that receives it"
                 )
-                self._trace.fault(self._driver.clock.now(), agent.name, text)
+                self._told.fault(agent.name, text)
                 return
             place = self._place_of(agent, branch, performative, message, content)
             if place is None:
@@ -237,7 +175,7 @@ class Conversations:
             reason = self._invite(place, to, part)
             if reason:
                 text = f"{performative} {message} is not sent: {reason}"
-                self._trace.fault(self._driver.clock.now(), agent.name, text)
+                self._told.fault(agent.name, text)
             else:
                 self._send(agent, place, performative, message, content, (to,), part)
 
@@ -259,13 +197,13 @@ class Conversations:
 
     def _place_of(
         self, agent: Agent, branch: str, performative: str, message: str, content: Any
-    ) -> _Branch | None:
+    ) -> Participation | None:
         """The branch in a conversation, which is opened if there is none; None, told, if it was left."""
         place = self._desks[agent.name].branches.get(branch)
         if place is None:
             info = agent.branch_info(branch)
             reason = "its participant was left"
-            self._tell("unsent", agent, performative, message, content, info, reason=reason)
+            self._told.unsent(agent.name, performative, message, content, info, reason)
         elif place.conversation is None:
             self._open(agent, place)
         return place
@@ -273,7 +211,7 @@ class Conversations:
     def _send(
         self,
         agent: Agent,
-        place: _Branch,
+        place: Participation,
         performative: str,
         message: str,
         content: Any,
@@ -300,7 +238,7 @@ class Conversations:
             reply_by=reply_by,
         )
         answered = place.answered
-        self._tell_sent(acl, [answered[name].identity for name in receivers if name in answered])
+        self._told.sent(acl, [answered[name].identity for name in receivers if name in answered])
         for name in receivers:
             heard = answered.get(name)
             self._bring(name, acl if heard is None else replace(acl, in_reply_to=heard.reply_with))
@@ -322,7 +260,7 @@ class Conversations:
         else:
             known = conversation.outsiders if conversation is not None else {}
             to = known.get(name, (AgentIdentifier(name),))
-            by = self._fipa_moment(acl.reply_by)
+            by = outsiders.fipa_moment(acl.reply_by, self._driver.clock)
             self._carry_outside(acl.sender, outsiders.written(acl, to, reply_by=by), to)
 
     def _carry_outside(self, sender: str, message: FipaMessage, to: Iterable[AgentIdentifier]) -> None:
@@ -337,19 +275,19 @@ class Conversations:
                 hears(message)
             elif not self._transport.carry_outside(message, receiver):
                 text = f"{message.performative} cannot be sent: there is no way to {receiver.name}"
-                self._trace.fault(self._driver.clock.now(), sender, text)
+                self._told.fault(sender, text)
 
-    def _open(self, agent: Agent, place: _Branch) -> None:
+    def _open(self, agent: Agent, place: Participation) -> None:
         protocol = place.info.protocol
         while True:
             number = self._opened[protocol, agent.name] = self._opened.get((protocol, agent.name), 0) + 1
             name = f"{protocol}-{agent.name}-{self._transport.life}{number}"
             if name not in self._conversations and name not in self._over:  # an outsider may call its own so
                 break
-        self._conversations[name] = _Conversation(protocol)
+        self._conversations[name] = Conversation(protocol)
         self._take_part(agent, place, name, "open")
 
-    def _take_part(self, agent: Agent, place: _Branch, name: str, what: str) -> None:
+    def _take_part(self, agent: Agent, place: Participation, name: str, what: str) -> None:
         place.conversation = name
         part = place.part
         self._desks[agent.name].free.get(part, {}).pop(place.info.label, None)
@@ -358,10 +296,10 @@ class Conversations:
         members = conversation.members.setdefault(part[1], [])
         if agent.name not in members:
             members.append(agent.name)
-        self._told(what, agent, place, name)
+        self._told.takes_part(what, agent.name, place, name)
 
     def _receivers(
-        self, agent: Agent, place: _Branch, to: str, performative: str, message: str
+        self, agent: Agent, place: Participation, to: str, performative: str, message: str
     ) -> tuple[tuple[str, ...], str, str]:
         """Who is addressed, as which participant and, where it cannot be sent, why."""
         assert place.conversation is not None
@@ -390,7 +328,7 @@ class Conversations:
             members = conversation.members[to] = players[:most]
         return tuple(members), to, ""
 
-    def _invite(self, place: _Branch, name: str, part: str) -> str:
+    def _invite(self, place: Participation, name: str, part: str) -> str:
         """An agent shall take part, if it does not yet; the reason why it cannot."""
         members = self._conversations[place.conversation or ""].members.setdefault(part, [])
         if name in members:
@@ -418,15 +356,15 @@ class Conversations:
         """The transport has brought a message for an agent, with what its sender knows of who takes part."""
         with self._driver.holding(), self._lock:
             if self._desks[agent.name].was_heard(acl.identity):
-                self._tell_unexpected(agent, acl, "it was received before")
+                self._told.unexpected(agent.name, acl, "it was received before")
                 return
-            self._tell_received(agent, acl)
+            self._told.received(agent.name, acl)
             played = (info.version for info in agent.plan.branches if info.protocol == acl.protocol)
             acl = replace(acl, version=next(played, ""))  # the transport brings only what is of our model
             conversation = self._conversations.get(acl.conversation)
             if conversation is None:
                 past = self._over.pop(acl.conversation, set())
-                conversation = _Conversation(acl.protocol, past=past)
+                conversation = Conversation(acl.protocol, past=past)
                 self._conversations[acl.conversation] = conversation
             for part, names in members.items():
                 known = conversation.members.setdefault(part, [])
@@ -500,12 +438,12 @@ class Conversations:
             message.ontology,
             message.reply_with,
             message.in_reply_to,
-            self._own_moment(message.reply_by),
+            outsiders.own_moment(message.reply_by, self._driver.clock),
         )
-        self._tell_received(agent, acl)
+        self._told.received(agent.name, acl)
         if conversation is None:
             past = self._over.pop(name, set())
-            conversation = self._conversations[name] = _Conversation(info.protocol, past=past)
+            conversation = self._conversations[name] = Conversation(info.protocol, past=past)
         members = conversation.members.setdefault(found.participant, [])
         _, most = info.size_of(found.participant)
         if message.sender is not None:
@@ -518,45 +456,11 @@ class Conversations:
             self._deliver(agent, acl)
         self._close(name)
 
-    def _own_moment(self, moment: datetime | Span | None) -> int | None:
-        """A moment of FIPA's in ns of the run; None in virtual time for one that is not relative."""
-        clock = self._driver.clock
-        if isinstance(moment, Span):
-            days = moment.years * 365 + moment.months * 30 + moment.days
-            return clock.now() + moment.sign * (days * 86_400_000 + moment.milliseconds) * MILLISECOND
-        if moment is None or clock.virtual:
-            return None
-        try:
-            left = moment.timestamp() - datetime.now(UTC).timestamp()
-        except (OverflowError, ValueError):  # in the year 1, in local time
-            return None
-        return clock.now() + round(left * SECOND)
-
-    def _fipa_moment(self, moment: int | None) -> datetime | Span | None:
-        """A moment of the run as FIPA says it."""
-        if moment is None:
-            return None
-        left = moment - self._driver.clock.now()
-        if self._driver.clock.virtual:
-            return Span(milliseconds=max(left, 0) // MILLISECOND)
-        return datetime.now(UTC) + timedelta(microseconds=left // 1000)
-
     def _not_understood(
         self, to: str, message: FipaMessage, identity: Identity, reason: str, *, answered: bool = True
     ) -> None:
         """Tell of a message of an outsider that nobody can be given, and answer it."""
-        content = message.content if isinstance(message.content, str) else None
-        self._trace.write(
-            "unexpected",
-            self._driver.clock.now(),
-            agent=to,
-            input=list(identity),
-            performative=performative_of(message.performative) or message.performative,
-            sender=identity[0],
-            conversation=message.conversation or None,
-            content=None if content is None else content[: outsiders.LONGEST],
-            reason=reason,
-        )
+        self._told.meaningless(to, message, identity, reason)
         if (
             answered
             and message.sender is not None
@@ -599,11 +503,19 @@ class Conversations:
                 for part in awaited:
                     identity = agent.identity()
                     mail = Mail(place.info.label, LOST, "", None, part, name, identity)
-                    self._told("gone", agent, place, place.conversation or "", None, name, part, identity)
+                    self._told.takes_part(
+                        "gone",
+                        agent.name,
+                        place,
+                        place.conversation or "",
+                        peer=name,
+                        played=part,
+                        identity=identity,
+                    )
                     place.waiting[identity] = mail
                     agent.post(identity, mail, conversation=place.conversation)
                 if elsewhere and parts and not awaited:
-                    self._told("gone", agent, place, place.conversation or "", peer=name)
+                    self._told.takes_part("gone", agent.name, place, place.conversation or "", peer=name)
 
     def _deliver(self, agent: Agent, acl: AclMessage) -> None:
         conversation = self._conversations.get(acl.conversation)
@@ -652,7 +564,7 @@ class Conversations:
     def _receives(self, info: BranchInfo, acl: AclMessage) -> bool:
         return (acl.performative, acl.message) in info.receives
 
-    def _post(self, agent: Agent, place: _Branch, acl: AclMessage) -> None:
+    def _post(self, agent: Agent, place: Participation, acl: AclMessage) -> None:
         mail = Mail(
             place.info.label,
             acl.performative,
@@ -667,32 +579,19 @@ class Conversations:
         place.waiting[acl.identity] = mail
         agent.post(acl.identity, mail, conversation=acl.conversation)
 
-    def _refuse(self, agent: Agent, place: _Branch, acl: AclMessage) -> None:
+    def _refuse(self, agent: Agent, place: Participation, acl: AclMessage) -> None:
         """Too many messages wait already that the participant does not take."""
         if not place.was_full:
             place.was_full = True
             text = f"{self._queue} messages wait for {acl.to} of {agent.name} and are not taken"
-            self._trace.fault(self._driver.clock.now(), agent.name, f"{text}: what comes now is refused")
+            self._told.fault(agent.name, f"{text}: what comes now is refused")
         self._unexpected(agent, acl, f"{self._queue} messages wait already for {acl.to}")
 
     def _unexpected(self, agent: Agent, acl: AclMessage, reason: str) -> None:
         """Tell of a message that nobody expects, and answer it, but never an answer to that."""
-        self._tell_unexpected(agent, acl, reason)
+        self._told.unexpected(agent.name, acl, reason)
         if acl.performative != NOT_UNDERSTOOD:
             self._answer(agent, acl, reason)
-
-    def _tell_unexpected(self, agent: Agent, acl: AclMessage, reason: str) -> None:
-        self._trace.write(
-            "unexpected",
-            self._driver.clock.now(),
-            agent=agent.name,
-            input=list(acl.identity),
-            performative=acl.performative,
-            message=acl.message,
-            sender=acl.sender,
-            conversation=acl.conversation,
-            reason=reason,
-        )
 
     def _answer(self, agent: Agent, acl: AclMessage, reason: str) -> None:
         """Answer a message that nobody expects."""
@@ -713,7 +612,7 @@ class Conversations:
             name_of(identity),
             acl.reply_with,
         )
-        self._tell_sent(answer, [acl.identity])
+        self._told.sent(answer, [acl.identity])
         if acl.sender in self._plans:
             self._bring(acl.sender, answer)
             return
@@ -727,7 +626,7 @@ class Conversations:
     def joined(self, agent: Agent, branch: str) -> None:
         """A branch was entered: it is free, and takes the conversation that waits longest."""
         with self._driver.holding(), self._lock:
-            place = _Branch(agent.branch_info(branch))
+            place = Participation(agent.branch_info(branch))
             desk = self._desks[agent.name]
             desk.branches[branch] = place
             waiting = desk.invitations.take(place.part)
@@ -757,9 +656,7 @@ class Conversations:
             conversation = self._conversations[name]
             conversation.places.pop((agent.name, place.info.participant), None)
             conversation.past.add((agent.name, place.info.participant))
-            self._told(
-                "leave", agent, place, name, untaken=[list(identity) for identity in place.waiting] or None
-            )
+            self._told.takes_part("leave", agent.name, place, name, untaken=tuple(place.waiting))
             self._close(name)
 
     def _close(self, name: str) -> None:
@@ -872,7 +769,7 @@ class Conversations:
             places = desk.branches
             for branch in [item for item in places if labels.get(item) not in infos]:
                 self.left(agent, branch)
-            carried: dict[str, _Branch] = {}
+            carried: dict[str, Participation] = {}
             for branch, place in places.items():
                 label = labels[branch]
                 place.info = infos[label]
@@ -893,82 +790,6 @@ class Conversations:
                 self._deliver(agent, replace(acl, content=agent.understood(acl.content)))
                 self._close(acl.conversation)
 
-    # ---- the trace ---------------------------------------------------------------------------
-
-    def _tell_sent(self, acl: AclMessage, answered: Sequence[Identity]) -> None:
-        if self._trace.active:
-            self._trace.write(
-                "mail",
-                self._driver.clock.now(),
-                agent=acl.sender,
-                sequence=acl.identity[1],
-                **_said(acl),
-                reply_by=acl.reply_by,
-                to=list(acl.receivers),
-                answers=[list(identity) for identity in answered] or None,
-            )
-
-    def _tell(
-        self,
-        kind: str,
-        agent: Agent,
-        performative: str,
-        message: str,
-        content: Any,
-        info: BranchInfo,
-        reason: str,
-    ) -> None:
-        if self._trace.active:
-            self._trace.write(
-                kind,
-                self._driver.clock.now(),
-                agent=agent.name,
-                performative=performative,
-                message=message,
-                content=to_json(content),
-                protocol=info.protocol,
-                participant=info.participant,
-                reason=reason,
-            )
-
-    def _tell_received(self, agent: Agent, acl: AclMessage) -> None:
-        if self._trace.active:
-            self._trace.write(
-                "received",
-                self._driver.clock.now(),
-                agent=agent.name,
-                input=list(acl.identity),
-                **_said(acl),
-                in_reply_to=acl.in_reply_to or None,
-                reply_by=acl.reply_by,
-            )
-
-    def _told(
-        self,
-        what: str,
-        agent: Agent,
-        place: _Branch,
-        name: str,
-        untaken: list[list[Any]] | None = None,
-        peer: str | None = None,
-        played: str | None = None,
-        identity: Identity | None = None,
-    ) -> None:
-        self._trace.write(
-            "conversation",
-            self._driver.clock.now(),
-            agent=agent.name,
-            sequence=None if identity is None else identity[1],
-            what=what,
-            conversation=name,
-            protocol=None if name.startswith(f"{place.info.protocol}-") else place.info.protocol,
-            participant=place.info.participant,
-            branch=place.info.label,
-            untaken=untaken,
-            peer=peer,
-            played=played,
-        )
-
 
 def _at_least(least: int) -> str:
     return "one" if least <= 1 else f"{least} or more"
@@ -977,19 +798,6 @@ def _at_least(least: int) -> str:
 def _said_outside(message: FipaMessage) -> tuple[Any, ...]:
     """What tells one message of an outsider from the next."""
     return message.reply_with, message.conversation, message.performative.lower(), message.content
-
-
-def _said(acl: AclMessage) -> dict[str, Any]:
-    """An agent message as the trace tells it."""
-    return {
-        "performative": acl.performative,
-        "message": acl.message,
-        "content": to_json(acl.content),
-        "protocol": acl.protocol,
-        "conversation": acl.conversation,
-        "participant": acl.participant,
-        "receiver": acl.to,
-    }
 
 
 def _mails(items: Iterable[Mail], branch: str, messages: Messages) -> list[Mail]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import UTC, datetime, timedelta
 from typing import Any
 
 from aseme_dsl.runtime.acl import (
@@ -23,6 +23,7 @@ from aseme_dsl.runtime.acl import (
     performative_of,
 )
 from aseme_dsl.runtime.as_json import from_json, to_json
+from aseme_dsl.runtime.clock import MILLISECOND, SECOND, Clock
 from aseme_dsl.runtime.convert import Messages
 from aseme_dsl.runtime.plan import BranchInfo, Plan
 
@@ -31,7 +32,7 @@ MESSAGE = "X-message"
 PARTICIPANT = "X-participant"
 """The parameter that names the sender's part in the protocol."""
 LONGEST = 2000
-"""So many characters of a content that is not understood are told."""
+"""So many characters of a reason are told."""
 
 
 class NotUnderstood(Exception):
@@ -180,3 +181,27 @@ def answer(message: FipaMessage, sender: str, performative: str, reason: str, re
         reply_with=reply_with,
         in_reply_to=message.reply_with,
     )
+
+
+def own_moment(moment: datetime | Span | None, clock: Clock) -> int | None:
+    """A moment of FIPA's in ns of the run; None in virtual time for one that is not relative."""
+    if isinstance(moment, Span):
+        days = moment.years * 365 + moment.months * 30 + moment.days
+        return clock.now() + moment.sign * (days * 86_400_000 + moment.milliseconds) * MILLISECOND
+    if moment is None or clock.virtual:
+        return None
+    try:
+        left = moment.timestamp() - datetime.now(UTC).timestamp()
+    except (OverflowError, ValueError):  # in the year 1, in local time
+        return None
+    return clock.now() + round(left * SECOND)
+
+
+def fipa_moment(moment: int | None, clock: Clock) -> datetime | Span | None:
+    """A moment of the run as FIPA says it: in virtual time from now on."""
+    if moment is None:
+        return None
+    left = moment - clock.now()
+    if clock.virtual:
+        return Span(milliseconds=max(left, 0) // MILLISECOND)
+    return datetime.now(UTC) + timedelta(microseconds=left // 1000)
