@@ -52,6 +52,9 @@ from aseme_dsl.codegen.resting import is_open, resting
 TABLE = 64
 """Regions with more numbers than this dispatch through a tuple of functions, others through comparisons."""
 
+CHUNK = 64
+"""So many numbers have a function together: a power of two."""
+
 IN_LINE = 400
 """An event whose body has more lines than this has a method of its own."""
 
@@ -859,36 +862,43 @@ class _Generator(Face):
         return [*lines, "else:", *_indented(upper, 1)] if upper else lines
 
     def _by_table(self, mode: _Mode, region: int) -> list[str]:
-        """Find the body of the active leaf in a tuple of functions."""
+        """Find the body of the active leaf in a tuple of functions, each for as many leaves as `CHUNK`.
+
+        A function for each leaf is no faster, and takes long to load.
+        """
         word = mode.event or "step"
         table = self.identifiers.name(("table", mode.event, region), f"_{word.upper()}_{region}")
         entries: list[str] = []
         inner = self._called(mode)
-        filled = False
-        for body in self._bodies(inner, region, 3):
-            entry = "None"
-            if body.lines:
-                name = self.identifiers.name(
-                    ("leaf", mode.event, region, body.first), f"_{word}_{region}_{body.first}"
-                )
-                self._function(inner, name, f"{word} while {body.title}.", list(body.lines))
-                entry, filled = f"{self.class_name}.{name}", True
-            entries += [entry] * (body.last - body.first + 1)
-        if not filled:
+        bodies = self._bodies(inner, region, 3)
+        for first in range(0, self.flat.regions[region].size, CHUNK):
+            last = first + CHUNK - 1
+            inside = [
+                replace(body, first=max(body.first, first), last=min(body.last, last))
+                for body in bodies
+                if body.first <= last and body.last >= first
+            ]
+            lines = self._dispatch(region, inside)
+            if not lines:
+                entries.append("None")
+                continue
+            name = self.identifiers.name(("leaves", mode.event, region, first), f"_{word}_{region}_{first}")
+            ends = [labels[0].split()[0] for labels in ([inside[0].title], [inside[-1].title])]
+            self._function(inner, name, f"{word} while {ends[0]} … {ends[1]}.", lines)
+            entries.append(f"{self.class_name}.{name}")
+        if all(entry == "None" for entry in entries):
             return []
         kind = f"tuple[Callable[[{self.class_name}], int] | None, ...]"
         mode.tables[table] = ["", f"{table}: {kind} = (", *(f"    {entry}," for entry in entries), ")"]
-        if mode.direct:
-            return [
-                f"leaf = {table}[self.r{region}]",
-                "if leaf is not None:",
-                "    return leaf(self)",
+        found = f"leaves = {table}[self.r{region} >> {CHUNK.bit_length() - 1}]"
+        called = (
+            [
+                "return leaves(self)",
             ]
-        return [
-            f"leaf = {table}[self.r{region}]",
-            "if leaf is not None:",
-            *_indented(self._after_call(mode, "leaf(self)"), 1),
-        ]
+            if mode.direct
+            else self._after_call(mode, "leaves(self)")
+        )
+        return [found, "if leaves is not None:", *_indented(called, 1)]
 
     def _apart(self, mode: _Mode, region: int) -> list[str]:
         """A region whose code is in a method of its own."""

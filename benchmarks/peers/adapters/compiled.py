@@ -22,7 +22,11 @@ def running(behaviour: Behaviour, folder: str, form: str) -> Running:
     """
     if form == "agent":
         return agent(behaviour, folder)
-    chart = class_of(behaviour, folder, form)()
+    kind = class_of(behaviour, folder, form)
+    # One that is tracked is told of changes; that pays where they are rarer than events.
+    board = vars(sys.modules[kind.__module__])[f"{kind.__name__}Blackboard"]
+    is_tracked = hasattr(board, "changed") and not any(change for _, change in behaviour.steps)
+    chart = kind(board(tracked=True) if is_tracked else board())
     leaves = leaves_of(behaviour, chart.configuration)
     send = chart.send
     if form in ("send", "post"):
@@ -35,7 +39,7 @@ def running(behaviour: Behaviour, folder: str, form: str) -> Running:
         chart.start()
     if form == "dict":
         return with_dictionary(send, chart.bb, leaves)
-    return with_attributes(send, chart.bb, leaves, "bb.changed()" if hasattr(chart.bb, "changed") else "")
+    return with_attributes(send, chart.bb, leaves, "bb.changed()" if is_tracked else "")
 
 
 def instances(
