@@ -316,15 +316,21 @@ class JadeLikeAgent:
         """Have these classes in the place of the generated ones that they are subclasses of. For `setup`.
 
         Raises:
-            TypeError: one is no subclass of a behaviour of this agent, or two are for the same one.
+            TypeError: one is no subclass of a behaviour of this agent, or says itself what is in it, or two
+                are for the same one.
         """
         for kind in kinds:
             home = self.main.__module__
-            base = next((item for item in kind.__mro__ if item.__module__ == home), None)
+            bases = (item for item in kind.__mro__ if item.__module__ == home)
+            base = next((item for item in bases if issubclass(item, Behaviour)), None)
             if base is None or base is kind:
                 raise TypeError(
                     f"{kind.__name__} is no subclass of a behaviour of {self.plan.name}: what the agent does"
                     f" stands in {self.plan.source}"
+                )
+            if kind.build is not base.build:
+                raise TypeError(
+                    f"{kind.__name__} overrides build: what is in it stands in {self.plan.source}"
                 )
             other = self._kinds.get(base)
             if other is not None:
@@ -530,5 +536,7 @@ def agent_class(step: type[Chart], find: ActivityFinder) -> type[JadeLikeAgent] 
 
 def _built(kind: type[Behaviour], agent: JadeLikeAgent) -> Behaviour:
     made = kind(agent)
+    if getattr(made, "agent", None) is not agent:
+        raise TypeError(f"{kind.__name__}.__init__ does not call that of its base")
     made.build()
     return made

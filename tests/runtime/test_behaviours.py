@@ -216,6 +216,44 @@ def _at(text: str) -> Any:
     return Beginning(text)
 
 
+def test_a_class_that_says_itself_what_is_in_it_is_not_used() -> None:
+    made = generate(WALK, backend=BACKEND)
+    generated: Any = made.package.AGENTS["walker"]
+    behaviours = __import__(generated.main.__module__, fromlist=["x"])
+
+    class Walk(behaviours.Walk):  # type: ignore[name-defined, misc]
+        def build(self) -> None:
+            pass
+
+    class Own(generated):  # type: ignore[misc]
+        def setup(self) -> None:
+            self.use(Walk)
+
+    (fault,) = play(made, {generated.own: Own}, until=3 * SECOND).of("fault")
+    assert "Walk overrides build: what is in it stands in test.aseme" in fault["reason"]
+
+
+def test_a_class_that_cannot_be_made_leaves_the_generated_one() -> None:
+    made = generate(WALK, backend=BACKEND)
+    generated: Any = made.package.AGENTS["walker"]
+    behaviours = __import__(generated.main.__module__, fromlist=["x"])
+
+    class Walk(behaviours.Walk):  # type: ignore[name-defined, misc]
+        def __init__(self, agent: JadeLikeAgent) -> None:
+            self.steps = 0
+
+    class Own(generated):  # type: ignore[misc]
+        def setup(self) -> None:
+            self.use(Walk)
+
+    played = play(made, {generated.own: Own}, until=3 * SECOND)
+    assert played.result.reason == "finished"
+    (fault,) = played.of("fault")
+    assert (
+        "__init__ of Walk raised TypeError: Walk.__init__ does not call that of its base" in fault["reason"]
+    )
+
+
 def test_a_class_of_the_user_that_shows_something_else_is_refused_before_the_run() -> None:
     made = generate(WALK, backend=BACKEND)
 
