@@ -107,12 +107,27 @@ class PlainCode:
         pattern = re.compile(rf"\b{name}\b")
         return any(pattern.search(line) for line in (*self.board, *self.body, *self.tables))
 
+    def needs(self, name: str) -> bool:
+        """Whether a constant or the parameter of a method is of that type, not only the blackboard has it."""
+        pattern = re.compile(rf"\b{name}\b")
+        constants = (value for _, value in self.constants)
+        methods = (line for line in self.body if line.startswith("    def "))
+        return any(pattern.search(line) for line in (*constants, *methods))
+
 
 def generate_plain(
-    system: System, chart: Statechart, class_name: str, options: PlainOptions | None = None
+    system: System,
+    chart: Statechart,
+    class_name: str,
+    options: PlainOptions | None = None,
+    board_name: str = "",
 ) -> PlainCode:
-    """The class of a role's statechart; it must be one of which nothing is refused (`plain_limits.py`)."""
-    return _Generator(system, chart, class_name, options or PlainOptions()).generate()
+    """The class of a role's statechart; it must be one of which nothing is refused (`plain_limits.py`).
+
+    That of its blackboard is called `board_name`, or as it is with `Blackboard` behind.
+    """
+    board = board_name or f"{class_name}Blackboard"
+    return _Generator(system, chart, class_name, options or PlainOptions(), board).generate()
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,11 +171,13 @@ class _Body:
 
 
 class _Generator(Face):
-    def __init__(self, system: System, chart: Statechart, class_name: str, options: PlainOptions) -> None:
+    def __init__(
+        self, system: System, chart: Statechart, class_name: str, options: PlainOptions, board_name: str
+    ) -> None:
         self.rests = resting(chart, watched=options.watched)
         super().__init__(system, chart, FlatChart(chart, system.activities, self.rests.width))
         self.class_name = class_name
-        self.board_name = f"{class_name}Blackboard"
+        self.board_name = board_name
         self.options = options
         self.board_names = Identifiers()
         for name in ("tracked", "changed"):

@@ -53,6 +53,21 @@ print(lamp.configuration(), lamp.send("touch"))
 lamp.bb.room_state_Room = Room(dark=True)
 print(lamp.send("touch"), lamp.configuration(), lamp.bb.touched, lamp.bb.colour.name)
 print(lamp.send("touch"), lamp.send("other"), lamp.configuration())
+
+from Lamp.lamp_watched import WatchedLamp
+
+class Told(WatchedLamp):
+    def start_Shine(self, label):
+        print("on")
+    def stop_Shine(self, label):
+        print("off")
+    def took(self, *transitions):
+        print(self.TRANSITIONS[transitions[0]].split("  (")[0])
+
+lamp = Told(lamp.bb)
+lamp.start()
+lamp.send("touch")
+lamp.send("touch")
 """
     done = subprocess.run(
         [sys.executable, "-c", program],
@@ -66,6 +81,14 @@ print(lamp.send("touch"), lamp.send("other"), lamp.configuration())
         "('0.2.2',) False",
         "True ('0.2.3',) 1 RED",
         "True False ('0.2.2',)",
+        "0.1 -> 0.2 (Dark . Shine)",
+        "0.2.1 -> 0.2.2 Dark",
+        "0.2.2 -> 0.2.3 Shine  touch [room.state.Room.dark] / touched = touched + 1; colour = Colour.RED",
+        "on",
+        "0.2.3 -> 0.2.4  touch",
+        "off",
+        "0.2 -> 0.2 (Dark . Shine)",
+        "0.2.1 -> 0.2.2 Dark",
     ], done.stderr
 
 

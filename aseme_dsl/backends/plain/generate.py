@@ -15,6 +15,9 @@ from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.runtime.naming import class_name, usable
 
+WATCHED = "_watched"
+"""How the module ends whose class tells what happens in it."""
+
 _STANDARD = (
     ("collections.abc", ("Callable", "Mapping")),
     ("random", ("Random",)),
@@ -26,7 +29,7 @@ _RUNTIME = ("ABSENT", "NEVER", "ROUNDS", "Plain")
 
 @dataclass(frozen=True, slots=True)
 class PlainBackend:
-    """Emits one module a role with the class of its statechart and of its blackboard, and `messages.py`."""
+    """Emits per role the class of its statechart, and one that tells what happens in it; `messages.py`."""
 
     name: str = "plain"
 
@@ -40,26 +43,30 @@ class PlainBackend:
         if problems:
             raise Refused(tuple(problems))
         templates = environment(options, Path(__file__).parent / "templates")
-        roles = [
-            (
-                chart.name,
-                module_of(chart.name),
-                (class_name(chart.name), f"{class_name(chart.name)}Blackboard"),
-            )
-            for chart in system.iacs
-        ]
-        exported = (
-            "[" + ", ".join(f'"{name}"' for name in sorted(n for _, _, names in roles for n in names)) + "]"
-        )
+        roles = [(chart.name, module_of(chart.name), classes_of(chart)) for chart in system.iacs]
+        names = sorted(name for _, _, classes in roles for name in classes)
+        exported = f"[{', '.join(map(_quoted, names))}]"
         known = {"system": system, "source": source_of(system), "roles": roles, "exported": exported}
         artefacts = [
             rendered(templates, "plain_system.py.j2", f"{system.name}/__init__.py", known),
             messages_file(system),
         ]
         for chart in system.iacs:
-            text = module_text(system, chart, options)
-            artefacts.append(Artefact(f"{system.name}/{module_of(chart.name)}.py", text))
+            path = f"{system.name}/{module_of(chart.name)}"
+            artefacts.append(Artefact(f"{path}.py", module_text(system, chart, options)))
+            told = module_text(system, chart, options, PlainOptions(watched=True, gates=False), board=True)
+            artefacts.append(Artefact(f"{path}{WATCHED}.py", told))
         return tuple(artefacts)
+
+
+def classes_of(chart: Statechart) -> tuple[str, str]:
+    """The classes of the module of a role: its statechart, and its blackboard."""
+    name = class_name(chart.name)
+    return name, f"{name}Blackboard"
+
+
+def _quoted(name: str) -> str:
+    return f'"{name}"'
 
 
 def module_of(role: str) -> str:
@@ -68,11 +75,19 @@ def module_of(role: str) -> str:
 
 
 def module_text(
-    system: System, chart: Statechart, options: BackendOptions, plain: PlainOptions | None = None
+    system: System,
+    chart: Statechart,
+    options: BackendOptions,
+    plain: PlainOptions | None = None,
+    *,
+    board: bool = False,
 ) -> str:
-    """The module with the class of a role."""
+    """The module with the class of a role; with `board`, the blackboard is of the role's other module."""
     templates = environment(options, Path(__file__).parent / "templates")
-    code = generate_plain(system, chart, class_name(chart.name), plain)
+    name, its_board = classes_of(chart)
+    prefix = "Watched" if plain is not None and plain.watched else ""
+    code = generate_plain(system, chart, prefix + name, plain, its_board)
+    used_messages = code.messages if not board else tuple(item for item in code.messages if code.needs(item))
     standard = [
         f"from {module} import {', '.join(found)}"
         for module, names in _STANDARD
@@ -86,6 +101,8 @@ def module_text(
         "code": code,
         "standard": standard,
         "used": used,
+        "messages": used_messages,
+        "board": f".{module_of(chart.name)}" if board else "",
     }
     return tidy(rendered(templates, "plain.py.j2", "", known).text)
 
