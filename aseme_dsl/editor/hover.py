@@ -85,7 +85,7 @@ def _code_at(view: View, offset: int) -> Hover | None:
 
 def _comments(view: View, offset: int) -> Iterator[Span]:
     """The comments among which an offset may be; in a text that was not yet read again, those of its line."""
-    if view.carry is None:
+    if not view.carry:
         yield from (item.span for item in (view.file.comments if view.file is not None else ()))
         return
     begin = view.source.text.rfind("\n", 0, offset) + 1

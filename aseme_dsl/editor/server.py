@@ -216,11 +216,18 @@ class Server(LanguageServer):
 
     def location(self, path: str, span: Span) -> lsp.Location:
         """A place in a file; of one that is open, in the text of this moment."""
-        now = self.files.text(path) if path in self.files.buffers else None
-        if now is not None and now.removeprefix("\ufeff") != span.source.text:
-            source = self.source(path, now)
-            span = carry(span.source.text, source.text).span(span, source)
-        return lsp.Location(self.uri(path), self.range(span))
+        return lsp.Location(self.uri(path), self.range(self.now(path, span)))
+
+    def now(self, path: str, span: Span) -> Span:
+        """The same place in the text of this moment, if the file is open."""
+        text = self.files.buffers[path].text if path in self.files.buffers else None
+        if text is None or text.removeprefix("\ufeff") == span.source.text:
+            return span
+        view = self.files.recent(path)
+        if view is not None and view.file is not None and view.file.source.text == span.source.text:
+            return view.whole(Span(view.file.source, span.start, span.end))
+        source = self.source(path, text)
+        return carry(span.source.text, source.text).span(span, source)
 
     def text_of(self, uri: str) -> Source | None:
         """The text of a file as it is at this moment."""
@@ -325,7 +332,13 @@ class Server(LanguageServer):
         return [lsp.TextEdit(self.range(edit.span), edit.text) for edit in edits]
 
     def locations(self, places: Iterable[navigation.Place]) -> list[lsp.Location]:
-        return [self.location(place.path, place.span) for place in places]
+        """Where things are now; not those whose names have been edited since the compiler has seen them."""
+        found = ((place, self.now(place.path, place.span)) for place in places)
+        return [
+            lsp.Location(self.uri(place.path), self.range(span))
+            for place, span in found
+            if span.text == place.span.text
+        ]
 
 
 UNUSED = frozenset({"N727", "E302", "W301"})
@@ -381,7 +394,9 @@ def _documents(server: Server) -> None:
         path = server.path(params.text_document.uri)
         text = server.files.text(path) or ""
         changes = tuple(map(_change, params.content_changes))
-        server.files.open(path, changed(text, changes, server.encoding), params.text_document.version)
+        for change in changes:
+            text = changed(text, (change,), server.encoding)
+            server.files.open(path, text, params.text_document.version)
         server.soon(path)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_SAVE)

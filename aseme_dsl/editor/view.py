@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.editor.carrying import Carry, carry
+from aseme_dsl.editor.carrying import Carry
 from aseme_dsl.editor.index import Occurrence
 from aseme_dsl.editor.positions import Lines
 from aseme_dsl.editor.program import Program
@@ -53,8 +53,8 @@ class View:
     """What there is to say of this file, in all programs that it is in."""
     earlier: View | None = None
     """The last view in which the file had no mistake of syntax, if it has one now."""
-    carry: Carry | None = None
-    """Where the text has changed since the program was compiled; None if it has not."""
+    carry: tuple[Carry, ...] = ()
+    """What has been edited since the program was compiled, in this order."""
 
     @cached_property
     def lines(self) -> Lines:
@@ -72,8 +72,8 @@ class View:
 
     def at(self, offset: int) -> tuple[Source, int]:
         """The part that `offset` is in, and the offset in the part."""
-        if self.carry is not None:
-            offset = self.carry.back(offset)
+        for edit in reversed(self.carry):
+            offset = edit.back(offset)
         found, base = self.file.source if self.file is not None else self.source, 0
         for start, own, part in self.parts:
             if own > offset:
@@ -84,8 +84,9 @@ class View:
     def whole(self, span: Span) -> Span:
         """The place in its file of a span of a tree or model."""
         span = self.program.whole(span)
-        if self.carry is not None and self.file is not None and span.source is self.file.source:
-            return self.carry.span(span, self.source)
+        if self.carry and self.file is not None and span.source is self.file.source:
+            for edit in self.carry:
+                span = edit.span(span, self.source)
         return span
 
     def declaration_at(self, offset: int) -> tree.Declaration | None:
@@ -100,14 +101,14 @@ class View:
         """The name at an offset, or just before it; in what cannot be read now, what it meant before."""
         part, inside = self.at(offset)
         found = self.program.index.at(part, inside)
-        if found is not None and self.carry is not None:
+        if found is not None and self.carry:
             span = self.whole(found.span)
             found = found if self.stands(found) and span.start <= offset <= span.end else None
         return found or self._meant_before(offset)
 
     def stands(self, item: Occurrence) -> bool:
         """Whether a name has not been edited since the program was compiled."""
-        if self.carry is None:
+        if not self.carry:
             return True
         span, text = self.whole(item.span), self.source.text
         if span.source is not self.source:
@@ -122,7 +123,7 @@ class View:
         if start == end:
             return None
         name = _name_of(self.declaration_at(offset))
-        for view in (self if self.carry is not None else None, self.earlier):
+        for view in (self if self.carry else None, self.earlier):
             for block in view.file.declarations if view is not None and view.file is not None else ():
                 if view is not None and _name_of(block) == name:
                     for item in view.program.index.part(block.span.source):
@@ -139,8 +140,6 @@ class View:
         return tuple(item for part in parts for item in self.program.index.part(part))
 
 
-def carried(view: View, text: str) -> View:
-    """The same file with the text of this moment, which may have changed since `view` was made."""
-    if text == view.source.text:
-        return view
-    return replace(view, source=Source(view.source.path, text), carry=carry(view.source.text, text))
+def carried(view: View, text: str, edits: tuple[Carry, ...]) -> View:
+    """The same file with the text of this moment, to which it has been edited since `view` was made."""
+    return replace(view, source=Source(view.source.path, text), carry=edits) if edits else view

@@ -16,6 +16,7 @@ from aseme_dsl.compiler.phases import Inspection, inspecting
 from aseme_dsl.compiler.pieces import InPieces, finished
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
+from aseme_dsl.editor.carrying import Carry, carry
 from aseme_dsl.editor.index import Occurrence, Symbol, World, occurrences
 from aseme_dsl.editor.program import Indexer, Program
 from aseme_dsl.editor.view import View, carried
@@ -28,6 +29,9 @@ _T = TypeVar("_T")
 
 MOST_FILES = 2000
 """How many files of a folder are looked at for what imports what."""
+
+MOST_EDITS = 100
+"""How many edits are told apart until the compiler has seen them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,20 +108,43 @@ class Workspace:
     _memories: dict[str, Memory] = field(default_factory=dict)
     _parts: dict[str, Parts] = field(default_factory=dict)
     _carried: dict[str, View] = field(default_factory=dict)
+    _edits: dict[str, tuple[Carry, ...]] = field(default_factory=dict)
     _moment: int = 0
 
     # ---- what the editor says ------------------------------------------------------------------
 
     def open(self, path: str, text: str, version: int | None = None) -> None:
         """A file is open with this text now, or has changed to it."""
-        self.buffers[os.path.realpath(path)] = Buffer(text, version)
+        path = os.path.realpath(path)
+        known = self._recent.get(path)
+        if known is not None:
+            self._edits[path] = self._edited(path, known, text.removeprefix("\ufeff"))
+        self.buffers[path] = Buffer(text, version)
         self.forget()
+
+    def _edited(self, path: str, known: View, text: str) -> tuple[Carry, ...]:
+        """What leads from the text that was compiled last to this one."""
+        edits = self._edits.get(path, ())
+        before = self.buffers[path].text.removeprefix("\ufeff") if edits else known.source.text
+        if before == text:
+            return edits
+        if len(edits) < MOST_EDITS:
+            return (*edits, carry(before, text))
+        return (carry(known.source.text, text),) if known.source.text != text else ()
 
     def close(self, path: str) -> None:
         """The file counts as it is on disk again."""
         path = os.path.realpath(path)
         self.buffers.pop(path, None)
-        for known in (self._good, self._recent, self._carried, self._memories, self._parts, self._headers):
+        for known in (
+            self._good,
+            self._recent,
+            self._edits,
+            self._carried,
+            self._memories,
+            self._parts,
+            self._headers,
+        ):
             known.pop(path, None)
         if not self.buffers:
             self._memories.clear()
@@ -159,11 +186,12 @@ class Workspace:
         """
         path = os.path.realpath(path)
         known, text = self._recent.get(path), self.text(path)
-        if known is None or text is None:
+        if known is None or text is None or path not in self.buffers:
             return self.view(path)
+        edits = self._edits.get(path, ())
         found = self._carried.get(path, known)
-        if found.program is not known.program or found.source.text != text.removeprefix("\ufeff"):
-            found = self._carried[path] = carried(known, text.removeprefix("\ufeff"))
+        if found.program is not known.program or found.carry is not edits:
+            found = self._carried[path] = carried(known, text.removeprefix("\ufeff"), edits)
         return found
 
     def is_known(self, path: str) -> bool:
@@ -264,6 +292,7 @@ class Workspace:
         else:
             self._good[path] = view
         self._views[path] = self._recent[path] = view
+        self._edits.pop(path, None)
         return view
 
     # ---- which files belong together -----------------------------------------------------------

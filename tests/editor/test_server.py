@@ -469,6 +469,36 @@ async def test_semantic_tokens_full_and_their_difference(project: Project) -> No
     assert again is not None and data == list(again.data)
 
 
+async def test_semantic_tokens_of_some_lines(project: Project) -> None:
+    place = at("^let near")
+    end = lsp.Position(place.line + 1, 0)
+    found = await project.client.text_document_semantic_tokens_range_async(
+        lsp.SemanticTokensRangeParams(project.document(), lsp.Range(place, end))
+    )
+    assert found is not None
+    assert [TYPES[kind] for kind in found.data[3::5]] == "variable namespace keyword struct property".split()
+    assert found.data[0] == place.line and not any(found.data[5::5])
+
+
+async def test_what_is_asked_right_after_an_edit_is_answered_at_the_places_of_now(project: Project) -> None:
+    await project.settled()
+    above, text = at("^let near"), TEAM.replace("let near", "// two\n// lines\n\nlet near")
+    project.change("team.aseme", "// two\n// lines\n\n", lsp.Range(above, above))
+    end = at("taker   : else^", text)
+    project.change("team.aseme", "", lsp.Range(lsp.Position(end.line, end.character - 1), end))
+    text = text.replace("taker   : else", "taker   : els")
+    asked = lsp.HoverParams(project.document(), at("control ^look {", text))
+    early = await project.client.text_document_hover_async(asked)
+    assert early is not None and early.range is not None and shown(text, early.range) == "look"
+    places = await project.client.text_document_definition_async(
+        lsp.DefinitionParams(project.document(), at("control ^look {", text))
+    )
+    assert isinstance(places, list) and isinstance(places[0], lsp.Location)
+    assert places[0].range.start == at("    ^look = Scan", text)
+    await project.settled()
+    assert await project.client.text_document_hover_async(asked) == early
+
+
 async def test_folding(project: Project) -> None:
     found = await project.client.text_document_folding_range_async(lsp.FoldingRangeParams(project.document()))
     lines = TEAM.split("\n")

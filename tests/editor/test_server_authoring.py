@@ -157,6 +157,24 @@ async def test_a_part_of_a_formula_gets_a_name(project: Project) -> None:
     assert "keeper = look_part~\n    look_part = look | handing | taker\n" in changed
 
 
+async def test_a_formula_is_written_where_it_is_used(project: Project) -> None:
+    place = at("    ^look = Scan")
+    found = await actions(project, lsp.Range(place, place), "refactor.inline")
+    (action,) = [item for item in found if item.title == "Write `look` where it is used"]
+    resolved = await project.client.code_action_resolve_async(action)
+    changed = written(project, resolved.edit)
+    assert "look = Scan" not in changed and "control look {" not in changed and "Scan . [Jump]" in changed
+
+
+async def test_every_transition_gets_a_control_line(project: Project) -> None:
+    place = at("control ^look {")
+    found = await actions(project, lsp.Range(place, place))
+    (action,) = [item for item in found if "control line" in item.title]
+    resolved = await project.client.code_action_resolve_async(action)
+    changed = written(project, resolved.edit)
+    assert changed.count("enter Scan") == 1 and "enter Scan" not in TEAM
+
+
 async def test_what_cannot_be_done_is_said(project: Project) -> None:
     (action,) = await actions(project, between("(^look | handing | taker)~", "(look | handing^ | taker)~"))
     message = asyncio.ensure_future(
