@@ -64,7 +64,7 @@ srm peer {
 
 
 def asked_by(me: int, k: int, processes: int, agents: int) -> int:
-    """Whom the k-th question of an agent goes to: each agent gets as many as it asks, from other processes."""
+    """Whom the k-th question of an agent goes to: each is asked as often as it asks, from other processes."""
     process = (me // agents + 1 + k % (processes - 1)) % processes
     return process * agents + (me + k // (processes - 1)) % agents
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from functools import cache
 from typing import Any, ClassVar
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.acl import AgentIdentifier
@@ -513,3 +516,52 @@ def test_it_is_the_same_in_real_time(ask: Generated) -> None:
 def _has_expired(code: dict[str, type[Any]]) -> str | None:
     seen = code["Look"].seen  # type: ignore[attr-defined]
     return "seen" if (2, 1) in seen and seen[-1] == (2, 0) else None
+
+
+words = st.sampled_from(
+    [
+        *("action", "description", "max-results", "name", "services", "type", "lease-time", "properties"),
+        *("register", "search", "modify", "deregister", "get-description", "protocols", "state", "x"),
+        *("alice@elsewhere", "tim", "ask.teller", "ask"),
+    ]
+)
+values = st.recursive(
+    st.none() | st.booleans() | st.integers(-5, 10**20) | st.floats() | words | st.text(max_size=5),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(words, inner, max_size=4),
+    max_leaves=8,
+)
+contents = st.one_of(
+    values,
+    st.fixed_dictionaries(
+        {"action": words, "description": st.dictionaries(words, values, max_size=3)},
+        optional={"max-results": values},
+    ),
+)
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    said=st.lists(
+        st.tuples(
+            st.sampled_from(["request", "subscribe", "cancel", "inform", "?"]),
+            st.sampled_from(["df", "ams"]),
+            contents.map(json.dumps) | st.text(max_size=8),
+            st.sampled_from(["", "c1", "c2"]),
+        ),
+        max_size=10,
+    )
+)
+def test_whatever_the_directory_is_asked_it_answers(
+    ask: Generated, said: list[tuple[str, str, str, str]]
+) -> None:
+    team, records = make(ask, until=2 * SECOND)
+    alice = Outside(team)
+    for number, (act, to, content, conversation) in enumerate(said):
+        alice.say(100 * number, act, content, to=to, conversation=conversation, reply_with=f"r{number}")
+    result = team.run()
+    assert not result.failed
+    answered = [message.in_reply_to for message in alice.heard]
+    assert [number for number in range(len(said)) if f"r{number}" not in answered] == []
+    for record in records:
+        if record["kind"] == "directory":
+            check_line(record)
