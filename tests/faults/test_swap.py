@@ -315,7 +315,7 @@ class TestNothingElseChanges:
             moved = generate("\n\n" + written)  # another model, which does the same
             try:
                 moments = sorted(choices.number(0, 1500) * MS for _ in range(2))
-                script = _script(choices, made)
+                script = script_for(choices, made)
                 agents = [("me", "R"), ("you", "R")]
                 options: dict[str, Any] = {"until": 2 * SECOND, "script": script, "agents": agents}
                 base = played(made, lambda team: None, **options)
@@ -367,7 +367,7 @@ def _behaviour(records: list[Record]) -> list[Record]:
     return found
 
 
-def _script(choices: Choices, made: Generated) -> list[dict[str, Any]]:
+def script_for(choices: Choices, made: Generated) -> list[dict[str, Any]]:
     lines: list[dict[str, Any]] = []
     channels = sorted(made.charts["R"].READERS)
     for _ in range(choices.number(2, 12)):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -269,13 +270,17 @@ def _nanoseconds(duration: int) -> str:
     return f"{duration:_}  # {duration_text(duration)}"
 
 
+_TEXT = re.compile(r"""'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*\"""")
+"""A text in a call, as `repr` writes it."""
+
+
 def _imported(classes: Iterable[Class]) -> tuple[str, ...]:
     """What a module of behaviours uses of the runtime."""
     used = {item.kind for item in classes}
     for item in classes:
         for call in item.calls:
-            arguments = call[call.index("(") + 1 :].split("'")[0].replace(")", "").split(", ")
-            used.update(point for point in POINTS.values() if point in arguments)
+            names = re.findall(r"\w+", _TEXT.sub("", call))
+            used.update(point for point in POINTS.values() if point in names)
     return tuple(sorted(used))
 
 
