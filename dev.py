@@ -42,6 +42,7 @@ CHECKS = [
 
 LONG = [
     ("a large file", ["benchmarks/large_file.py"], {}),
+    ("a changed file of a large project", ["benchmarks/rebuild.py"], {}),
     ("broken files", ["benchmarks/broken_files.py"], {}),
     ("one slip, one message", ["benchmarks/mutations.py"], {}),
     ("latency", ["benchmarks/latency.py"], {}),

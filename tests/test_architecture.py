@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -110,3 +111,90 @@ def test_importing_loads_no_heavy_library(module: str) -> None:
     if module == "aseme_dsl.runtime":
         upper = {f"aseme_dsl.{room}" for room in FLOORS if room not in ("runtime", "source")}
         assert not loaded & upper
+
+
+SMALL = """\
+system Walker
+message Seen { bool ball }
+topic eyes { state Seen }
+srm robot {
+  liveness { robot = (Walk | Stand)~ }
+  control robot {
+    enter Walk  : [eyes.state.Seen.ball]
+    enter Stand : else
+  }
+}
+team Walkers { one : robot }
+"""
+
+NEVER = {
+    "aseme_dsl.runtime.team",
+    "asyncio",
+    "google.protobuf",
+    "numpy",
+    "pygls",
+    "lsprotocol",
+    "zenoh",
+    "spade",
+}
+"""What none of these commands needs, each of which takes 30 ms and more."""
+
+NOT_LOADED = {
+    ("--version",): {
+        *NEVER,
+        *COMPILER_LIBRARIES,
+        "aseme_dsl.compiler",
+        "aseme_dsl.diagnostics",
+        "aseme_dsl.runtime.board",
+        "json",
+        "tomllib",
+    }
+    - {"click"},
+    ("explain", "E101"): {*NEVER, "jinja2", "graphviz", "aseme_dsl.backends"},
+    ("fmt", "small.aseme"): {
+        *NEVER,
+        "jinja2",
+        "networkx",
+        "graphviz",
+        "aseme_dsl.compiler.phases",
+    },
+    ("check", "small.aseme"): {
+        *NEVER,
+        "jinja2",
+        "networkx",
+        "graphviz",
+        "aseme_dsl.codegen.step",
+        "aseme_dsl.backends",
+    },
+    ("build", "small.aseme", "--only", "models"): {*NEVER, "jinja2", "graphviz"},
+    ("build", "small.aseme", "--only", "monas"): {*NEVER - {"google.protobuf"}, "graphviz"},
+}
+"""Of each command line, what it must not import: nobody should wait for what is not used."""
+
+
+@pytest.mark.parametrize("arguments", NOT_LOADED, ids=" ".join)
+def test_commands_import_only_what_they_need(arguments: tuple[str, ...], tmp_path: Path) -> None:
+    (tmp_path / "small.aseme").write_text(SMALL, "utf-8")
+    question = (
+        "import sys; from aseme_dsl.cli import main\n"
+        "code = main(sys.argv[1:])\n"
+        "print('loaded:', *sys.modules); sys.exit(code)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", question, *arguments],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(PACKAGE.parent)},
+    )
+    assert done.returncode == 0, done.stderr + done.stdout
+    loaded = set(done.stdout.rpartition("loaded:")[2].split())
+    assert not loaded & NOT_LOADED[arguments]
+
+
+def test_the_lazy_names_of_the_runtime_are_those_that_it_offers() -> None:
+    from aseme_dsl import runtime
+
+    assert sorted(name for names in runtime._MODULES.values() for name in names) == sorted(runtime.__all__)
+    for name in runtime.__all__:
+        assert getattr(runtime, name) is not None

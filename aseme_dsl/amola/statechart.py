@@ -219,14 +219,17 @@ class Statechart:
 
         Each comes with the state whose region's blackboard counts: the source, or the state of the activity.
         """
+        return iter(self._values)
+
+    @cached_property
+    def _values(self) -> tuple[tuple[str, Value], ...]:
+        found: list[tuple[str, Value]] = []
         for node in self.nodes:
             if node.type is NodeType.BASIC:
-                for argument in node.arguments:
-                    for value in walk(argument.value):
-                        yield node.label, value
+                found += [(node.label, value) for item in node.arguments for value in walk(item.value)]
         for transition in self.transitions:
-            for value in values_of(transition.expression):
-                yield transition.source, value
+            found += [(transition.source, value) for value in values_of(transition.expression)]
+        return tuple(found)
 
     def called(self, name: str) -> tuple[Node, ...]:
         """The states that are called `name`, or whose activity is, in document order."""

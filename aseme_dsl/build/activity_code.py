@@ -7,9 +7,11 @@ variable or event is written there as a text, or is a constant of the same modul
 from __future__ import annotations
 
 import ast
+import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -87,7 +89,8 @@ def check_code(
             message = f"the code of the module `{piece.said.name}` cannot be found"
             message += f": there is no `{piece.target.partition(':')[0]}`"
             found.append(Diagnostic("W533", message, piece.said.span))
-    for path in sorted(folder.glob("*.py")):
+    for name in sorted(item.name for item in os.scandir(folder) if item.name.endswith(".py")):
+        path = folder / name
         if str(path) not in known:
             helper, _ = _module(path, memory)
             if helper is not None:
@@ -171,12 +174,15 @@ class _Piece:
     """Whether its file should be there: the folder around it is one of the project."""
 
 
+@lru_cache(20_000)
+def _place_of(folder: Path, name: str) -> tuple[Path, str]:
+    """The file and the class of an activity."""
+    return folder / f"{module_name(name)}.py", class_name(name)
+
+
 def _pieces(system: System, folder: Path, project: Path | None) -> list[_Piece]:
     """What there may be code of: the activities, then the modules, one that several roles have once."""
-    pieces = [
-        _Piece(item, folder / f"{module_name(item.name)}.py", class_name(item.name))
-        for item in system.activities
-    ]
+    pieces = [_Piece(item, *_place_of(folder, item.name)) for item in system.activities]
     modules: dict[tuple[str, str], Activity] = {}
     for chart in system.iacs:
         for module in chart.modules:

@@ -35,6 +35,7 @@ COMMANDS = (
     "swap",
     "trace",
     "optimise",
+    "bench",
     "sniff",
     "scaffold",
     "import",

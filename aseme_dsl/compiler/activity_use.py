@@ -86,11 +86,24 @@ def close_names(
     new = [name for name in used if name not in declared]
     for name in new:
         declared.setdefault(name, (used[name].span, "the activity"))
+    near = _nearest(tuple(declared), tuple(new))
+    for name in new:
+        played = closest(name, unused)
+        if played is not None:
+            yield _close(name, used[name], played, unused[played].span, "the participant")
+        elif name in near:
+            yield _close(name, used[name], near[name], *declared[near[name]])
+
+
+@lru_cache(8)
+def _nearest(declared: tuple[str, ...], new: tuple[str, ...]) -> Mapping[str, str]:
+    """Of each new name that is close to others, which are declared before it, the first of these."""
     by_shape: dict[str, list[str]] = {}
     for name in declared:
         for shape in _shapes(folded(name)):
             by_shape.setdefault(shape, []).append(name)
     rank = {name: place for place, name in enumerate(declared)}
+    found: dict[str, str] = {}
     for name in new:
         near = {
             other
@@ -98,12 +111,9 @@ def close_names(
             for other in by_shape[shape]
             if rank[other] < rank[name] and _is_close(name, other)
         }
-        played = closest(name, unused)
-        if played is not None:
-            yield _close(name, used[name], played, unused[played].span, "the participant")
-        elif near:
-            other = min(near, key=lambda item: rank[item])
-            yield _close(name, used[name], other, *declared[other])
+        if near:
+            found[name] = min(near, key=rank.__getitem__)
+    return found
 
 
 def _close(name: str, node: Node, other: str, place: Span, what: str) -> Diagnostic:

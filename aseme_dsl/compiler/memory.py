@@ -31,12 +31,18 @@ _Question = tuple[Any, ...]
 
 @dataclass(slots=True)
 class _Entry:
-    """A result, what it came from, and the number of the analysis that has used it last."""
+    """A result, what it came from, and the number of the analysis that has used it last.
+
+    `asked` are the answers of its inputs, `shared` those of what is shared, as they were when the shared had
+    this `age`.
+    """
 
     inputs: tuple[Any, ...]
     asked: dict[_Question, Any]
+    shared: dict[_Question, Any]
     result: Any
     used: int
+    age: int
 
 
 class Recall(Protocol):
@@ -57,12 +63,18 @@ class Memory:
         """What was read of .proto files (see `load`), by where they are."""
         self._asked: dict[_Question, Any] | None = None  # by the phase that runs now
         self._number = 0
+        self._age = 0
+        self._is_older = False  # something shared is another one than when it was asked last
+        self._answers: dict[_Question, Any] = {}  # all that was asked of what is shared, as it was then
+        self._changed: set[_Question] = set()  # what has another answer than before it grew older
 
     def recall(self, function: Callable[..., _T], *inputs: Any) -> _T:
         """`function(*inputs)`, or what it was when it was asked for before; nobody may change the result.
 
         The function must not recall anything itself.
         """
+        if self._is_older:
+            self._ask_again()
         entries = self._entries.setdefault((function, *map(_key, inputs)), [])
         for entry in entries:
             if self._is_same(entry, inputs):
@@ -77,8 +89,22 @@ class Memory:
             self._asked = None
         # What is equal to a result before is that result, so that what depends on it stays as it is.
         result = next((cast(_T, item.result) for item in entries if item.result == result), result)
-        entries.append(_Entry(inputs, asked, result, self._number))
+        shared = {question: answer for question, answer in asked.items() if isinstance(question[0], _Shared)}
+        own = {question: answer for question, answer in asked.items() if question not in shared}
+        self._answers.update(shared)
+        entries.append(_Entry(inputs, own, shared, result, self._number, self._age))
         return result
+
+    def _ask_again(self) -> None:
+        """Find out which answers of what is shared have changed."""
+        self._is_older = False
+        self._age += 1
+        self._changed = set()
+        for question, before in self._answers.items():
+            now = _answer((), question)
+            if now is not before and now != before:
+                self._changed.add(question)
+                self._answers[question] = now
 
     def same(self, name: object, value: _T) -> _T:
         """`value`, or the equal one of this name of one of the last analyses."""
@@ -93,7 +119,9 @@ class Memory:
         What phases keep of it answers for the latest analysis.
         """
         found = self._shared.setdefault(name, _Shared(self))
-        object.__setattr__(found, "_target", value)
+        if object.__getattribute__(found, "_target") is not value:
+            object.__setattr__(found, "_target", value)
+            self._is_older = True
         return cast(_T, found)
 
     def is_about(self, name: object, value: object) -> bool:
@@ -110,6 +138,10 @@ class Memory:
             entries[:] = [item for item in entries if item.used >= self._number - self._kept]
             if not entries:
                 del self._entries[key]
+        asked = {
+            question for entries in self._entries.values() for item in entries for question in item.shared
+        }
+        self._answers = {question: answer for question, answer in self._answers.items() if question in asked}
 
     def note(self, question: _Question, answer: Any) -> None:
         """Something shared was asked."""
@@ -124,6 +156,14 @@ class Memory:
             now = _answer(inputs, question)
             if now is not answer and now != answer:
                 return False
+        if entry.age < self._age - 1:
+            for question, answer in entry.shared.items():
+                now = self._answers[question]
+                if now is not answer and now != answer:
+                    return False
+        elif entry.age < self._age and not self._changed.isdisjoint(entry.shared):
+            return False
+        entry.age = self._age
         return True
 
 

@@ -9,6 +9,7 @@ from aseme_dsl.amola.messages import Channel, ChannelRules, Comm, Topic
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import Team
+from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.message_use import MessageUse, Use
 from aseme_dsl.compiler.names import first_of, listed
 from aseme_dsl.compiler.symbols import Symbols
@@ -24,7 +25,11 @@ SELECT_PLAN = "runtime.signal.SelectPlan"
 
 
 def check_life(
-    roles: Sequence[Statechart], use: MessageUse, activities: Mapping[str, Activity], symbols: Symbols
+    roles: Sequence[Statechart],
+    use: MessageUse,
+    activities: Mapping[str, Activity],
+    symbols: Symbols,
+    recall: Recall,
 ) -> Iterator[Diagnostic]:
     """Everything about messages between those who publish and those who read them.
 
@@ -40,7 +45,7 @@ def check_life(
     for team in symbols.teams:
         yield from _of_many(team, use, topics)
     for chart in roles:
-        yield from _windows(chart, writers, activities, symbols)
+        yield from recall(_windows, chart, writers, activities, symbols)
 
 
 def _is_in(span: Span, home: Source | None) -> bool:
@@ -218,43 +223,39 @@ def _windows(
     writers: Mapping[Channel, Sequence[Use]],
     activities: Mapping[str, Activity],
     symbols: Symbols,
-) -> Iterator[Diagnostic]:
+) -> tuple[Diagnostic, ...]:
     """W523 for a mean over less time than passes between two values; N721 for what changes unseen.
 
     A condition over a history is looked at when something arrives, not when its values grow old: that is seen
     in time only if the values come regularly, or if the source is left at once in any case (`else`).
     """
+    found: list[Diagnostic] = []
     for transition in chart.transitions:
-        condition = transition.expression.condition
-        if condition is None:
+        if transition.expression.condition is None:
             continue
-        for value in values_of(transition.expression):
-            if not isinstance(value, (At, Mean)):
-                continue
+        values = values_of(transition.expression)
+        for value in (item for item in values if isinstance(item, At | Mean)):
             channel = value.message.channel
             period = _period(channel, writers, activities, symbols)
             if isinstance(value, Mean) and period is not None:
                 window = value.window.value if isinstance(value.window, Literal) else None
                 if isinstance(window, int) and window < period[0]:
                     often = duration_text(period[0])
-                    yield Diagnostic(
-                        "W523",
-                        f"a mean over {duration_text(window)} of what comes every {often} often has no value",
-                        value.span,
-                        (Related(period[1], f"every {often}"),),
-                        hint=f"look back longer than {often}, or read the newest value: `{channel}`",
+                    seldom = (
+                        f"a mean over {duration_text(window)} of what comes every {often} often has no value"
                     )
+                    hint = f"look back longer than {often}, or read the newest value: `{channel}`"
+                    related = (Related(period[1], f"every {often}"),)
+                    found.append(Diagnostic("W523", seldom, value.span, related, hint=hint))
             decided = any(other.expression.otherwise for other in chart.outgoing(transition.source))
             if period is None and not decided:
                 form = "at" if isinstance(value, At) else "mean"
-                yield Diagnostic(
-                    "N721",
-                    f"`{form}` is looked at when something arrives, not when time passes",
-                    value.span,
-                    hint=f"say how often `{channel}` comes (`every` on its topic, or of the activity that "
-                    "publishes it), or wait with `after(…)` beside it",
-                )
+                unseen = f"`{form}` is looked at when something arrives, not when time passes"
+                hint = f"say how often `{channel}` comes (`every` on its topic, or of the activity that "
+                hint += "publishes it), or wait with `after(…)` beside it"
+                found.append(Diagnostic("N721", unseen, value.span, hint=hint))
                 break
+    return tuple(found)
 
 
 def _period(

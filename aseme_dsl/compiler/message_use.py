@@ -63,57 +63,63 @@ def message_use(
     `activities` is what is said of each, `written` where it is said.
     """
     places = _places(written)
-    read_by = {name: tuple(read_channels(item, symbols)) for name, item in activities.items()}
-    reads: list[Use] = []
-    writes: list[Use] = []
-    yield
+    found: list[MessageUse] = []
     for chart in charts:
         yield
-        done: set[tuple[str, str]] = set()
-        regions: dict[str, str] = {}  # of each state: the innermost region around it
-        for node in chart.nodes:
-            inner = node.parent is None or chart.by_label[node.parent].type is NodeType.AND
-            regions[node.label] = node.label if inner or node.parent is None else regions[node.parent]
-            if node.type is NodeType.BASIC:
-                for member, span in members_in([argument.value for argument in node.arguments]):
-                    region = regions[node.label]
-                    reads.append(Use(member.channel, chart.name, region, member.host, None, span))
-            name = node.activity
-            if name is None or name not in activities or (regions[node.label], name) in done:
-                continue
-            region = regions[node.label]
-            done.add((region, name))
-            for channel, subscription in read_by[name]:
-                whole = subscription.channel is None
-                host, span = subscription.host, subscription.span
-                reads.append(Use(channel, chart.name, region, host, name, span, whole))
-            for channel in activities[name].writes:
-                span = places.get((name, str(channel)), activities[name].span)
-                writes.append(Use(channel, chart.name, region, None, name, span))
-        for module in chart.modules:
-            said, root = module.statement, chart.root.label
-            for channel, subscription in read_channels(said, symbols):
-                whole, host = subscription.channel is None, subscription.host
-                reads.append(Use(channel, chart.name, root, host, module.name, subscription.span, whole))
-            for channel in said.writes:
-                span = places.get((module.name, str(channel)), said.span)
-                writes.append(Use(channel, chart.name, root, None, module.name, span))
-        members = recall(_members, chart)
-        for index, transition in enumerate(chart.transitions):
-            if transition.expression.condition is None and not transition.expression.actions:
-                continue
-            region = regions[transition.source]
-            for member, span in members[index]:
+        found.append(recall(_use_in, chart, activities, places, symbols))
+    return MessageUse(
+        tuple(item for use in found for item in use.reads),
+        tuple(item for use in found for item in use.writes),
+    )
+
+
+def _use_in(
+    chart: Statechart,
+    activities: Mapping[str, Activity],
+    places: Mapping[tuple[str, str], Span],
+    symbols: Symbols,
+) -> MessageUse:
+    """The use in one chart."""
+    reads: list[Use] = []
+    writes: list[Use] = []
+    done: set[tuple[str, str]] = set()
+    regions: dict[str, str] = {}  # of each state: the innermost region around it
+    for node in chart.nodes:
+        inner = node.parent is None or chart.by_label[node.parent].type is NodeType.AND
+        regions[node.label] = node.label if inner or node.parent is None else regions[node.parent]
+        region, name = regions[node.label], node.activity
+        if node.type is NodeType.BASIC:
+            for member, span in members_in([argument.value for argument in node.arguments]):
                 reads.append(Use(member.channel, chart.name, region, member.host, None, span))
-            for action in transition.expression.actions:
-                if isinstance(action, Publish):
-                    writes.append(Use(action.channel, chart.name, region, None, None, action.span))
+        said = activities.get(name) if name is not None and (region, name) not in done else None
+        if name is None or said is None:
+            continue
+        done.add((region, name))
+        for channel, subscription in read_channels(said, symbols):
+            whole = subscription.channel is None
+            host, span = subscription.host, subscription.span
+            reads.append(Use(channel, chart.name, region, host, name, span, whole))
+        for channel in said.writes:
+            span = places.get((name, str(channel)), said.span)
+            writes.append(Use(channel, chart.name, region, None, name, span))
+    for module in chart.modules:
+        said, root = module.statement, chart.root.label
+        for channel, subscription in read_channels(said, symbols):
+            whole, host = subscription.channel is None, subscription.host
+            reads.append(Use(channel, chart.name, root, host, module.name, subscription.span, whole))
+        for channel in said.writes:
+            span = places.get((module.name, str(channel)), said.span)
+            writes.append(Use(channel, chart.name, root, None, module.name, span))
+    for transition in chart.transitions:
+        if transition.expression.condition is None and not transition.expression.actions:
+            continue
+        region = regions[transition.source]
+        for member, span in members_of(transition.expression):
+            reads.append(Use(member.channel, chart.name, region, member.host, None, span))
+        for action in transition.expression.actions:
+            if isinstance(action, Publish):
+                writes.append(Use(action.channel, chart.name, region, None, None, action.span))
     return MessageUse(tuple(reads), tuple(writes))
-
-
-def _members(chart: Statechart) -> tuple[tuple[tuple[Member, Span], ...], ...]:
-    """What each transition reads."""
-    return tuple(tuple(members_of(transition.expression)) for transition in chart.transitions)
 
 
 def members_of(expression: TransitionExpression) -> Iterator[tuple[Member, Span]]:

@@ -34,7 +34,7 @@ def check_use(
     use = yield from message_use((*roles, *protocols), activities, written, symbols, recall)
     modules = {item.name: item.statement for chart in roles for item in chart.modules}
     activities = {**activities, **modules}
-    found = [*check_life(roles, use, activities, symbols)]
+    found = [*check_life(roles, use, activities, symbols, recall)]
     for chart in roles:
         yield
         found += recall(_in_chart, chart, activities, symbols)

@@ -5,28 +5,67 @@ Generated code imports only this package; activities use `Context` and, if they 
 
 from __future__ import annotations
 
-from aseme_dsl.runtime.activities import Activity, ActivityError
-from aseme_dsl.runtime.board import NEVER, Board
-from aseme_dsl.runtime.body import Body, BodyLost, Heard, World
-from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.context import Cancelled, Context
-from aseme_dsl.runtime.inputs import Arrived, Mail
-from aseme_dsl.runtime.loading import Loaded, LoadError, activities_in, load_system
-from aseme_dsl.runtime.plan import (
-    ActivityInfo,
-    BranchInfo,
-    ChannelInfo,
-    Plan,
-    Region,
-    State,
-    Transition,
-    Variable,
-    find_plan,
-    plans,
-    register,
-)
-from aseme_dsl.runtime.scripted import Scripted, ScriptError, read_script
-from aseme_dsl.runtime.team import AgentResult, RunResult, Team, TeamError, make_team, run
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.activities import Activity, ActivityError
+    from aseme_dsl.runtime.board import NEVER, Board
+    from aseme_dsl.runtime.body import Body, BodyLost, Heard, World
+    from aseme_dsl.runtime.chart import Chart
+    from aseme_dsl.runtime.context import Cancelled, Context
+    from aseme_dsl.runtime.inputs import Arrived, Mail
+    from aseme_dsl.runtime.loading import Loaded, LoadError, activities_in, load_system
+    from aseme_dsl.runtime.plan import (
+        ActivityInfo,
+        BranchInfo,
+        ChannelInfo,
+        Plan,
+        Region,
+        State,
+        Transition,
+        Variable,
+        find_plan,
+        plans,
+        register,
+    )
+    from aseme_dsl.runtime.scripted import Scripted, ScriptError, read_script
+    from aseme_dsl.runtime.team import AgentResult, RunResult, Team, TeamError, make_team, run
+
+_MODULES = {
+    "activities": ("Activity", "ActivityError"),
+    "board": ("NEVER", "Board"),
+    "body": ("Body", "BodyLost", "Heard", "World"),
+    "chart": ("Chart",),
+    "context": ("Cancelled", "Context"),
+    "inputs": ("Arrived", "Mail"),
+    "loading": ("Loaded", "LoadError", "activities_in", "load_system"),
+    "plan": (
+        "ActivityInfo",
+        "BranchInfo",
+        "ChannelInfo",
+        "Plan",
+        "Region",
+        "State",
+        "Transition",
+        "Variable",
+        "find_plan",
+        "plans",
+        "register",
+    ),
+    "scripted": ("Scripted", "ScriptError", "read_script"),
+    "team": ("AgentResult", "RunResult", "Team", "TeamError", "make_team", "run"),
+}
+"""Where each name is: its module is imported when it is asked for, since most commands need none."""
+
+
+def __getattr__(name: str) -> Any:
+    for module, names in _MODULES.items():
+        if name in names:
+            value = globals()[name] = getattr(import_module(f"{__name__}.{module}"), name)
+            return value
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 __all__ = [
     "NEVER",

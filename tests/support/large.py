@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from itertools import chain, count
 
@@ -134,3 +135,17 @@ def large_file(lines: int) -> str:
                 break
     agents = "".join(f"  agent{n} : machine{n}\n" for n in roles)
     return "".join(parts) + f"\nteam Plant {{\n{agents}}}\n"
+
+
+def large_project(lines: int) -> dict[str, str]:
+    """The same as several files, by name: `plant.aseme`, and a protocol with its roles in each other one."""
+    text = large_file(lines)
+    head, _, rest = text.partition("\naip ")
+    rest, team = f"aip {rest}".rsplit("\nteam ", 1)
+    system, _, types = head.partition("\nenum")
+    halls = [part for part in re.split(r"(?m)^(?=aip )", rest) if part.strip()]
+    files = {
+        f"hall{number}.aseme": f'import "types.aseme"\n\n{hall}' for number, hall in enumerate(halls, start=1)
+    }
+    imports = "".join(f'import "{name}"\n' for name in ("types.aseme", *files))
+    return {"types.aseme": f"enum{types}", **files, "plant.aseme": f"{system}\n{imports}\nteam {team}"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any
@@ -85,7 +85,15 @@ def role_files(
 ) -> list[Filled]:
     """The plan of each role, to read, and the class that runs it."""
     known = options.known
-    roles = [known.same(("seen", item.iacs[0].name), item) for item in seen_by_roles(system)]
+    shared = replace(
+        system,
+        enums=known.same("enums", system.enums),
+        messages=known.same("messages", system.messages),
+        topics=known.same("topics", system.topics),
+        functions=known.same("functions", system.functions),
+        teams=known.same("teams", system.teams),
+    )
+    roles = [known.same(("seen", item.iacs[0].name), item) for item in seen_by_roles(shared)]
     branches = [known.recall(_branches, item) for item in roles]
     versions = protocol_versions(system, branches)
     types, source = known.whole(messages.text), source_of(system)

@@ -1,0 +1,141 @@
+"""How soon one changed file of a project of 10 000 lines is built again, and what commands take to start.
+
+Run by hand: `python3 dev.py long`, or `python benchmarks/rebuild.py [LINES]`. A real `asemec build --watch`
+builds a project of many files (a system, and what it imports), of which one is changed again and again.
+Times are milliseconds of CPU, of the process and of the Graphviz that it starts, and by the clock from the
+change to the line that says what was written; there, what else the machine does shows, too. Starting is CPU
+time as well, interleaved with that of an empty Python.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import resource
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from tests.support.large import large_project
+
+ROUNDS = 12
+REBUILD, VERSION, CHECK = 300.0, 150.0, 400.0
+"""What the medians should stay below, in ms of CPU."""
+LIMIT = 600
+"""How long the watching process may live, in s."""
+
+SMALL = """\
+system Walker
+message Seen { bool ball }
+topic eyes { state Seen }
+srm robot {
+  liveness { robot = (Walk | Stand)~ }
+  control robot {
+    enter Walk  : [eyes.state.Seen.ball]
+    enter Stand : else
+  }
+}
+team Walkers { one : robot }
+"""
+
+
+def processor_time(pid: int) -> float:
+    """Milliseconds of CPU that a process, its threads and its ended children have had."""
+    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    return 1000 * sum(map(int, fields[11:15])) / os.sysconf("SC_CLK_TCK")
+
+
+def rebuilds(folder: Path, lines: int) -> tuple[list[float], list[float], float]:
+    """CPU and clock of each rebuild, and the share of a processor that waiting takes."""
+    files = large_project(lines)
+    for name, text in files.items():
+        (folder / name).write_text(text, "utf-8")
+    process = subprocess.Popen(
+        [sys.executable, "-m", "aseme_dsl", "build", "plant.aseme", "--watch"],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+        encoding="utf-8",
+    )
+    assert process.stdout is not None
+    stopper = threading.Timer(LIMIT, process.kill)
+    stopper.start()
+    try:
+        said = next(line for line in process.stdout if "watching" in line)
+        count = sum(text.count("\n") for text in files.values())
+        print(f"{count} lines in {len(files)} files, {said.strip()}")
+        time.sleep(1)
+        begun, clock = processor_time(process.pid), time.perf_counter()
+        time.sleep(3)
+        idle = (processor_time(process.pid) - begun) / (1000 * (time.perf_counter() - clock))
+        changed = folder / "hall3.aseme"
+        text = changed.read_text("utf-8")
+        processor, clocked = [], []
+        for number in range(ROUNDS):
+            begun, clock = processor_time(process.pid), time.perf_counter()
+            new = changed.with_suffix(".new")
+            new.write_text(re.sub(r"takes \d+(\.\d+)?s", f"takes {number + 2}s", text), "utf-8")
+            new.replace(changed)
+            next(line for line in process.stdout if "Plant ->" in line)
+            clocked.append(1000 * (time.perf_counter() - clock))
+            processor.append(processor_time(process.pid) - begun)
+            time.sleep(0.3)
+    finally:
+        stopper.cancel()
+        process.send_signal(signal.SIGINT)
+        try:
+            process.wait(10)
+        except subprocess.TimeoutExpired:
+            process.kill()
+        process.stdout.close()
+    return processor, clocked, idle
+
+
+def started(folder: Path, *arguments: str) -> float:
+    """Milliseconds of CPU of one process."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run([sys.executable, *arguments], cwd=folder, capture_output=True, check=True, timeout=60)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return 1000 * (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+
+
+def main(lines: int) -> int:
+    """Print a line a kind; 1 if one takes too long."""
+    os.environ["PYTHONPATH"] = str(Path(__file__).parents[1])
+    late = False
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        (folder / "small.aseme").write_text(SMALL, "utf-8")
+        kinds = {
+            "python -c pass": ("-c", "pass"),
+            "asemec --version": ("-m", "aseme_dsl", "--version"),
+            "asemec check": ("-m", "aseme_dsl", "check", "small.aseme"),
+        }
+        times: dict[str, list[float]] = {name: [] for name in kinds}
+        for _ in range(2 * ROUNDS):
+            for name, arguments in kinds.items():
+                times[name].append(started(folder, *arguments))
+        for name, limit in (("python -c pass", 0.0), ("asemec --version", VERSION), ("asemec check", CHECK)):
+            median, least = statistics.median(times[name]), min(times[name])
+            aim = f" (aim: below {limit:.0f})" if limit else ""
+            print(f"{name:18} {median:6.0f} ms of CPU, at the least {least:.0f}{aim}")
+            late |= bool(limit) and median > limit
+        processor, clocked, idle = rebuilds(folder, lines)
+        median = statistics.median(processor)
+        aim = f"at the least {min(processor):.0f} (aim: below {REBUILD:.0f})"
+        print(f"a changed file     {median:6.0f} ms of CPU, {aim}")
+        print(f"  by the clock     {statistics.median(clocked):6.0f} ms, at the least {min(clocked):.0f}")
+        print(f"waiting            {100 * idle:6.1f} % of a processor")
+    return int(late or median > REBUILD)
+
+
+if __name__ == "__main__":
+    sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 10_000))

@@ -1,0 +1,101 @@
+"""`asemec bench`: what a step costs, with inputs that charts can take; the ways to run a role must agree."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.build.bench import Bench, Different, _compare, _drawn, _plain, bench, markdown
+from aseme_dsl.build.build import Choice, build
+from aseme_dsl.build.project import compile_root
+from aseme_dsl.runtime.loading import load_system
+from tests.cli.support import BAD, GOOD, asemec
+
+ROOT = Path(__file__).parents[2]
+FILES = [
+    *sorted((ROOT / "tests" / "acceptance").glob("*.aseme")),
+    *sorted((ROOT / "examples" / "home").glob("*.aseme")),
+]
+
+LAMP = """
+system Lamp
+enum Colour { WHITE RED }
+message Room { bool dark  Colour colour }
+topic room { state Room }
+srm lamp {
+  var touched : int = 0
+  liveness { lamp = (Dark . Shine)~ }
+  control lamp {
+    enter Shine : touch [room.state.Room.dark && room.state.Room.colour == Colour.RED] / touched = touched + 1
+    leave Shine : touch or after(100ms)
+  }
+}
+"""
+
+
+def measured(root: Path, folder: Path, steps: int = 60, seed: int = 1) -> Bench:
+    system = compile_root(root).system
+    assert system is not None
+    return bench(system, folder, [root.parent], steps=steps, rounds=2, seed=seed)
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda path: path.name)
+def test_every_role_takes_its_inputs(file: Path, tmp_path: Path) -> None:
+    found = measured(file, tmp_path)
+    system = compile_root(file).system
+    assert system is not None
+    assert [item.role for item in found.roles] == [chart.name for chart in system.iacs]
+    for item in found.roles:
+        assert item.steps and item.visited and item.taken
+        assert item.visited <= item.activities and item.taken <= item.transitions
+        timed = item.ways["agent"]
+        assert timed.step > 0 and timed.idle > 0 and timed.memory > 0
+        assert ("plain" in item.ways) != bool(item.refused)
+    assert f"| {found.roles[0].role} | agent |" in markdown(found)
+
+
+def test_a_plain_statechart_is_compared_and_timed_beside(tmp_path: Path) -> None:
+    (tmp_path / "lamp.aseme").write_text(LAMP, "utf-8")
+    item = measured(tmp_path / "lamp.aseme", tmp_path / "out", steps=400).roles[0]
+    assert list(item.ways) == ["agent", "plain", "Machine.send", "Machine.post"]
+    assert (item.steps, item.visited, item.activities, item.refused) == (400, 2, 2, ())
+    assert item.taken == item.transitions - 1  # the loop has no end
+
+
+def test_a_seed_draws_the_same(tmp_path: Path) -> None:
+    file = ROOT / "tests" / "acceptance" / "kouretes.aseme"
+    one, same, other = (
+        [(item.steps, item.visited, item.taken) for item in measured(file, tmp_path / name, seed=seed).roles]
+        for name, seed in (("one", 1), ("same", 1), ("other", 2))
+    )
+    assert one == same
+    assert one != other
+
+
+def test_nothing_is_timed_where_the_ways_to_run_a_role_disagree(tmp_path: Path) -> None:
+    (tmp_path / "lamp.aseme").write_text(LAMP, "utf-8")
+    system = compile_root(tmp_path / "lamp.aseme").system
+    assert system is not None
+    build(system, tmp_path, Choice(only=frozenset({"monas"})))
+    loaded = load_system(tmp_path / "monas" / "Lamp")
+    messages = vars(loaded.modules["monas.Lamp.messages"])
+    said, _, trail, _, _ = _drawn(system, system.iacs[0], loaded.charts["lamp"], messages, 50, 1)
+    kind = _plain(system, tmp_path, ())[0]["lamp"]
+    _compare(kind, said, trail)
+    with pytest.raises(Different, match="after input 50"):
+        _compare(kind, said, [*trail[:-1], ("0.9",)])
+
+
+def test_the_command(tmp_path: Path) -> None:
+    (tmp_path / "good.aseme").write_text(GOOD, "utf-8")
+    (tmp_path / "bad.aseme").write_text(BAD, "utf-8")
+    done = asemec("bench", "good.aseme", "--steps", "50", "--rounds", "1", "--seed", "7", cwd=tmp_path)
+    assert done.code == 0 and done.out.startswith("# Walker\n\nSeed 7;"), done.err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["bad.aseme", "good.aseme"]
+    said = asemec("bench", "good.aseme", "--steps", "50", "--rounds", "1", "--json", cwd=tmp_path).json
+    assert said["format"] == 1 and said["seed"] == 1
+    assert said["roles"][0]["ways"]["agent"]["step"] > 0
+    assert asemec("bench", "bad.aseme", cwd=tmp_path).code == 1
+    wrong = asemec("bench", "good.aseme", "--role", "robott", cwd=tmp_path)
+    assert wrong.code == 2 and "Did you mean 'robot'?" in wrong.err
