@@ -271,8 +271,16 @@ class Statechart:
 
     def is_region(self, label: str) -> bool:
         """Whether `label` is the root or an OR child of an AND."""
-        parent = self.by_label[label].parent
-        return parent is None or self.by_label[parent].type is NodeType.AND
+        return label in self._regions
+
+    @cached_property
+    def _regions(self) -> frozenset[str]:
+        known = self.by_label
+        return frozenset(
+            node.label
+            for node in self.nodes
+            if node.parent is None or known[node.parent].type is NodeType.AND
+        )
 
     def region_of(self, label: str) -> str:
         """The label of the innermost region around `label`; a region is its own."""

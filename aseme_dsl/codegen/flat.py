@@ -137,8 +137,7 @@ class FlatChart:
 
     def around(self, label: str) -> list[Node]:
         """The OR states around a leaf inside its region, innermost first, the region itself excluded."""
-        found = list(self._inside_region(label))[1:]
-        return [self.chart.node(item) for item in found if not self.chart.is_region(item)]
+        return [self.chart.node(item) for item in list(self._inside_region(label))[1:-1]]
 
     def leaves(self, region: int) -> list[Node]:
         """The leaves of a region in document order."""
