@@ -14,6 +14,7 @@ import click
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
     from aseme_dsl.compiler import Options
+    from aseme_dsl.compiler.memory import Memory
     from aseme_dsl.diagnostics import Diagnostic, Suppressed
     from aseme_dsl.editor.navigation import PythonFolders
     from aseme_dsl.editor.workspace import Project
@@ -57,10 +58,16 @@ def command(port: int | None, stdio: bool) -> int:
 
 
 def project() -> Project:
-    """What projects on disk say, for an editor's workspace."""
+    """What projects on disk say, for an editor; of their Python, only what has changed is read again."""
+    from aseme_dsl.compiler.memory import Memory
     from aseme_dsl.editor.workspace import Project
 
-    return Project(_options, _code, _without_read)
+    known: dict[Path, Memory] = {}
+    return Project(
+        _options,
+        lambda root, system: _code(root, system, known.setdefault(root, Memory())),
+        lambda root, system, found: _without_read(root, system, found, known.setdefault(root, Memory())),
+    )
 
 
 def _options(root: Path) -> tuple[Options, tuple[Diagnostic, ...]]:
@@ -71,18 +78,22 @@ def _options(root: Path) -> tuple[Options, tuple[Diagnostic, ...]]:
     return options_of(configuration), problems
 
 
-def _code(root: Path, system: System) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
+def _code(
+    root: Path, system: System, memory: Memory
+) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """What the code of the activities gets wrong."""
     from aseme_dsl.build.project import code_problems, configuration_for
 
-    return code_problems(system, configuration_for(root)[0], None)
+    return code_problems(system, configuration_for(root)[0], None, memory)
 
 
-def _without_read(root: Path, system: System, found: tuple[Diagnostic, ...]) -> tuple[Diagnostic, ...]:
+def _without_read(
+    root: Path, system: System, found: tuple[Diagnostic, ...], memory: Memory
+) -> tuple[Diagnostic, ...]:
     """Without what the code of the activities makes untrue."""
     from aseme_dsl.build.project import configuration_for, without_read
 
-    return without_read(found, system, configuration_for(root)[0], None, None)
+    return without_read(found, system, configuration_for(root)[0], None, memory)
 
 
 def _python_folders(root: Path) -> PythonFolders:

@@ -109,8 +109,11 @@ class Memory:
     def same(self, name: object, value: _T) -> _T:
         """`value`, or the equal one of this name of one of the last analyses."""
         values: list[_T] = self._values.setdefault(name, [])
+        if values and values[0] is value:
+            return value
         found = next((item for item in values if type(item) is type(value) and item == value), value)
-        values[:] = [found, *(item for item in values if item is not found)][:_REMEMBERED]
+        if not values or values[0] is not found:
+            values[:] = [found, *(item for item in values if item is not found)][:_REMEMBERED]
         return found
 
     def shared(self, name: object, value: _T) -> _T:
@@ -150,7 +153,7 @@ class Memory:
 
     def _is_same(self, entry: _Entry, inputs: tuple[Any, ...]) -> bool:
         for before, now in zip(entry.inputs, inputs, strict=True):
-            if before is not now and not isinstance(now, _PLAIN) and not _is_traced(now):
+            if before is not now and _kind(now) is _OTHER:
                 return False
         for question, answer in entry.asked.items():
             now = _answer(inputs, question)
@@ -167,14 +170,24 @@ class Memory:
         return True
 
 
-def _is_traced(item: Any) -> bool:
-    return isinstance(item, (Mapping, FunctionType))
+_OTHER, _IS_PLAIN, _IS_TRACED = range(3)
+_kinds: dict[type, int] = {}
+"""Which of these a type is: to find out takes longer than to look it up."""
+
+
+def _kind(item: Any) -> int:
+    kind = _kinds.get(type(item))
+    if kind is None:
+        kind = _IS_PLAIN if isinstance(item, _PLAIN) else _OTHER
+        if isinstance(item, (Mapping, FunctionType)):
+            kind = _IS_TRACED
+        _kinds[type(item)] = kind
+    return kind
 
 
 def _key(item: Any) -> object:
-    if isinstance(item, _PLAIN):
-        return item
-    return None if _is_traced(item) else id(item)
+    kind = _kind(item)
+    return id(item) if kind is _OTHER else item if kind is _IS_PLAIN else None
 
 
 def _answer(inputs: tuple[Any, ...], question: _Question) -> Any:
