@@ -142,14 +142,13 @@ def _plain(
     system: System, folder: Path, path: Sequence[Path]
 ) -> tuple[dict[str, type[Plain]], dict[str, tuple[str, ...]]]:
     """The plain class of each role that has one; of the others, what they do that plain ones cannot."""
-    from aseme_dsl.backends.plain.generate import problems_of
     from aseme_dsl.codegen.plain_limits import limits
 
-    refused = {
-        chart.name: tuple(dict.fromkeys(limit.what for limit in limits(chart)))
-        for chart in system.iacs
-        if any(problems_of(chart))
-    }
+    refused: dict[str, tuple[str, ...]] = {}
+    for chart in system.iacs:
+        found = tuple(dict.fromkeys(limit.what for limit in limits(chart, system.activities)))
+        if found:
+            refused[chart.name] = found
     possible = replace(system, iacs=tuple(chart for chart in system.iacs if chart.name not in refused))
     if not possible.iacs:
         return {}, refused

@@ -90,6 +90,7 @@ def command(
 
     form = form_of(form, as_json, report)
     check_backends((item for item in only if item not in PARTS), PARTS)
+    check_backends(item.rpartition("=")[2] for item in backends)
     do = partial(
         _built,
         files,
