@@ -775,8 +775,12 @@ class _Generator(Face):
             lines = [*_indented(lines, 1), "    if not again:", "        break", "    rounds += 1"]
             lines += ["    if rounds == ROUNDS:", "        raise self.unsettled()"]
         else:
-            head.append("moved = False")
-        return _indented([*head, *lines, *tail, "return moved"], 2), mode
+            says = f"{_MOVED} = True"
+            if says in lines and all(line == says for line in lines if re.search(rf"\b{_MOVED}\b", line)):
+                lines = [line for line in lines if line != says]
+                return _indented([*head, *lines, *tail, "return True"], 2), mode
+            head.append(f"{_MOVED} = False")
+        return _indented([*head, *lines, *tail, f"return {_MOVED}"], 2), mode
 
     def _taken_copies(self, name: str) -> list[str]:
         """The copies of a variable at the beginning of a step."""
@@ -790,7 +794,14 @@ class _Generator(Face):
         if self.options.tables and self.flat.regions[region].size > TABLE:
             return self._by_table(mode, region)
         bodies = self._bodies(mode, region, depth)
-        return self._dispatch(region, bodies)
+        if mode.flags != (_MOVED,) or mode.direct or mode.loops:
+            return self._dispatch(region, bodies)
+        says = f"{_MOVED} = True"
+        if not all(body.lines and body.lines[-1] == says for body in bodies):
+            return self._dispatch(region, bodies)
+        # Whatever the number, it moves: that need not be said in each body.
+        bodies = [replace(body, lines=body.lines[:-1]) for body in bodies]
+        return [*self._dispatch(region, bodies), says]
 
     def _bodies(self, mode: _Mode, region: int, depth: int) -> list[_Body]:
         """What is done for each number of a region; neighbours that do the same are one."""
@@ -844,10 +855,9 @@ class _Generator(Face):
         alone = one.first == 0 and other.first == 1
         later = name if alone else f"{name} > {one.last}"
         if not one.lines:
-            return [f"if {later}:  # {other.title}", *_indented(other.lines, 1)]
+            return _only(later, other)
         if not other.lines:
-            earlier = f"not {name}" if alone else f"{name} < {other.first}"
-            return [f"if {earlier}:  # {one.title}", *_indented(one.lines, 1)]
+            return _only(f"not {name}" if alone else f"{name} < {other.first}", one)
         lines = [f"if {later}:  # {other.title}", *_indented(other.lines, 1)]
         return [*lines, f"else:  # {one.title}", *_indented(one.lines, 1)]
 
@@ -1358,10 +1368,27 @@ class _Generator(Face):
         ]
 
 
+_MOVED = "moved"
+"""The local that says whether anything has moved."""
+
+_UNLESS = "if not bb.still_"
+"""How the test begins whether many conditions have to be looked at."""
+
 _WROTE = "@wrote "
 """Stands where something on the blackboard was written, until it is known which conditions read it."""
 _NOTHING = ["        return False"]
 _EPILOGUE_OF_COPIES = ["if self.writes:", "    self.spread()"]
+
+
+def _only(test: str, body: _Body) -> list[str]:
+    """A body that is the only one of two with anything in it.
+
+    If all of it is for when something has changed, that is asked first: it is the rarer thing.
+    """
+    head, *rest = body.lines
+    if head.startswith(_UNLESS) and all(line.startswith(" ") for line in rest):
+        return [head, f"    if {test}:  # {body.title}", *_indented(rest, 1)]
+    return [f"if {test}:  # {body.title}", *_indented(body.lines, 1)]
 
 
 def _indented(lines: Iterable[str], depth: int) -> list[str]:
