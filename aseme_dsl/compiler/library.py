@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from pathlib import Path
 
 from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
@@ -40,13 +39,19 @@ def _declared() -> dict[str, tuple[tuple[str, str, str], ...]]:
 
 
 def is_of_library(source: Source) -> bool:
-    """Whether a file is one of the standard library."""
-    return _is_in_library(source.path)
+    """Whether a text is that of a file of the standard library, wherever it is said to be."""
+    name = source.path.replace("\\", "/").rpartition("/")[2]
+    return name in _files() and source.text == _text_of(name)
 
 
 @cache
-def _is_in_library(path: str) -> bool:
-    return Path(path).resolve().parent == standard_library().resolve()
+def _files() -> frozenset[str]:
+    return frozenset(path.name for path in standard_library().glob("*.aseme"))
+
+
+@cache
+def _text_of(name: str) -> str:
+    return (standard_library() / name).read_text("utf-8")
 
 
 def declared_by(library: str) -> frozenset[str]:

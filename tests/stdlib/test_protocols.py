@@ -467,19 +467,19 @@ def test_the_pictures_of_the_documentation(item: Protocol, request: pytest.Fixtu
     assert path.read_text("utf-8") == picture, "if the new one is right: --snapshot-update"
 
 
-def test_an_order_to_somebody_who_has_ended_is_not_understood() -> None:
+def test_an_order_to_somebody_who_ends_without_it_is_not_understood() -> None:
     item = protocol("request")
     napping = """responder_role = Nap | responder }
-      activities { Nap takes 1s }
+      activities { Nap takes 5s }
       control responder_role { enter Nap : [true]  enter responder : else }"""
     made = generate(item.text().replace("responder_role = responder }", napping))
     acts = {**item.acts, "PrepareOrder": act(2, says=("Order", {"id": "1"}))}
     run = play(made, {name: kind_of(made, name, what) for name, what in acts.items()}, until=LIMIT)
     assert said(run) == [
         "2 s ann request Order (id 1) to bob",
-        "2 s bob did not expect request Order: bob has ended",
-        "2 s bob not_understood Order (id 1) to ann",
-        "2 s ann ended NOT_UNDERSTOOD",
+        "5 s bob did not expect request Order: bob has ended",
+        "5 s bob not_understood Order (id 1) to ann",
+        "5 s ann ended NOT_UNDERSTOOD",
     ]
 
 
@@ -502,3 +502,13 @@ def said(run: Played) -> list[str]:
             case "log":
                 lines.append(f"{moment} {record['agent']} {record['text']}")
     return lines
+
+
+def test_a_library_is_known_wherever_one_stands(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """What it was called from another folder says nothing of where it is."""
+    text = protocol("propose").text()
+    assert analyse(Source("team.aseme", text)).diagnostics == ()
+    monkeypatch.chdir(tmp_path)
+    assert analyse(Source("team.aseme", text)).diagnostics == ()
+    monkeypatch.undo()
+    assert analyse(Source("team.aseme", text)).diagnostics == ()
