@@ -210,10 +210,10 @@ class Outcome:
     again: bool
     failure: str | None
 
-    def __init__(self) -> None:  # every step makes one: in half the time of a dataclass's own
+    def __init__(self, *, finished: bool = False) -> None:  # each step makes one: faster than a dataclass's
         self.taken = []
         self.effects = []
-        self.finished = False
+        self.finished = finished
         self.again = False
         self.failure = None
 
