@@ -79,8 +79,8 @@ class Conversations:
         self.links: Links | None = None
         """The simulated links between the agents, if they are not perfect."""
         self._desks: dict[str, Desk] = {}
-        self._playing: dict[Part, list[str]] = {}
-        """Who plays a participant, in the team's order, as far as somebody has asked."""
+        self._playing: dict[Part, list[str]] | None = None
+        """Who plays a participant, in the team's order, once somebody has asked."""
         self._outside: dict[str, Hears] = {}
         """The agents in this process that are not of the team."""
         self._numbers = itertools.count(transport.behind + 1)
@@ -102,7 +102,7 @@ class Conversations:
     def join_elsewhere(self, name: str, plan: Plan) -> None:
         """An agent of the team runs in another process, with this plan; it counts in the team's order."""
         self._plans[name] = plan
-        self._playing.clear()
+        self._playing = None
         self.directory.expect(name, plan)
 
     def meet(self, name: str, hears: Hears) -> None:
@@ -183,16 +183,12 @@ class Conversations:
         """As which participant an agent gets a message: the one that it is in this conversation, if any."""
         protocol = agent.branch_info(branch).protocol
         plan = self._plans.get(to)
-        parts = [
-            info.participant
-            for info in (plan.branches if plan is not None else ())
-            if info.protocol == protocol and (performative, message) in info.receives
-        ]
         place = self._desks[agent.name].branches.get(branch)
         conversation = self._conversations.get((place.conversation or "") if place is not None else "")
         members = conversation.members if conversation is not None else {}
         if plan is None:
             return next((part for part, names in members.items() if to in names), None)
+        parts = plan.receivers.get((protocol, performative, message), ())
         return next((part for part in parts if to in members.get(part, ())), next(iter(parts), None))
 
     def _place_of(
@@ -340,15 +336,13 @@ class Conversations:
         return ""
 
     def _players(self, protocol: str, participant: str) -> list[str]:
-        part = protocol, participant
-        found = self._playing.get(part)
-        if found is None:
-            found = self._playing[part] = [
-                name
-                for name, plan in self._plans.items()
-                if any((b.protocol, b.participant) == part for b in plan.branches)
-            ]
-        return found
+        playing = self._playing
+        if playing is None:
+            playing = self._playing = {}
+            for name, plan in self._plans.items():
+                for part in dict.fromkeys((info.protocol, info.participant) for info in plan.branches):
+                    playing.setdefault(part, []).append(name)
+        return playing.get((protocol, participant), [])
 
     # ---- delivering --------------------------------------------------------------------------
 
@@ -741,7 +735,7 @@ class Conversations:
         """Agents follow these plans now."""
         with self._lock:
             self._plans.update(plans)
-            self._playing.clear()
+            self._playing = None
             for name, plan in plans.items():
                 self.directory.follows(name, plan)
 

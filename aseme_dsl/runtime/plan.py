@@ -187,6 +187,15 @@ class Plan:
     def by_label(self) -> dict[str, State]:
         return {state.label: state for state in self.states}
 
+    @cached_property
+    def receivers(self) -> dict[tuple[str, str, str], tuple[str, ...]]:
+        """The participants that receive a message, by protocol, performative and message."""
+        found: dict[tuple[str, str, str], dict[str, None]] = {}
+        for info in self.branches:
+            for performative, message in info.receives:
+                found.setdefault((info.protocol, performative, message), {})[info.participant] = None
+        return {key: tuple(parts) for key, parts in found.items()}
+
     def children(self, label: str) -> tuple[State, ...]:
         """The states directly inside `label`, in document order."""
         return self.inside.get(label, ())
