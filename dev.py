@@ -65,6 +65,8 @@ LONG = [
         {"EDITOR_EDITS": "10000"},
     ),
     ("the extension in VS Code", ["benchmarks/vscode_host.py"], {}),
+    ("agents over SPADE and mango", ["tests/platforms/lane.py"], {}),
+    ("what our layer costs over SPADE", ["tests/platforms/lane.py", "bench"], {}),
     ("random charts", ["-m", "pytest", "tests/oracle"], {"ORACLE_EXAMPLES": "5000"}),
     ("seeded faults", ["-m", "pytest", "-n", "auto", "tests/faults/test_seeded.py"], {"FAULT_RUNS": "1000"}),
     ("random swaps", ["-m", "pytest", "-n", "auto", "tests/faults/test_swap.py"], {"SWAP_EXAMPLES": "300"}),

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from google.protobuf.message import Message as ProtoMessage
 
 M = TypeVar("M")
+_compact = json.JSONEncoder(separators=(",", ":")).encode
 
 
 class WireError(ValueError):
@@ -89,7 +90,7 @@ class Schema:
             WireError: as `encode`.
         """
         self._to_proto(message)  # holds it to the same rules
-        return json.dumps(to_json(message), separators=(",", ":")).encode()
+        return _compact(to_json(message)).encode()
 
     def decode_json(self, kind: type[M], data: bytes) -> M:
         """The message of class `kind` that this JSON object is; members that it lacks have their defaults.

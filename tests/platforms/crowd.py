@@ -1,15 +1,16 @@
 """One process of a crowd over SPADE: each of its agents asks others, in other processes, and answers others.
 
-    python -m tests.platforms.crowd PORT PROCESS PROCESSES AGENTS EACH
+    python -m tests.platforms.crowd PORT PROCESS PROCESSES AGENTS EACH WIDTH [untraced]
 
-Every agent has `EACH` conversations as the one who asks and as many as the one who is asked, all at once:
-request, inform, confirm. Waits for a line on its standard input, and says at the end, as JSON, what was right
-and wrong, and how much time and processor time passed since the line.
+Every agent has `EACH` conversations as the one who asks and as many as the one who is asked, `WIDTH` of them
+at once: request, inform, confirm. Waits for a line on its standard input, and says at the end, as JSON, what
+was right and wrong, and how much time and processor time passed since the line.
 """
 
 from __future__ import annotations
 
 import asyncio
+import itertools
 import json
 import sys
 import threading
@@ -18,11 +19,11 @@ from collections import Counter
 from typing import Any
 
 from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.team import Team
 from aseme_dsl.runtime.transport.over_platform import PlatformLink
 from aseme_dsl.runtime.transport.over_spade import SpadePlatform
 from aseme_dsl.runtime.transport.post import Post
 from aseme_dsl.runtime.transport.settings import Xmpp
-from tests.runtime.playing import make
 from tests.support.generated import generate
 
 TEXT = """
@@ -35,7 +36,7 @@ aip ask {
     var n : int = 0
     sends    request Question, confirm Thanks
     receives inform Answer
-    process  = Begin . Ask . Wait . Compare
+    process  = Ask . Wait . Compare
   }
   participant helper {
     sends    inform Answer
@@ -54,9 +55,9 @@ aip ask {
 }
 srm peer {
   plays ask.asker, ask.helper
-  liveness { peer = asker[EACH] || helper[EACH] }
+  liveness { peer = asker~[WIDTH] || helper~[WIDTH] }
   activities {
-    Begin takes 60min  Ask writes n  Compare takes 1ms  Part takes 1ms
+    Ask writes n
     Wait takes 60min  Rest takes 60min  Await takes 60min
   }
 }
@@ -64,16 +65,15 @@ srm peer {
 
 
 def asked_by(me: int, k: int, processes: int, agents: int) -> int:
-    """Whom the k-th question of an agent goes to: each is asked as often as it asks, from other processes."""
+    """Whom the k-th question of an agent goes to: each gets as many as it asks, from other processes."""
     process = (me // agents + 1 + k % (processes - 1)) % processes
     return process * agents + (me + k // (processes - 1)) % agents
 
 
 def main() -> None:
     """Take part, and say how it was."""
-    port, process, processes, agents, each = (int(word) for word in sys.argv[1:6])
-    text = TEXT.replace("EACH", str(each)).replace("Begin takes 60min", "Begin writes n")
-    crowd = generate(text)
+    port, process, processes, agents, each, width = (int(word) for word in sys.argv[1:7])
+    crowd = generate(TEXT.replace("WIDTH", str(width)))
     names = [f"a{n}" for n in range(processes * agents)]
     mine = names[process * agents : (process + 1) * agents]
     settings = Xmpp(port=port, password="secret", register=True, verify=False)
@@ -82,33 +82,49 @@ def main() -> None:
     numbers: Counter[str] = Counter()
     lock = threading.Lock()
 
-    class Begin:
+    class Ask:
         async def execute(self, context: Context) -> None:
             while not go.is_set():
                 await asyncio.sleep(0.02)
             with lock:
                 k = numbers[context.agent]
                 numbers[context.agent] += 1
-            context.set("n", int(context.agent[1:]) * each + k)
-
-    class Ask:
-        def execute(self, context: Context) -> None:
-            n = context.variable("n")
+            while k >= each:
+                await asyncio.sleep(60)
+            n = int(context.agent[1:]) * each + k
+            context.set("n", n)
             to = names[asked_by(n // each, n % each, processes, agents)]
             context.send("request", crowd.message("Question", n=n), to)
 
     post = Post(link, crowd.messages.SCHEMA, crowd.package.MODEL)
     records: list[dict[str, Any]] = []
     kept = {"conversation", "unexpected", "fault", "lost", "error"}
-    team, _ = make(
-        crowd,
-        {"Begin": Begin, "Ask": Ask},
-        agents=[(name, "peer") for name in names],
+    left = itertools.count(1)
+    over = threading.Event()
+
+    def keep(record: dict[str, Any]) -> None:
+        if record["kind"] in kept:
+            records.append(record)
+
+    team = Team(
+        [(name, crowd.charts["peer"]) for name in names],
+        {"Ask": Ask},
+        messages={name: getattr(crowd.messages, name) for name in ("Question", "Answer", "Thanks")},
+        schema=crowd.messages.SCHEMA,
+        path=[crowd.folder],
         here=tuple(mine),
         transport=post,
         clock="real",
-        listeners=(lambda record: records.append(record) if record["kind"] in kept else None,),
+        listeners=() if "untraced" in sys.argv else (keep,),
     )
+    leave = team.conversations.left
+
+    def counted(agent: Any, branch: str) -> None:
+        leave(agent, branch)
+        if next(left) == 2 * each * len(mine):
+            over.set()
+
+    team.conversations.left = counted  # type: ignore[method-assign]
     said: dict[str, Any] = {}
 
     def begin() -> None:
@@ -118,9 +134,7 @@ def main() -> None:
         sys.stdin.readline()
         said["cpu"], said["wall"] = -time.process_time(), -time.monotonic()
         go.set()
-        left = 2 * each * len(mine)
-        while sum(r["kind"] == "conversation" and r["what"] == "leave" for r in list(records)) < left:
-            time.sleep(0.02)
+        over.wait()
         said["cpu"] += time.process_time()
         said["wall"] += time.monotonic()
         print("done", flush=True)

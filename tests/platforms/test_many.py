@@ -16,7 +16,7 @@ PROCESSES, AGENTS, EACH = 3, 10, 34
 
 
 def test_a_thousand_conversations_among_thirty_agents(server: Server) -> None:
-    numbers = [str(item) for item in (PROCESSES, AGENTS, EACH)]
+    numbers = [str(item) for item in (PROCESSES, AGENTS, EACH, EACH)]
     running = [
         subprocess.Popen(
             [sys.executable, "-m", "tests.platforms.crowd", str(server.port), str(index), *numbers],

@@ -69,6 +69,14 @@ class Link(Protocol):
         ...
 
     @property
+    def patience(self) -> int:
+        """After how many ns without an acknowledgement something is sent again.
+
+        Acknowledgements take up to a third of that, so that one may do for many.
+        """
+        ...
+
+    @property
     def largest(self) -> int | None:
         """So many bytes a payload may have; None: as many as it likes."""
         ...

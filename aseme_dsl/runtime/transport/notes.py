@@ -44,6 +44,7 @@ _REST: tuple[tuple[str, Any], ...] = tuple(
 _TYPES: dict[str, type] = {name: type(default) for name, default in _REST if default is not None}
 _TYPES |= {"kind": int, "check": int, **dict.fromkeys(Stamp._fields, int)}
 _PAIRS = "parts"
+_compact = json.JSONEncoder(separators=(",", ":")).encode
 
 
 def letter(envelope: Envelope, stamp: Stamp, payload: bytes, sender: str, system: str) -> dict[str, str]:
@@ -60,7 +61,7 @@ def letter(envelope: Envelope, stamp: Stamp, payload: bytes, sender: str, system
         headers = {"performative": "inform", "protocol": PROTOCOL}
         if payload:
             headers |= {"ontology": system, "language": JSON}
-        headers[OURS] = json.dumps(rest, separators=(",", ":"))
+        headers[OURS] = _compact(rest)
         return headers
     headers = {
         "performative": fipa_name(envelope.performative),
@@ -76,7 +77,7 @@ def letter(envelope: Envelope, stamp: Stamp, payload: bytes, sender: str, system
         headers["in-reply-to"] = envelope.in_reply_to
     if envelope.encoding:
         headers["encoding"] = envelope.encoding
-    headers[OURS] = json.dumps(rest, separators=(",", ":"))
+    headers[OURS] = _compact(rest)
     return headers
 
 

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.acl import FipaMessage
     from aseme_dsl.runtime.transport.link import Hears
 
+PATIENCE = 3_000_000_000
+"""After how many ns something is sent again: a platform loses nothing while its connections last."""
 LEASE = 4.0
 """How long, in seconds, a process may be silent before its agents count as gone."""
 BEATS = 4
@@ -57,6 +59,7 @@ class PlatformLink:
     """A link over a platform, for the agents of one process."""
 
     readable = True
+    patience = PATIENCE
 
     def __init__(self, platform: Platform, system: str, team: Sequence[str], lease: float = LEASE) -> None:
         """`team` are the names of all its agents."""
@@ -232,8 +235,8 @@ class PlatformLink:
                 if known is not None and known.life > life and known.life in self._heard:
                     continue  # it is of a life that another has followed
                 self._known[name] = _Known(life, address)
-                if known is None or known.life != life:
-                    news.append(name)
+                if known != self._known[name]:
+                    news.append(name)  # also of a new address: what went to the old one is lost
         if fresh or answered:
             self._platform.meet(origin)
             self._note(origin, self._here())

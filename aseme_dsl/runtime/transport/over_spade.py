@@ -223,7 +223,10 @@ class _Connection:
             if self._scheduled:
                 return
             self._scheduled = True
-        _LOOP.loop.call_soon_threadsafe(self._flush)
+        if threading.get_ident() == _LOOP.thread:
+            _LOOP.loop.call_soon(self._flush)  # an answer to what has just come
+        else:
+            _LOOP.loop.call_soon_threadsafe(self._flush)
 
     def _flush(self) -> None:
         """Send what waits, all at once."""
@@ -487,6 +490,8 @@ class _Loop:
         self._lock = threading.Lock()
         self._thread: threading.Thread | None = None
         self._turns: asyncio.Semaphore | None = None
+        self.thread = 0
+        """Which thread runs the loop, as far as that is known."""
         self.loop: asyncio.AbstractEventLoop
 
     def turn(self) -> asyncio.Semaphore:
@@ -510,6 +515,7 @@ class _Loop:
             if not self.loop.is_running():
                 self._thread = threading.Thread(target=self.loop.run_forever, name="aseme spade", daemon=True)
                 self._thread.start()
+                self.thread = self._thread.ident or 0
 
     def leave(self) -> None:
         """Stop the loop if nobody needs it any more."""
@@ -518,7 +524,7 @@ class _Loop:
             if self._users == 0 and self._thread is not None:
                 self.loop.call_soon_threadsafe(self.loop.stop)
                 self._thread.join(5.0)
-                self._thread = None
+                self._thread, self.thread = None, 0
 
 
 _LOOP = _Loop()

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
 from aseme_dsl.runtime.transport.port import TransportError
+from aseme_dsl.runtime.transport.stream import PATIENCE
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.acl import FipaMessage
@@ -46,6 +47,7 @@ class ZenohLink:
     """A Zenoh session of its own."""
 
     readable = False
+    patience = PATIENCE
     largest = None
 
     def __init__(self, system: str, network: Network) -> None:

@@ -46,8 +46,10 @@ BEAT = 0.02
 """How often, in seconds, acknowledgements are sent and what is overdue is looked for."""
 OWED = 64
 """After so many letters an acknowledgement is sent at once."""
+SOON = 33_000_000
+"""An acknowledgement is not put off where it would be by less than so many ns: the beat puts it off, too."""
 LAST_WORDS = 0.3
-"""How long, in seconds, what is on its way may take to arrive when a robot ends."""
+"""How long, in seconds, what is on its way may take to arrive when a robot ends; on slower links longer."""
 SAMPLES = 4096
 """How much data of each channel is kept for those who ask for it."""
 QUESTIONS = 8
@@ -84,6 +86,8 @@ class _Way:
     into: Incoming[_Got] = field(default_factory=Incoming)
     owed: int = 0
     """How many letters have come since the last acknowledgement."""
+    owed_since: int = 0
+    """When the first of them came, in ns."""
     sample: int = 0
     """The number of the last sample that was sent."""
     samples: Samples = field(default_factory=Samples)
@@ -130,6 +134,8 @@ class Post(Transport):
         self.behind = self.incarnation // 1000
         self._link = link
         self._readable = link.readable
+        self._delay = max(0, link.patience // 3 - SOON)
+        """How long an acknowledgement waits for others, in ns."""
         self._schema = schema
         self._clock = clock_identity()
         self._team: Team
@@ -155,7 +161,10 @@ class Post(Transport):
         self._team = team
         self._here = {agent.name: agent for agent in team.agents}
         self._others = {name: _Other(name) for name in team.elsewhere}
-        self._ways = {(mine, other): _Way() for mine in self._here for other in self._others}
+        patience = self._link.patience
+        self._ways = {
+            (mine, other): _Way(Outgoing(patience)) for mine in self._here for other in self._others
+        }
         clock = team.driver.clock
         assert isinstance(clock, RealClock)  # the team has seen to that
         self._origin = clock.origin
@@ -173,7 +182,12 @@ class Post(Transport):
         if self._thread is None:
             return
         self._gate.set()
-        until = time.monotonic() + LAST_WORDS
+        until = time.monotonic() + max(LAST_WORDS, self._delay / 1e9)
+        if self._delay:
+            with self._lock:
+                for (mine, name), way in self._ways.items():
+                    if way.out.flying and self._others[name].alive:  # the answer comes after acknowledgements
+                        self._say(mine, name, "ping", self._envelope(envelopes.PING))
         while time.monotonic() < until and self._has_unfinished():
             time.sleep(0.005)
         with self._lock:
@@ -464,8 +478,9 @@ class Post(Transport):
         now = time.monotonic_ns()
         for (mine, name), way in self._ways.items():
             other = self._others[name]
-            if way.owed:
+            if way.owed and now - way.owed_since >= self._delay:
                 self._acknowledge(mine, name, way)
+            busy = busy or way.owed > 0
             if not other.alive:
                 continue
             for place, letter in way.out.overdue(now):
@@ -503,6 +518,8 @@ class Post(Transport):
                 self._pump(way, other)
                 return
             if read.kind == envelopes.PING:
+                if way.owed:
+                    self._acknowledge(to, sender, way)
                 self._say(to, sender, "pong", self._envelope(envelopes.PONG, asked=read.time, heard=came))
                 return
             if read.kind == envelopes.PONG:
@@ -556,6 +573,8 @@ class Post(Transport):
     def connected(self, agent: str, reason: str) -> None:
         """It has a connection again."""
         self._tell_own(agent, "connected", reason)
+        with self._lock:
+            self._hurry([key for key in self._ways if key[0] == agent])
 
     def _tell_own(self, agent: str, what: str, reason: str) -> None:
         now = self._team.driver.clock.now()
@@ -614,6 +633,8 @@ class Post(Transport):
             self._count(other, "disordered", "one came before its predecessor")
         had_gap = way.into.has_gap
         found = way.into.take(envelope.place, got)
+        if not way.owed:
+            way.owed_since = time.monotonic_ns()
         way.owed += 1
         if found is None:
             self._count(other, "doubled", "one came twice; the second was dropped")
@@ -722,16 +743,20 @@ class Post(Transport):
             other.present.add(incarnation)
             if incarnation != other.life and self._is_next(other, incarnation):
                 self._begin_life(other, incarnation)
-            elif incarnation == other.life and not other.alive:
-                other.alive = True
-                self._tell(other, "back")
-                for (_, name), way in self._ways.items():
-                    if name == agent:
-                        way.out.hurry()
-                        self._pump(way, other)
-                self._stir()
+            elif incarnation == other.life:
+                if not other.alive:
+                    other.alive = True
+                    self._tell(other, "back")
+                self._hurry([key for key in self._ways if key[1] == agent])
         if other.alive:
             self._team.conversations.appeared(agent)
+
+    def _hurry(self, ways: Iterable[tuple[str, str]]) -> None:
+        """A link was broken: what was on its way is sent again at once. Called with the lock."""
+        for key in ways:
+            self._ways[key].out.hurry()
+            self._pump(self._ways[key], self._others[key[1]])
+        self._stir()
 
     def vanished(self, agent: str, incarnation: int) -> None:
         """An agent elsewhere is not there any more."""

@@ -47,13 +47,18 @@ def _allowed(text: str) -> str:
 def read(xml: Any) -> tuple[dict[str, str], str]:
     """The headers and the text of a message stanza, which is an element tree."""
     headers: dict[str, str] = {}
-    for form in xml.iterfind(_FORM):
-        if form.findtext(_FORM_TITLE) == TITLE:
-            for field in form.iterfind(_FIELD):
-                name, value = field.get("var"), field.findtext(_VALUE)
-                if name is not None and value is not None:
-                    headers[name] = value
-    return headers, xml.findtext(_BODY) or ""
+    body = ""
+    for child in xml:
+        if child.tag == _BODY:
+            body = body or child.text or ""
+        elif child.tag == _FORM and child.findtext(_FORM_TITLE) == TITLE:
+            for field in child:
+                name = field.get("var")
+                if name is not None and field.tag == _FIELD:
+                    for value in field:
+                        if value.tag == _VALUE:
+                            headers[name] = value.text or ""
+    return headers, body
 
 
 def condition(xml: Any) -> str:

@@ -28,8 +28,8 @@ PATIENCE = 100_000_000
 """After how many ns without an acknowledgement a letter is sent again."""
 AGAIN = 15_000_000
 """What is missing is not sent again within so many ns: several acknowledgements may miss the same letter."""
-LONGEST = 500_000_000
-"""At most so many ns lie between two attempts."""
+LONGEST = 5 * PATIENCE
+"""At most so many ns lie between two attempts; with another patience, in proportion."""
 EARLY = 4 * WINDOW
 """How far ahead of what is due a letter may be."""
 RECENT = 1024
@@ -48,9 +48,11 @@ class Letter(Generic[T]):
 class Outgoing(Generic[T]):
     """The sender's end."""
 
-    __slots__ = ("_flying", "_last", "_next", "_patience", "_sent", "_size", "_waiting")
+    __slots__ = ("_flying", "_last", "_next", "_patience", "_sent", "_shortest", "_size", "_waiting")
 
-    def __init__(self) -> None:
+    def __init__(self, patience: int = PATIENCE) -> None:
+        """`patience`: after how many ns without an acknowledgement a letter is sent again, at first."""
+        self._shortest = patience
         self._waiting: deque[Letter[T]] = deque()
         self._flying: dict[int, Letter[T]] = {}
         self._sent: dict[int, int] = {}
@@ -58,7 +60,7 @@ class Outgoing(Generic[T]):
         self._size = 0
         self._next = 1
         self._last = 0
-        self._patience = PATIENCE
+        self._patience = patience
 
     def __len__(self) -> int:
         return len(self._waiting) + len(self._flying)
@@ -104,7 +106,7 @@ class Outgoing(Generic[T]):
             self._size -= self._flying.pop(place).size
             del self._sent[place]
         if arrived:
-            self._last, self._patience = now, PATIENCE
+            self._last, self._patience = now, self._shortest
         again = [place for place in missing if place in self._flying and now - self._sent[place] >= AGAIN]
         self._sent.update(dict.fromkeys(again, now))
         return [(place, self._flying[place]) for place in again]
@@ -113,14 +115,14 @@ class Outgoing(Generic[T]):
         """What has been on its way for too long: it is to be sent again."""
         if not self._flying or now - self._last < self._patience:
             return []
-        self._last, self._patience = now, min(2 * self._patience, LONGEST)
+        self._last, self._patience = now, min(2 * self._patience, LONGEST // PATIENCE * self._shortest)
         again = list(self._flying.items())[: WINDOW // 4]
         self._sent.update((place, now) for place, _ in again)
         return again
 
     def hurry(self) -> None:
         """What is on its way is overdue: the link was broken."""
-        self._last, self._patience = -LONGEST, PATIENCE
+        self._last, self._patience = -LONGEST // PATIENCE * self._shortest, self._shortest
 
     def restart(self) -> tuple[list[Letter[T]], list[Letter[T]]]:
         """The receiver begins a new life: what was on its way to the old one, what waits for the new."""
@@ -128,7 +130,7 @@ class Outgoing(Generic[T]):
         self._flying.clear()
         self._sent.clear()
         self._waiting.clear()
-        self._size, self._next, self._patience = 0, 1, PATIENCE
+        self._size, self._next, self._patience = 0, 1, self._shortest
         return flying, waiting
 
 

@@ -20,6 +20,7 @@ from aseme_dsl.runtime.trace import Record
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.link import Answer, Hears, Link, Stamp
 from aseme_dsl.runtime.transport.post import Post
+from aseme_dsl.runtime.transport.stream import PATIENCE
 from tests.runtime.playing import check_line, make
 from tests.support.generated import Generated
 
@@ -94,6 +95,7 @@ class Air:
 
 class _AirLink:
     readable = False
+    patience = PATIENCE
     largest = None
 
     def __init__(self, air: Air) -> None:
