@@ -139,6 +139,8 @@ class _Candidate:
     taken: tuple[int, ...]
     spends: str
     """"" if it spends no event, "yes", or the condition under which it does not."""
+    stays: bool = False
+    """Whether its source is not left."""
 
 
 @dataclass(slots=True)
@@ -394,7 +396,10 @@ class _Generator(Face):
                         continue
                     for taken in _paths(way):
                         spends = self._spends(mode, taken)
-                        if spends is not None and self._again(mode, region, taken, spends == "yes"):
+                        if self.flat.transition(way.number).kind is TransitionKind.ON:
+                            if spends is not None and self._again_at(mode, leaf, spends == "yes"):
+                                return True
+                        elif spends is not None and self._again(mode, region, taken, spends == "yes"):
                             return True
         return False
 
@@ -443,8 +448,22 @@ class _Generator(Face):
         entered = self._scope(taken)
         if self._open_at(mode, leaf, spent, entered):
             return True
-        ends = self.chart.node(leaf)
-        around_region = self.flat.regions[region].label
+        return self._open_around(mode, self.chart.node(leaf))
+
+    def _again_at(self, mode: str, leaf: Node, spent: bool) -> bool:
+        """Whether something may be enabled at an active leaf after an action that has left nothing."""
+        if self.rests.asked:
+            return True
+        for source in (leaf, *self.flat.around(leaf.label)):
+            done = source is leaf or (leaf.type is NodeType.END and leaf.parent == source.label)
+            for way in (*self.flat.first_ways(source.label), *self.flat.ways(source.label)):
+                if self._is_open(mode, way, done, spent=spent, entered=False):
+                    return True
+        return self._open_around(mode, leaf)
+
+    def _open_around(self, mode: str, ends: Node) -> bool:
+        """Whether something may be enabled around the region of a leaf in which something was taken."""
+        around_region = self.chart.region_of(ends.label)
         complete = ends.type is NodeType.END and ends.parent == around_region
         for around in self.chart.ancestors(around_region):
             for way in self.flat.ways(around.label):
@@ -1103,7 +1122,7 @@ class _Generator(Face):
             for branch in way.branches:
                 yield from self._candidates(mode, region, source, complete, branch, taken, tests, spends)
             return
-        yield _Candidate(source, tests, taken, spends)
+        yield _Candidate(source, tests, taken, spends, transition.kind is TransitionKind.ON)
 
     def _there(
         self, mode: _Mode, region: int, source: str, events: Iterable[Event]
@@ -1141,18 +1160,23 @@ class _Generator(Face):
         if mode.loops and candidate.spends:
             spend = f"self.spent |= {1 << region}"
             lines += [spend] if candidate.spends == "yes" else [f"if {candidate.spends}:", f"    {spend}"]
+        if candidate.stays:
+            lines += [*self._took(taken), *self._actions(region, taken[0])]
+            return [*lines, *self._moved(mode, self._again_at(mode.event, leaf, candidate.spends == "yes"))]
         scope = self._scope(taken)
         lines += self._took(taken)
         lines += self._leave(region, scope, leaf, number)
         for step in taken:
             lines += self._actions(region, step)
         lines += self._enter(mode, region, scope, self.flat.transition(taken[-1]).target, number)
+        return [*lines, *self._moved(mode, self._again(mode.event, region, taken, candidate.spends == "yes"))]
+
+    def _moved(self, mode: _Mode, again: bool) -> list[str]:
+        """What is noted when something was taken."""
         if mode.direct:
-            return [*lines, "return True"]
-        flags = list(mode.flags)
-        if mode.loops and self._again(mode.event, region, taken, candidate.spends == "yes"):
-            flags.append("again")
-        return [*lines, f"{' = '.join(flags)} = True"]
+            return ["return True"]
+        flags = [*mode.flags, "again"] if mode.loops and again else mode.flags
+        return [f"{' = '.join(flags)} = True"]
 
     def _leave(self, region: int, scope: str, leaf: Node, number: int | None) -> list[str]:
         """What is done as everything inside `scope` is left; None for a BASIC state that may be complete."""

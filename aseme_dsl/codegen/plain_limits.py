@@ -15,6 +15,7 @@ from aseme_dsl.amola.expression import (
     Mean,
     Member,
     Publish,
+    Raised,
     ReadMessages,
     Received,
     Send,
@@ -40,7 +41,7 @@ AGES = "how old a message is"
 DEADLINES = "the deadline of an activity"
 GIVEN = "what an activity is given, where that may be absent or fail"
 NUMBERS = "the number of an agent"
-STAYING = "`on`"
+STAYING = "`on` without an event of the program"
 RESUMING = "`resume`"
 READING = "reading messages during a step"
 
@@ -84,7 +85,9 @@ def _limits(chart: Statechart, activities: Iterable[Activity]) -> Iterator[Limit
 
 def _of_transition(transition: Transition) -> Iterator[Limit]:
     expression = transition.expression
-    if transition.kind is TransitionKind.ON:
+    if transition.kind is TransitionKind.ON and (
+        expression.when or not expression.events or not all(isinstance(e, Raised) for e in expression.events)
+    ):
         yield Limit(STAYING, transition.span)
     if transition.resume:
         yield Limit(RESUMING, transition.span)

@@ -47,7 +47,9 @@ def without_limits(system: System, *, simple: bool = True) -> System | None:
 
 def _tamed(chart: Statechart, simple: bool) -> Statechart:
     transitions = tuple(
-        _tame(item, simple) for item in chart.transitions if item.kind is not TransitionKind.ON
+        _tame(item, simple)
+        for item in chart.transitions
+        if item.kind is not TransitionKind.ON or item.expression.events
     )
     channels = {value.channel for value in _members(transitions)}
     reads = tuple(sorted(channels, key=str))
@@ -73,6 +75,9 @@ def _tame(transition: Transition, simple: bool) -> Transition:
     expression = replace(expression, events=events, actions=actions, every=every)
     if expression == replace(transition.expression):
         expression = transition.expression  # what is NEVER stays it
+    if transition.kind is TransitionKind.ON:
+        raised = (e if isinstance(e, Raised) else Raised("fail", e.span) for e in expression.events)
+        expression = replace(expression, when=False, events=tuple(dict.fromkeys(raised)))
     return replace(transition, expression=expression, resume=False)
 
 
