@@ -30,7 +30,7 @@ SHORT = {
 COLOURS = {"hand": "#444444", "ours": "#1b7f5c", "peer": "#8fa3b8"}
 HALO = 'stroke="#ffffff" stroke-width="3" paint-order="stroke"'
 COLUMNS = 2
-WIDTH, LABELS, BAR, ROW, HEAD, GAP = 470, 150, 190, 17, 30, 24
+WIDTH, LABELS, BAR, ROW, HEAD, GAP = 470, 150, 215, 17, 30, 24
 """Pixels: a field, what stands left of the points, the axis, a row, the head, between fields."""
 
 

@@ -96,7 +96,7 @@ def lines(results: Results, plot: str) -> Iterator[str]:
         yield ""
         yield from table(results, "peers", (BY_HAND, SEND, *PEERS))
         yield ""
-        yield "\\* does not what the reference interpreter does: shown, but counted nowhere."
+        yield "\\* does something else than the reference interpreter: shown, but counted nowhere."
         yield from peers(results)
     if results.memory:
         yield ""
@@ -167,7 +167,7 @@ def peers(results: Results) -> Iterator[str]:
         yield f"Not installed: {', '.join(results.missing)}."
     for behaviour, key in sorted(results.differing):
         title = next(peer.title for peer in PEERS if peer.key == key)
-        yield f"{title}, {BEHAVIOURS[behaviour].title}: {results.refused[behaviour, key]}."
+        yield f"{title}, {BEHAVIOURS[behaviour].title}: its counts differ ({results.refused[behaviour, key]})."
 
 
 def instances(results: Results) -> Iterator[str]:
