@@ -167,7 +167,8 @@ def peers(results: Results) -> Iterator[str]:
         yield f"Not installed: {', '.join(results.missing)}."
     for behaviour, key in sorted(results.differing):
         title = next(peer.title for peer in PEERS if peer.key == key)
-        yield f"{title}, {BEHAVIOURS[behaviour].title}: its counts differ ({results.refused[behaviour, key]})."
+        reason = results.refused[behaviour, key]
+        yield f"{title}, {BEHAVIOURS[behaviour].title}: its counts differ ({reason})."
 
 
 def instances(results: Results) -> Iterator[str]:
