@@ -64,6 +64,9 @@ BRANCHES = 8
 GUARDS = 4
 """So many conditions in a row are not looked at again before the blackboard has changed, if it is tracked."""
 
+NESTED = 6
+"""Regions in so many others, and in twice as many, have methods of their own."""
+
 DEEP = 24
 """Code that is indented further moves into a method (CPython refuses more than 100 levels)."""
 
@@ -160,6 +163,8 @@ class _Mode:
     functions: dict[str, list[str]] = field(default_factory=dict)
     """Methods that the body calls, by their names."""
     tables: dict[str, list[str]] = field(default_factory=dict)
+    apart: dict[int, str] = field(default_factory=dict)
+    """The methods of regions that have one, by the region; "" for those with nothing to do."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -275,16 +280,16 @@ class _Generator(Face):
 
     def _inside(self, region: int, first: int, last: int) -> str:
         tests: list[str] = []
-        name, size = f"self.r{region}", self.flat.regions[region].size
-        if last - first + 1 < size:
-            tests.append(f"{name} == {first}" if first == last else f"{first} <= {name} <= {last}")
-        outer = self.flat.enclosing(region)
-        if outer is not None:
-            parent = self.chart.node(self.flat.regions[region].label).parent
-            assert parent is not None
-            around = self._inside(outer, self.flat.leaf[parent], self.flat.leaf[parent])
-            tests = [around, *tests] if around != "True" else tests
-        return " and ".join(tests) or "True"
+        around: int | None = region
+        while around is not None:
+            name, size = f"self.r{around}", self.flat.regions[around].size
+            if last - first + 1 < size:
+                tests.append(f"{name} == {first}" if first == last else f"{first} <= {name} <= {last}")
+            parent = self.chart.node(self.flat.regions[around].label).parent
+            around = self.flat.enclosing(around)
+            if parent is not None:
+                first = last = self.flat.leaf[parent]
+        return " and ".join(reversed(tests)) or "True"
 
     def _is_done(self, node: Node) -> str | None:
         region = self.flat.region_number[node.label]
@@ -474,14 +479,23 @@ class _Generator(Face):
 
     def _open_at(self, mode: str, label: str, spent: bool, scope: str) -> bool:
         """Whether something may be enabled at a leaf that was entered, or around it in its region."""
+        stack = [(label, spent, scope)]
+        while stack:
+            label, spent, scope = stack.pop()
+            if self._open_in(mode, label, spent, scope):
+                return True
+            if self.chart.node(label).type is NodeType.AND:
+                for region in self.flat.regions_of(label):
+                    stack.append((self._rest(region.label), False, region.label))
+        return False
+
+    def _open_in(self, mode: str, label: str, spent: bool, scope: str) -> bool:
+        """The same, without what is inside an AND."""
         leaf = self.chart.node(label)
         complete = leaf.type is NodeType.START
         if leaf.type is NodeType.AND:
             rests = [self._rest(region.label) for region in self.flat.regions_of(label)]
             complete = all(self.chart.node(rest).type is NodeType.END for rest in rests)
-            for region, rest in zip(self.flat.regions_of(label), rests, strict=True):
-                if self._open_at(mode, rest, False, region.label):
-                    return True
         for source in (leaf, *self.flat.around(label)):
             is_new = source.label != scope and source.label.startswith(f"{scope}.")
             ended = leaf.type is NodeType.END and leaf.parent == source.label
@@ -512,6 +526,8 @@ class _Generator(Face):
 
     def generate(self) -> PlainCode:
         methods: list[list[str]] = []
+        for region in reversed(self.flat.regions[1:]):  # innermost first, so that nothing goes deep
+            self._leave_region(region.number)
         bodies = {event: self._mode(event) for event in self.modes}
         methods.append(self._start())
         methods.append(self._send(bodies))
@@ -687,12 +703,11 @@ class _Generator(Face):
 
     def _start(self) -> list[str]:
         """The method that enters the root and goes on until nothing is enabled."""
-        mode = _Mode(STEP)
         root = self.chart.root
         lines = [f"self.{self._count(label)} = 0" for label in self.flat.counted]
         for name in sorted(self.copied):
             lines += self._taken_copies(name)
-        lines += [*self._on_entry(0, root), *self._enter_inside(mode, 0, root.label)]
+        lines += [*self._on_entry(0, root), *self._enter_inside(0, root.label)]
         rest = self._rest(root.label)
         if (
             self.rests.asked
@@ -771,6 +786,9 @@ class _Generator(Face):
         """The body of a step, as it stands in a method."""
         mode = _Mode(event, self._may_loop(event))
         mode.direct = not mode.loops and len(self.flat.regions) == 1 and not self.copied and not self.faults
+        for region in reversed(self.flat.regions):  # innermost first, so that nothing goes deep
+            if region.number and self._nesting(region.number) % NESTED == 0:
+                self._apart(mode, region.number)
         lines = self._region(mode, 0, 3 if mode.loops else 2)
         if not lines:
             return list(_NOTHING), mode
@@ -808,6 +826,9 @@ class _Generator(Face):
 
     def _region(self, mode: _Mode, region: int, depth: int) -> list[str]:
         """One round of a region: by its active leaf, what can be taken from there."""
+        if region in mode.apart:
+            name = mode.apart[region]
+            return self._after_call(mode, f"self.{name}()") if name else []
         if depth > DEEP:
             return self._apart(mode, region)
         if self.options.tables and self.flat.regions[region].size > TABLE:
@@ -949,17 +970,32 @@ class _Generator(Face):
     def _apart(self, mode: _Mode, region: int) -> list[str]:
         """A region whose code is in a method of its own."""
         word = mode.event or "step"
-        name = self.identifiers.name(("region", mode.event, region), f"_{word}_region_{region}")
         inner = self._called(mode)
         lines = self._region(inner, region, 3)
-        if not lines:
-            return []
-        self._function(inner, name, f"{word} in region {self.flat.regions[region].label}.", lines)
-        return self._after_call(mode, f"self.{name}()")
+        if lines:
+            name = self.identifiers.name(("region", mode.event, region), f"_{word}_region_{region}")
+            self._function(inner, name, f"{word} in region {self.flat.regions[region].label}.", lines)
+            mode.apart[region] = name
+        else:
+            mode.apart[region] = ""
+        return self._region(mode, region, 0)
+
+    def _nesting(self, region: int) -> int:
+        """How many regions are around a region."""
+        return sum(
+            node.type is NodeType.AND for node in self.chart.ancestors(self.flat.regions[region].label)
+        )
 
     def _called(self, mode: _Mode) -> _Mode:
         """The mode for what is written into methods that the body calls."""
-        return _Mode(mode.event, mode.loops, direct=mode.direct, functions=mode.functions, tables=mode.tables)
+        return _Mode(
+            mode.event,
+            mode.loops,
+            direct=mode.direct,
+            functions=mode.functions,
+            tables=mode.tables,
+            apart=mode.apart,
+        )
 
     def _function(self, mode: _Mode, name: str, document: str, lines: list[str]) -> None:
         """A method that gives 0, 1 if something moved, 2 if another round is needed after it."""
@@ -1168,7 +1204,7 @@ class _Generator(Face):
         lines += self._leave(region, scope, leaf, number)
         for step in taken:
             lines += self._actions(region, step)
-        lines += self._enter(mode, region, scope, self.flat.transition(taken[-1]).target, number)
+        lines += self._enter(region, scope, self.flat.transition(taken[-1]).target, number)
         return [*lines, *self._moved(mode, self._again(mode.event, region, taken, candidate.spends == "yes"))]
 
     def _moved(self, mode: _Mode, again: bool) -> list[str]:
@@ -1227,34 +1263,38 @@ class _Generator(Face):
 
     # ---- entering --------------------------------------------------------------------------
 
-    def _enter(
-        self, mode: _Mode, region: int, scope: str, target: str, number: int | None = None
-    ) -> list[str]:
+    def _enter(self, region: int, scope: str, target: str, number: int | None = None) -> list[str]:
         """Enter a state inside `scope`, outermost first; `number` is that of the region so far."""
-        path = [target]
-        while (parent := self.chart.node(path[-1]).parent) not in (scope, None):
-            assert parent is not None
-            path.append(parent)
+        path = self._path(scope, target)
         lines = [line for label in reversed(path) for line in self._on_entry(region, self.chart.node(label))]
-        return [*lines, *self._enter_inside(mode, region, target, number)]
+        return [*lines, *self._enter_inside(region, target, number)]
 
-    def _enter_inside(self, mode: _Mode, region: int, target: str, number: int | None = None) -> list[str]:
-        """Make the leaf of a state active that has been entered."""
-        node = self.chart.node(target)
-        if node.type is NodeType.OR:
-            start = self.chart.start_of(target)
-            assert start is not None
-            return [*self._on_entry(region, start), *self._enter_inside(mode, region, start.label, number)]
-        if target in self.rests.passed:
-            return self._pass(mode, region, node, number)
-        lines = self._stand(region, node, number)
-        if target in self.flat.ending and self.has_outcomes:
-            lines.append(f"self.await_outcome({target!r})")
-        if node.type is NodeType.BASIC and self.options.watched:
-            lines += self._begin(region, node)
-        elif node.type is NodeType.AND:
-            for inner in self.flat.regions_of(target):
-                lines += self._enter_region(mode, inner.number)
+    def _enter_inside(self, region: int, target: str, number: int | None = None) -> list[str]:
+        """Make the leaf of a state active that has been entered, and the leaves of what is inside it."""
+        lines: list[str] = []
+        stack = [(region, target, number)]
+        while stack:
+            region, target, number = stack.pop()
+            node = self.chart.node(target)
+            if target == self.flat.regions[region].label and region:
+                lines += self._begin_region(region)
+            if node.type is NodeType.OR:
+                start = self.chart.start_of(target)
+                assert start is not None
+                lines += self._on_entry(region, start)
+                stack.append((region, start.label, number))
+            elif target in self.rests.passed:
+                lines += self._pass(region, node)
+                stack.append((region, self.rests.passed[target].target, number))
+            else:
+                lines += self._stand(region, node, number)
+                if target in self.flat.ending and self.has_outcomes:
+                    lines.append(f"self.await_outcome({target!r})")
+                if node.type is NodeType.BASIC and self.options.watched:
+                    lines += self._begin(region, node)
+                elif node.type is NodeType.AND:
+                    inner = [(item.number, item.label, None) for item in self.flat.regions_of(target)]
+                    stack += reversed(inner)
         return lines
 
     def _stand(self, region: int, leaf: Node, number: int | None) -> list[str]:
@@ -1264,18 +1304,28 @@ class _Generator(Face):
             return []
         return [f"self.r{region} = {entered}  # {self._title(leaf, entered)}"]
 
-    def _pass(self, mode: _Mode, region: int, node: Node, number: int | None) -> list[str]:
-        """Go on at once from a START or an END that is never rested at."""
+    def _pass(self, region: int, node: Node) -> list[str]:
+        """Go on at once from a START or an END that is never rested at, into the target's surroundings."""
         way = self.rests.passed[node.label]
         step = self.flat.transition_number[id(way)]
         scope = self.chart.scope_of(way)
         actions = self._actions(region, step)
         note = [f"# {self._place(step)}"] if actions else []
-        lines = [*self._took((step,)), *self._leave(region, scope, node, None)]
-        return [*lines, *note, *actions, *self._enter(mode, region, scope, way.target, number)]
+        lines = [*self._took((step,)), *self._leave(region, scope, node, None), *note, *actions]
+        for label in reversed(self._path(scope, way.target)):
+            lines += self._on_entry(region, self.chart.node(label))
+        return lines
 
-    def _enter_region(self, mode: _Mode, region: int) -> list[str]:
-        """Enter a region of an AND, with its copies of variables."""
+    def _path(self, scope: str, target: str) -> list[str]:
+        """A state and those around it that are inside `scope`, innermost first."""
+        path = [target]
+        while (parent := self.chart.node(path[-1]).parent) not in (scope, None):
+            assert parent is not None
+            path.append(parent)
+        return path
+
+    def _begin_region(self, region: int) -> list[str]:
+        """What a region of an AND begins with: its copies of variables, no timers."""
         lines: list[str] = []
         outer = self.flat.enclosing(region)
         for name in sorted(self.copied):
@@ -1288,9 +1338,7 @@ class _Generator(Face):
                     lines.append(f"self.{self._copy(name, region)} = self.{self._copy(name, around)}")
         if region in self.timed_regions:
             lines.append(f"self.drop_timers({region})")
-        label = self.flat.regions[region].label
-        lines += self._on_entry(region, self.chart.node(label))
-        return [*lines, *self._enter_inside(mode, region, label)]
+        return [*lines, *self._on_entry(region, self.chart.node(self.flat.regions[region].label))]
 
     def _on_entry(self, region: int, node: Node) -> list[str]:
         lines = []

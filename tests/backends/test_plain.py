@@ -194,3 +194,14 @@ def test_what_the_statechart_writes_itself_is_looked_at() -> None:
     board.changed()
     assert chart.send("on")
     assert chart.configuration() == ("0.2.3",), "back in Wait, `a` leads on at once"
+
+
+@pytest.mark.parametrize("written", ["({0} . B{1})~", "({0} || B{1})"])
+def test_formulas_may_be_nested_deep(written: str) -> None:
+    formula = "A"
+    for number in range(120):
+        formula = written.format(formula, number)
+    chart = plain_class(generate(f"system S srm R {{ liveness {{ R = {formula} }} }}"), "R", PlainOptions())()
+    chart.start()
+    assert not chart.step()
+    assert chart.done(chart.configuration()[-1])
