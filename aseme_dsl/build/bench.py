@@ -419,7 +419,7 @@ def _calls(chart: Plain, runner: Any, said: Sequence[Said], send: str = "send") 
 
 def _do(chart: Plain, calls: Sequence[_Call], step: Callable[[], object] | None = None) -> None:
     """Give a plain chart its inputs."""
-    board = chart.bb
+    board = getattr(chart, "bb")  # noqa: B009  of each subclass another
     changed = getattr(board, "changed", None)
     step = step or chart.step
     timed = hasattr(chart, "now")

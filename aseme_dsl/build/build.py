@@ -47,6 +47,8 @@ class Choice:
     expressions: str = "numbered"
     labels: str = "plain"
     """`original`: states are named as the original tools name them."""
+    native: bool = False
+    """Whether the modules of plain statecharts are compiled, too."""
     force: bool = False
     policy: Policy = NO_POLICY
     """How bad the project finds each kind of problem."""
@@ -101,6 +103,7 @@ def build(
         UnknownBackend: a backend is asked for that is not installed.
     """
     from aseme_dsl.backends.backend import Refused
+    from aseme_dsl.build.native import NativeError, compiled
 
     before = earlier or Earlier()
     known = before.known
@@ -127,6 +130,13 @@ def build(
             refused = True
             continue
         files += (file for file in code if file.home not in homes)
+    generated = [file for file in files if file.part in backends]
+    if choice.native and not refused:
+        try:
+            files += compiled(generated)
+        except NativeError as problem:
+            hint = "without --native it runs as Python"
+            diagnostics.append(Diagnostic("E322", str(problem), None, hint=hint, path=problem.path))
     problems = choice.policy.apply(diagnostics)
     if refused or has_errors(problems):
         return Report(system.name, folder, notes=tuple(notes), diagnostics=in_order(problems))
@@ -141,7 +151,6 @@ def build(
         seen=before.seen,
     )
     found = in_order((*problems, *choice.policy.apply(written.diagnostics)))
-    generated = [file for file in files if file.part in backends]
     count = _count(system, generated, written) if generated and earlier is None else None
     return Report(system.name, folder, written, count, tuple(notes), found)
 
@@ -154,6 +163,7 @@ def choose(
     activities: Path | None = None,
     templates: Path | None = None,
     labels: str | None = None,
+    native: bool = False,
     force: bool = False,
 ) -> Choice:
     """What is asked for on the command line, else by the project's configuration, else the usual.
@@ -173,6 +183,7 @@ def choose(
         templates or configuration.templates,
         configuration.expressions or "numbered",
         labels or configuration.labels or "plain",
+        native,
         force,
         configuration.diagnostics,
     )

@@ -65,6 +65,11 @@ if TYPE_CHECKING:
     type=click.Choice(["plain", "original"]),
     help="original: name states as the original tools do, to compare.  [default: the project's, else plain]",
 )
+@click.option(
+    "--native",
+    is_flag=True,
+    help="Compile the classes of `--backend plain` to machine code, too, with mypyc.",
+)
 @click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
 @watch_option
 @report_options("--report")
@@ -77,6 +82,7 @@ def command(
     activities: Path | None,
     templates: Path | None,
     labels: str | None,
+    native: bool,
     force: bool,
     watch: bool,
     form: str | None,
@@ -101,6 +107,7 @@ def command(
             "activities": activities,
             "templates": templates,
             "labels": labels,
+            "native": native,
             "force": force,
         },
     )
@@ -140,6 +147,7 @@ def _built(
     """Compile and build once; with an error in any of the systems, none is built."""
     from aseme_dsl.build.build import build, choose
     from aseme_dsl.build.configuration import OUTPUT
+    from aseme_dsl.build.native import BACKEND
     from aseme_dsl.build.project import compile_root, inputs_of, path_of
 
     inputs = inputs_of(files, standard_input)
@@ -157,6 +165,10 @@ def _built(
                 chosen["backends"],
                 [c.name for one in compiled if one.system for c in one.system.iacs],
             )
+            if choice.native and BACKEND not in (choice.only or choice.generated):
+                raise click.UsageError(
+                    f"--native compiles what --backend {BACKEND} makes: ask for that, too."
+                )
             folder = output or item.configuration.output or Path(OUTPUT)
             folder = folder / item.system.name if len(compiled) > 1 else folder
             earlier = None if workshop is None else workshop.about(path_of(item.root)).begin(item.layout)

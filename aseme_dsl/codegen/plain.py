@@ -1449,7 +1449,7 @@ _UNLESS = "if not bb.still_"
 _WROTE = "@wrote "
 """Stands where something on the blackboard was written, until it is known which conditions read it."""
 _NOTHING = ["        return False"]
-_EPILOGUE_OF_COPIES = ["if self.writes:", "    self.spread()"]
+_EPILOGUE_OF_COPIES = ["if self.writes:", "    self.spread(bb)"]
 
 
 def _only(test: str, body: _Body) -> list[str]:

@@ -100,6 +100,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E310": ("error", "parameters that nothing gives a value"),
     "E320": ("error", "what a plain statechart cannot do"),
     "E321": ("error", "what a batch of statecharts cannot do"),
+    "E322": ("error", "a statechart cannot be compiled to machine code"),
     "W300": ("warning", "operators mixed without parentheses"),
     "W301": ("warning", "something can never be reached"),
     # Control (E4xx)

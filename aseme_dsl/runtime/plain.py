@@ -42,8 +42,6 @@ class Plain:
 
     __slots__ = ()
 
-    bb: Any
-    """The blackboard: what the program and the statechart tell each other."""
     writes: list[tuple[int, str, Any]]
     """What regions have written that others see in the next step."""
     faulty: set[int]
@@ -153,9 +151,8 @@ class Plain:
 
     # ---- what generated code calls ---------------------------------------------------------
 
-    def spread(self) -> None:
+    def spread(self, board: Any) -> None:
         """Let all regions see what some have written: of several writes, the last in document order."""
-        board = self.bb
         for _, name, value in sorted(self.writes, key=lambda write: write[0]):
             if isinstance(board, dict):
                 board[name] = value

@@ -47,7 +47,7 @@ def with_numbers_only(system: System) -> System | None:
     if plain is None:
         return None
     changed = replace(plain, iacs=tuple(map(_tamed, plain.iacs)))
-    return None if any(any(problems_of(chart)) for chart in changed.iacs) else changed
+    return None if any(any(problems_of(chart, changed)) for chart in changed.iacs) else changed
 
 
 def _tamed(chart: Statechart) -> Statechart:

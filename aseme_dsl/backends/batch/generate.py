@@ -18,7 +18,7 @@ from aseme_dsl.amola.expression import (
     Value,
 )
 from aseme_dsl.amola.messages import DURATION, Kind, Type
-from aseme_dsl.amola.statechart import Statechart, Variable
+from aseme_dsl.amola.statechart import Statechart, Transition, Variable
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions, Refused
 from aseme_dsl.backends.plain.generate import module_of, refusals
@@ -42,6 +42,9 @@ PACES = "`every`"
 FAILURES = "the failure of an activity"
 OUTCOMES = "the outcome of an activity"
 CHANCE = "chance (draw outside, into a variable)"
+CHANCE = "chance (draw the values of variables for all at once)"
+OUTCOMES = "the outcome or the failure of an activity"
+TIMERS = "timers and `every` (there is `after`)"
 TYPES = "values that are no truths and no numbers"
 
 
@@ -57,7 +60,7 @@ class BatchBackend:
         Raises:
             Refused: a role does what arrays cannot.
         """
-        problems = [problem for chart in system.iacs for problem in problems_of(chart)]
+        problems = [problem for chart in system.iacs for problem in problems_of(chart, system)]
         if problems:
             raise Refused(tuple(problems))
         templates = environment(options, Path(__file__).parent / "templates")
@@ -88,9 +91,12 @@ def _array(system: System, variable: Variable) -> Array:
     return Array(variable.name, _TYPES[variable.type.kind], first, seen=True)
 
 
-def problems_of(chart: Statechart) -> Iterator[Diagnostic]:
+def problems_of(chart: Statechart, system: System) -> Iterator[Diagnostic]:
     """One problem for each thing that a batch of a statechart cannot do, with all its places."""
-    found = {(limit.what, limit.span.start): limit for limit in (*limits(chart), *_limits(chart))}
+    found = {
+        (limit.what, limit.span.start): limit
+        for limit in (*limits(chart, system.activities), *_limits(chart))
+    }
     hint = "`--backend plain` does one instance at a time, and more"
     yield from refusals(found.values(), "E321", f"a batch of `{chart.name}` cannot do this", hint)
 
@@ -108,10 +114,24 @@ def _limits(chart: Statechart) -> Iterator[Limit]:
         for action in transition.expression.actions:
             if isinstance(action, StartTimer):
                 yield Limit(TIMERS, action.span)
+    for transition in chart.transitions:
+        yield from _of_expression(transition)
     for _, value in chart.values():
         what = _of_value(value) or ("" if _is_number(value.type) else TYPES)
         if what:
             yield Limit(what, value.span)
+
+
+def _of_expression(transition: Transition) -> Iterator[Limit]:
+    expression = transition.expression
+    if expression.every is not None:
+        yield Limit(TIMERS, transition.span)
+    for event in expression.events:
+        if isinstance(event, Failed):
+            yield Limit(OUTCOMES, event.span)
+    for action in expression.actions:
+        if isinstance(action, StartTimer):
+            yield Limit(TIMERS, action.span)
 
 
 def _is_number(kind: Type) -> bool:
@@ -134,6 +154,12 @@ def _of_value(value: Value) -> str | None:
             return DIVISION
         case Arithmetic(type=kind) if kind == DURATION:
             return DIVISION
+        case Random():
+            return CHANCE
+        case Outcome():
+            return OUTCOMES
+        case Expired():
+            return TIMERS
     return None
 
 

@@ -1,0 +1,144 @@
+"""Native: the modules of plain statecharts compiled to machine code by mypyc, each beside its Python.
+
+What is compiled is the generated module with the class that it inherits, in one piece, for mypyc wants both.
+Python takes the compiled module where there are two of a name; without it the same runs as Python.
+"""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import os
+import re
+import subprocess
+import sys
+import sysconfig
+import tempfile
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path, PurePosixPath
+
+from aseme_dsl.backends.plain.generate import WATCHED
+from aseme_dsl.build.write import Planned
+
+BACKEND = "plain"
+"""The backend whose modules can be compiled."""
+
+_BASE = "aseme_dsl.runtime.plain"
+_FLAGS = "-O2 -g0 -Wl,--build-id=none -Wl,-s"
+"""Without what differs from one compilation to the next, and without what only a debugger needs."""
+
+
+class NativeError(Exception):
+    """A module cannot be compiled; the text says why, `path` which."""
+
+    def __init__(self, reason: str, path: str | None = None) -> None:
+        super().__init__(reason)
+        self.path = path
+
+
+def compiled(files: Iterable[Planned]) -> Iterator[Planned]:
+    """For each module of a statechart among the files the compiled one.
+
+    Raises:
+        NativeError: mypyc or a C compiler is missing, or cannot compile one.
+    """
+    modules = [file for file in files if _is_chart(file)]
+    if not modules:
+        return
+    _check_mypyc()
+    others = {file.path: file.content for file in files}
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for made in pool.map(lambda file: _compiled(file, others), modules):
+            yield from made
+
+
+def _is_chart(file: Planned) -> bool:
+    """Whether a file is a class that is not watched: what is watched waits for others anyway."""
+    if file.part != BACKEND or file.path.endswith(f"{WATCHED}.py"):
+        return False
+    return f"from {_BASE} import ".encode() in file.content
+
+
+def _check_mypyc() -> None:
+    from importlib.util import find_spec
+
+    if find_spec("mypyc") is None:
+        raise NativeError("--native needs mypyc: pip install 'aseme-dsl[native]'")
+
+
+def _compiled(file: Planned, others: dict[str, bytes]) -> list[Planned]:
+    path = PurePosixPath(file.path)
+    package = path.parent.name
+    with tempfile.TemporaryDirectory(prefix="asemec-native-") as temporary:
+        folder = Path(temporary) / package
+        folder.mkdir()
+        for name, content in others.items():
+            if PurePosixPath(name).parent == path.parent and name.endswith(".py"):
+                (folder / PurePosixPath(name).name).write_bytes(content)
+        (folder / path.name).write_text(native_source(file.content.decode()), "utf-8")
+        done = subprocess.run(
+            [sys.executable, "-c", _MYPYC, f"{package}/{path.name}", f"{package}.{path.stem}"],
+            cwd=temporary,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            env={**os.environ, "CFLAGS": f"{os.environ.get('CFLAGS', '')} {_FLAGS}".strip()},
+        )
+        suffix = sysconfig.get_config_var("EXT_SUFFIX")
+        # A module in a package is two files: what Python imports, and what is in it.
+        made = [folder / f"{path.stem}{suffix}", folder / f"{path.stem}__mypyc{suffix}"]
+        if done.returncode != 0 or not all(item.is_file() for item in made):
+            raise NativeError(f"this cannot be compiled: {_reason(done)}", file.path)
+        return [Planned(str(path.with_name(item.name)), item.read_bytes(), file.part) for item in made]
+
+
+_MYPYC = """
+import sys
+from setuptools import setup
+from mypyc.build import mypycify
+
+setup(
+    ext_modules=mypycify(
+        ["--ignore-missing-imports", sys.argv[1]], opt_level="2", debug_level="0", group_name=sys.argv[2]
+    ),
+    script_args=["--quiet", "build_ext", "--inplace"],
+    packages=[],
+)
+"""
+
+
+def _reason(done: subprocess.CompletedProcess[str]) -> str:
+    """The last line that says something is wrong."""
+    lines = [line for line in (done.stdout + done.stderr).splitlines() if line.strip()]
+    wrong = [line for line in lines if re.search(r"error|No module|not found|failed", line)]
+    if any("setuptools" in line for line in wrong):
+        return "setuptools is missing: pip install 'aseme-dsl[native]'"
+    return (wrong or lines or [f"mypyc ended with {done.returncode}"])[-1].strip()
+
+
+def native_source(module: str) -> str:
+    """The module with the class `Plain` in it, in the place of its import."""
+    from aseme_dsl.runtime import plain
+
+    head, imported, rest = re.split(rf"^(from {re.escape(_BASE)} import .*)$", module, maxsplit=1, flags=re.M)
+    assert imported
+    tree = ast.parse(inspect.getsource(plain))
+    others = [node.name for node in tree.body if isinstance(node, ast.ClassDef) and node.name != "Plain"]
+    kept = [node for node in tree.body if not _is_left_out(node, others)]
+    return "\n".join([head, f"from {_BASE} import {', '.join(others)}", *map(ast.unparse, kept), rest])
+
+
+def _is_left_out(node: ast.stmt, others: Iterable[str]) -> bool:
+    """What a module has only once (what it is for, futures, what it offers), and classes that stay Python."""
+    match node:
+        case ast.Expr() | ast.ImportFrom(module="__future__"):
+            return True
+        case ast.ClassDef(name=name):
+            return name in others
+        case ast.Assign(targets=[ast.Name(id="__all__")]):
+            return True
+    return False
+
+
+__all__ = ["NativeError", "compiled", "native_source"]
