@@ -36,21 +36,21 @@ aip ask {
     var n : int = 0
     sends    request Question, confirm Thanks
     receives inform Answer
-    process  = Ask . Wait . Compare
+    process  = Ask . Wait
   }
   participant helper {
     sends    inform Answer
     receives request Question, confirm Thanks
-    process  = Await . Rest . Part
+    process  = Await . Rest
   }
   control asker {
-    enter Compare : inform Answer a from helper [a.n == n and a.square == n * n]
-                    / send confirm Thanks { n = a.n, square = a.square } to helper
+    leave Wait : inform Answer a from helper [a.n == n and a.square == n * n]
+                 / send confirm Thanks { n = a.n, square = a.square } to helper
   }
   control helper {
     enter Rest : request Question q from asker
                  / send inform Answer { n = q.n, square = q.n * q.n } to asker
-    enter Part : confirm Thanks from asker
+    leave Rest : confirm Thanks from asker
   }
 }
 srm peer {
