@@ -23,7 +23,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from benchmarks.behaviours.catalogue import BEHAVIOURS
 from benchmarks.behaviours.counts import Course, course_of
 from benchmarks.behaviours.description import Behaviour, as_json
-from benchmarks.peers.compiling import compiled_into
+from benchmarks.peers.compiling import compiled_into, compiled_natively
 from benchmarks.peers.contenders import BY_HAND, BY_HAND_SLOTS, OURS, PEERS, SEND, Contender, Failed, Process
 from benchmarks.peers.environment import CACHE, Environment, prepare
 from benchmarks.peers.measuring import Results, check_all, time_in_rounds
@@ -40,6 +40,9 @@ GENERATIONS = 5
 """How often the processes of ours are started anew: where things lie in memory is luck."""
 
 INSTANCES = 10_000
+
+LARGE = 100
+"""A C compiler takes long for so many states: they are measured as Python only."""
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -63,6 +66,9 @@ def main(arguments: Sequence[str]) -> int:
     try:
         say("compiling the behaviours")
         compiled_into(folder, chosen)
+        reason = compiled_natively(folder, [item for item in chosen if len(item.states) < LARGE])
+        if reason:
+            say(f"no machine code: {reason}")
         contenders = [replace(item, how=(*item.how, ("folder", str(folder)))) for item in OURS]
         for generation in range(GENERATIONS):
             say(f"ours, generation {generation + 1} of {GENERATIONS}")

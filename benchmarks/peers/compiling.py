@@ -10,6 +10,8 @@ from aseme_dsl.backends.backend import Artefact, BackendOptions
 from aseme_dsl.backends.monas import BACKEND as MONAS
 from aseme_dsl.backends.plain import BACKEND as PLAIN
 from aseme_dsl.backends.plain.generate import module_text
+from aseme_dsl.build.native import NativeError, compiled
+from aseme_dsl.build.write import Planned
 from aseme_dsl.codegen.plain import PlainOptions
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import has_errors, render_text
@@ -30,6 +32,24 @@ def compiled_into(folder: Path, behaviours: Iterable[Behaviour]) -> None:
         module = f"{system.name}/{behaviour.name}.py"
         assert module in [artefact.path for artefact in typed]
         write(folder / behaviour.name / "dict", [*typed, Artefact(module, text)])
+
+
+def compiled_natively(folder: Path, behaviours: Iterable[Behaviour]) -> str:
+    """Compile the class of each behaviour to machine code, too; why not, if that cannot be."""
+    for behaviour in behaviours:
+        files = [
+            Planned(f"plain/{artefact.path}", artefact.text.encode(), "plain")
+            for artefact in PLAIN.generate(system_of(behaviour), BackendOptions())
+        ]
+        try:
+            made = list(compiled(files))
+        except NativeError as problem:
+            return str(problem)
+        for file in (*files, *made):
+            path = folder / behaviour.name / "native" / file.path.removeprefix("plain/")
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(file.content)
+    return ""
 
 
 def system_of(behaviour: Behaviour) -> System:
