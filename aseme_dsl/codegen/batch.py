@@ -14,9 +14,11 @@ Both understand just what `plain.py` writes; anything else is a mistake here, an
 from __future__ import annotations
 
 import ast
+import operator
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from aseme_dsl.codegen.plain import PlainCode
 from aseme_dsl.runtime.batch import TABLES
@@ -64,12 +66,12 @@ def generate_batch(code: PlainCode, variables: Sequence[Array], constants: Mappi
 
     `variables` are those on its blackboard, `constants` the numbers of enum constants by their names there.
     """
-    functions = _functions(code)
+    functions = _functions(code, constants)
     kinds = {item.name: item.dtype for item in variables}
     arrays = [*variables, *_slots(code, variables), Array("stuck", "?")]
     places = {("bb" if item.seen else "self", item.name): _place(item, arrays) for item in arrays}
     pending = sorted({item.name.removeprefix("p_") for item in arrays if item.name.startswith("p_")})
-    known = _Known(kinds, constants, tuple(pending), frozenset(functions), places)
+    known = _Known(kinds, tuple(pending), frozenset(functions), places)
     events = {name.removeprefix(_ON): name for name in functions if name.startswith(_ON)}
     modes = (START, STEP, *events.values())
     for_numpy = [line for name, item in functions.items() for line in (*_ForNumpy(known, item).of(name), "")]
@@ -106,7 +108,6 @@ class _Known:
 
     kinds: Mapping[str, str]
     """The NumPy type of each variable."""
-    constants: Mapping[str, int]
     pending: tuple[str, ...]
     functions: frozenset[str]
     places: Mapping[tuple[str, str], str]
@@ -118,9 +119,9 @@ class _Known:
         return self.kinds[copy[1]] if copy is not None else "i8"
 
 
-def _functions(code: PlainCode) -> dict[str, _Function]:
+def _functions(code: PlainCode, constants: Mapping[str, int]) -> dict[str, _Function]:
     """The step of each mode (`start`, `step`, `on_EVENT`) and the methods that they call, by name."""
-    tree = ast.parse("\n".join(code.body))
+    tree = _Constants({**constants, "ROUNDS": ROUNDS}).visit(ast.parse("\n".join(code.body)))
     (written,) = (node for node in tree.body if isinstance(node, ast.ClassDef))
     methods = {node.name: node for node in written.body if isinstance(node, ast.FunctionDef)}
     found: dict[str, _Function] = {}
@@ -132,6 +133,16 @@ def _functions(code: PlainCode) -> dict[str, _Function]:
             returns = method.returns.id if isinstance(method.returns, ast.Name) else "None"
             found[name] = _Function(body, returns)
     return found
+
+
+class _Constants(ast.NodeTransformer):
+    """Names of constants become what they are."""
+
+    def __init__(self, constants: Mapping[str, int]) -> None:
+        self._constants = constants
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        return ast.Constant(self._constants[node.id]) if node.id in self._constants else node
 
 
 def _by_event(
@@ -406,23 +417,17 @@ class _ForNumpy(_Translation):
         raise _unknown(target)
 
     def truth(self, node: ast.expr, sel: str) -> str:
+        if not any(isinstance(item, ast.Name | ast.Attribute | ast.Call) for item in ast.walk(node)):
+            return f"self.everywhere({bool(_folded(node))})[{sel}]"
         code = self.value(node, sel)
-        if not isinstance(node, ast.BoolOp | ast.UnaryOp) and not any(
-            isinstance(item, ast.Name | ast.Attribute | ast.Call) for item in ast.walk(node)
-        ):
-            return f"self.everywhere({code})[{sel}]"
         return code if self.kind(node) == "?" else f"({code} != 0)"
 
     def value(self, node: ast.expr, sel: str) -> str:
         match node:
             case ast.Constant(value=bool() | int() | float() as value):
                 return repr(value)
-            case ast.Name(id="ROUNDS"):
-                return str(ROUNDS)
             case ast.Name(id="now"):
                 return "now"
-            case ast.Name(id=name) if name in self.known.constants:
-                return str(self.known.constants[name])
             case ast.Name(id=name) if name in self.aliases:
                 return f"self.{name}[{sel}]"
             case ast.Name() | ast.Attribute():
@@ -470,6 +475,42 @@ _SIGNS: Mapping[type[ast.AST], str] = {
     ast.Is: "==",
     ast.IsNot: "!=",
 }
+
+
+_OPERATIONS: Mapping[type[ast.AST], Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Eq: operator.eq,
+    ast.NotEq: operator.ne,
+    ast.Lt: operator.lt,
+    ast.LtE: operator.le,
+    ast.Gt: operator.gt,
+    ast.GtE: operator.ge,
+    ast.Is: operator.is_,
+    ast.IsNot: operator.is_not,
+}
+
+
+def _folded(node: ast.expr) -> Any:
+    """What an expression of constants gives, for which no array says how many there are of it."""
+    match node:
+        case ast.Constant(value=value):
+            return value
+        case ast.UnaryOp(op=ast.Not(), operand=operand):
+            return not _folded(operand)
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            return -_folded(operand)
+        case ast.BoolOp(op=sign, values=values):
+            folded = [_folded(value) for value in values]
+            return all(folded) if isinstance(sign, ast.And) else any(folded)
+        case ast.BinOp(left=left, op=sign, right=right):
+            return _OPERATIONS[type(sign)](_folded(left), _folded(right))
+        case ast.Compare(left=left, ops=signs, comparators=rest):
+            sides = [_folded(side) for side in (left, *rest)]
+            pairs = zip(signs, sides, sides[1:], strict=False)
+            return all(_OPERATIONS[type(sign)](one, other) for sign, one, other in pairs)
+    raise _unknown(node)
 
 
 def _nested(function: str) -> Callable[[Sequence[str]], str]:
@@ -521,11 +562,6 @@ class _Elements(ast.NodeTransformer):
     def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
         assert isinstance(node.value, ast.Name), ast.unparse(node)
         return ast.parse(self._known.places[node.value.id, node.attr], mode="eval").body
-
-    def visit_Name(self, node: ast.Name) -> ast.AST:
-        if node.id in self._known.constants:
-            return ast.Constant(self._known.constants[node.id])
-        return ast.Constant(ROUNDS) if node.id == "ROUNDS" else node
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
         called = self._translation.called(node)

@@ -103,6 +103,29 @@ srm door {
     assert together.batches["numpy"].finished.tolist() == [True, False, False, False]
 
 
+def test_what_is_constant_is_so_in_each_instance(tmp_path: Path) -> None:
+    text = """
+system Moods
+enum Mood { CALM EAGER }
+srm robot {
+  var seen : bool = false
+  var happy : bool = false
+  liveness { robot = (A . B)~ }
+  control robot {
+    enter B : go [(Mood.CALM == Mood.CALM && 1 + 1 > 3) == false && (true || seen)] / happy = false || !(2 < 1)
+    repeat (A . B) : go [Mood.CALM != Mood.EAGER]
+  }
+}
+"""
+    plain, kind = made(system_of(text), tmp_path, "robot")
+    together = Together(plain, kind, 3, ("numpy", "numba"))
+    together.start()
+    together.set(1, "seen", True)
+    together.send("go")
+    together.send("go")
+    assert together.batches["numpy"].bb.happy.all()
+
+
 def test_an_instance_that_does_not_settle_is_named(tmp_path: Path) -> None:
     text = """
 system Circles
