@@ -112,7 +112,7 @@ srm robot {
   var happy : bool = false
   liveness { robot = (A . B)~ }
   control robot {
-    enter B : go [(Mood.CALM == Mood.CALM && 1 + 1 > 3) == false && (true || seen)] / happy = false || !(2 < 1)
+    enter B : go [(Mood.CALM == Mood.CALM && 1 + 1 > 3) == false && (true || seen)] / happy = !(2 < 1)
     repeat (A . B) : go [Mood.CALM != Mood.EAGER]
   }
 }
