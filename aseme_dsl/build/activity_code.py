@@ -82,7 +82,9 @@ def check_code(
                 talks[piece.said.name] = memory.recall(_talk_in, module)
             said = memory.same((piece.what, piece.said.name), piece.said)
             seen = types if module.imports_messages else memory.same("no types", System(system.name))
-            found += memory.recall(_problems_of, module, said, piece.wanted, piece.what, seen, *world.inputs)
+            calls = memory.recall(_calls, module)
+            found += memory.recall(_problems_of, module, calls, said, piece.wanted, piece.what, *world.inputs)
+            found += memory.recall(_problems_of_words, module, calls, seen, *world.inputs)
             continue
         complete = False
         if piece.is_missing:
@@ -96,7 +98,8 @@ def check_code(
             if helper is not None:
                 modules.append(helper)
                 by_others += memory.recall(_talk_in, helper)
-                found += memory.recall(_problems_of_helper, helper, types, *world.inputs)
+                calls = memory.recall(_calls, helper)
+                found += memory.recall(_problems_of_helper, helper, calls, types, *world.inputs)
     if alone and system.aips:
         found += unfit_talk(system, talks)
         found += unsaid(system, talks, by_others)
@@ -129,23 +132,30 @@ def _variables_in(module: _Module) -> frozenset[str]:
 
 
 def _problems_of(
-    module: _Module, said: Activity, wanted: str, what: str, types: System, *world: *_WorldInputs
+    module: _Module, calls: _Calls, said: Activity, wanted: str, what: str, *world: *_WorldInputs
 ) -> tuple[Diagnostic, ...]:
-    """What is wrong with the code of one activity or module."""
-    known = _World(*world)
+    """What is wrong with the code of one activity or module, as it is described."""
+    return tuple(_of_piece(module, calls, said, wanted, what, _World(*world)))
+
+
+def _problems_of_words(
+    module: _Module, calls: _Calls, types: System, *world: *_WorldInputs
+) -> tuple[Diagnostic, ...]:
+    """What is wrong with the code whatever is said of its activity."""
     return (
-        *_of_piece(module, said, wanted, what, known),
         *unknown_methods(module.tree, module.span),
         *unknown_messages(module.tree, types, module.span),
-        *unfit_messages(module.tree, types, _published(module, known), module.span),
+        *unfit_messages(module.tree, types, _published(calls, _World(*world)), module.span),
     )
 
 
-def _problems_of_helper(module: _Module, types: System, *world: *_WorldInputs) -> tuple[Diagnostic, ...]:
+def _problems_of_helper(
+    module: _Module, calls: _Calls, types: System, *world: *_WorldInputs
+) -> tuple[Diagnostic, ...]:
     known = _World(*world)
     return (
-        *(problem for call in _calls(module) for problem in _unknown(call, None, known)),
-        *unfit_messages(module.tree, types, _published(module, known), module.span),
+        *(problem for call in calls for problem in _unknown(call, None, known)),
+        *unfit_messages(module.tree, types, _published(calls, known), module.span),
     )
 
 
@@ -368,7 +378,10 @@ def _parsed(name: str, stamp: str) -> _Read:
     return _Module(source, tree, constants), ()
 
 
-def _calls(module: _Module) -> list[_Call]:
+_Calls = tuple[_Call, ...]
+
+
+def _calls(module: _Module) -> _Calls:
     """The calls on a context, in the order of the text."""
     contexts = {"context"}
     for node in ast.walk(module.tree):
@@ -392,16 +405,16 @@ def _calls(module: _Module) -> list[_Call]:
         from_host = (sender, module.span(host)) if host is not None and sender is not None else None
         value = node.args[1] if len(node.args) > 1 else named.get("message")
         found.append(_Call(node.func.attr, said, module.span(first), from_host, value))
-    return sorted(found, key=lambda call: call.span.start)
+    return tuple(sorted(found, key=lambda call: call.span.start))
 
 
 def _talk_in(module: _Module) -> tuple[Talk, ...]:
     return talk_in(module.tree, module.span, lambda node: _text(module, node))
 
 
-def _published(module: _Module, world: _World) -> Iterator[tuple[str, ast.expr]]:
+def _published(calls: _Calls, world: _World) -> Iterator[tuple[str, ast.expr]]:
     """What the code publishes on channels that there are."""
-    for call in _calls(module):
+    for call in calls:
         if call.method == "publish" and call.name in world.channels and call.value is not None:
             yield call.name, call.value
 
@@ -427,7 +440,7 @@ def _text(module: _Module, node: ast.expr | None) -> str | None:
 
 
 def _of_piece(
-    module: _Module, activity: Activity, wanted: str, what: str, world: _World
+    module: _Module, calls: _Calls, activity: Activity, wanted: str, what: str, world: _World
 ) -> Iterator[Diagnostic]:
     classes = [node for node in module.tree.body if isinstance(node, ast.ClassDef)]
     if not any(node.name == wanted for node in classes) and not _brings(module.tree, wanted):
@@ -455,7 +468,7 @@ def _of_piece(
             yield from wrong_outcomes(execute, activity, module.span, lambda item: _text(module, item))
             yield from wrong_parameters(execute, activity, module.span)
     undeclared: dict[tuple[str, str], _Call] = {}
-    for call in _calls(module):
+    for call in calls:
         problems = list(_unknown(call, activity, world))
         yield from problems
         if not problems:

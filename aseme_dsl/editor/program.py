@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -48,6 +49,12 @@ class Program:
     def path_of(self, source: Source) -> str:
         """Where the file of a text (or of a part of one) really is."""
         return self.inspection.loaded.paths.get(source.path, source.path)
+
+    def place_of(self, item: Diagnostic) -> str:
+        """The file that there is something to say of; if that is none, it is the root."""
+        shown = (item.path or self.root) if item.span is None else item.span.source.path
+        known = self.inspection.loaded.paths.get(shown)
+        return known if known is not None else os.path.realpath(shown)
 
     def whole(self, span: Span) -> Span:
         """The place in its file."""

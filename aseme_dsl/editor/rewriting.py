@@ -14,7 +14,7 @@ from aseme_dsl.compiler import formulas as formula_tables
 from aseme_dsl.compiler.aip_to_eac import PROCESS
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.terms import Terms, terms_of
-from aseme_dsl.diagnostics import Diagnostic, Edit, has_errors
+from aseme_dsl.diagnostics import Diagnostic, Edit, Severity, has_errors
 from aseme_dsl.editor.place import begin_of_declaration, end_of_declaration
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import parse, tree
@@ -189,12 +189,18 @@ def look(view: View, text: str | None = None) -> Looked:
 def nothing_new(view: View, text: str, allowed: frozenset[str] = frozenset()) -> tuple[Looked, Looked]:
     """Compile the program as it is and as it would be with a new text of the file.
 
+    While there are errors, what needs a whole model is not looked at. If the new text has none, what is said
+    then but for errors is not new: it had to wait.
+
     Raises:
         Refused: There would be something new to complain of, but for `allowed` codes.
     """
     before, changed = look(view), look(view, text)
     new = changed.codes - before.codes
+    waited = has_errors(before.analysis.diagnostics)
     for item in changed.analysis.diagnostics:
+        if waited and item.severity is not Severity.ERROR:
+            continue
         if item.code in new and item.code not in allowed:
             raise Refused(f"there would be something new to say: {_said(item)}")
     return before, changed

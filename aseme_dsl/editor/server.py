@@ -29,6 +29,7 @@ from aseme_dsl.editor.diagram import Diagrams, LiveDrawing
 from aseme_dsl.editor.following import Page
 from aseme_dsl.editor.index import Kind, Symbol, Use
 from aseme_dsl.editor.positions import Change, Lines, Position, changed
+from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
 from aseme_dsl.editor.workspace import Project, Workspace
 from aseme_dsl.source import Source, Span
@@ -122,6 +123,7 @@ class Server(LanguageServer):
         self.compiling = asyncio.Lock()
         self.tokens: dict[str, tuple[str, list[int]]] = {}
         self.uris: dict[str, str] = {}
+        self.elsewhere: dict[str, dict[str, list[lsp.Diagnostic]]] = {}
         self.diagrams = Diagrams()
         self.drawing = asyncio.Lock()
         self.moved: Callable[[str, lsp.Position], None] = lambda uri, position: None
@@ -262,6 +264,9 @@ class Server(LanguageServer):
             if view is not None:
                 self.publish_one(other, view)
                 await self.in_pieces(view.program.indexing())
+        for root in self.files.roots(path):
+            self.publish_elsewhere(root, await self.in_pieces(self.files.programming(root)))
+        self.hush_elsewhere()
         self.renewed()
         self.waiting.pop(path, None)
         if not self.waiting:
@@ -291,13 +296,44 @@ class Server(LanguageServer):
     def publish_one(self, path: str, view: View) -> None:
         if path not in self.files.buffers:
             return
-        found = [self.diagnostic(view, item) for item in view.diagnostics]
+        found = [self.diagnostic(view.program, view.source, item) for item in view.diagnostics]
         self.text_document_publish_diagnostics(
             lsp.PublishDiagnosticsParams(self.uri(path), found, self.files.buffers[path].version)
         )
 
-    def diagnostic(self, view: View, item: diagnostics.Diagnostic) -> lsp.Diagnostic:
-        span = item.span if item.span is not None else Span(view.source, 0, len(view.source.line(1)))
+    def publish_elsewhere(self, root: str, program: Program | None) -> None:
+        """Send what there is to say of a root's files that are not open: Python, the configuration, imports.
+
+        None: no file of the root is open any more.
+        """
+        found: dict[str, list[lsp.Diagnostic]] = {}
+        if program is not None:
+            for item in program.diagnostics:
+                path = program.place_of(item)
+                if path not in self.files.buffers and Path(path).exists():
+                    source = item.span.source if item.span is not None else self.source(path, "")
+                    found.setdefault(path, []).append(self.diagnostic(program, source, item))
+        before = self.elsewhere.pop(root, {})
+        if found:
+            self.elsewhere[root] = found
+        for path in {*before, *found} - set(self.files.buffers):
+            if before.get(path) == found.get(path):
+                continue
+            said: list[lsp.Diagnostic] = []
+            for known in self.elsewhere.values():
+                said += [item for item in known.get(path, ()) if item not in said]
+            self.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(self.uri(path), said))
+
+    def hush_elsewhere(self) -> None:
+        """What was said of the files of roots that no open file belongs to any more is out of date."""
+        if self.elsewhere:
+            roots = {root for path in self.files.buffers for root in self.files.roots(path)}
+            for root in set(self.elsewhere) - roots:
+                self.publish_elsewhere(root, None)
+
+    def diagnostic(self, program: Program, source: Source, item: diagnostics.Diagnostic) -> lsp.Diagnostic:
+        """As editors show it; what is about no place of a file stands at its first line."""
+        span = item.span if item.span is not None else Span(source, 0, len(source.line(1)))
         message = item.message if item.hint is None else f"{item.message}\n{item.hint}"
         page = file_of(item.code)
         return lsp.Diagnostic(
@@ -310,21 +346,21 @@ class Server(LanguageServer):
             tags=[lsp.DiagnosticTag.Unnecessary] if item.code in UNUSED else None,
             related_information=[
                 lsp.DiagnosticRelatedInformation(
-                    self.location(view.program.path_of(other.span.source), other.span), other.message
+                    self.location(program.path_of(other.span.source), other.span), other.message
                 )
                 for other in item.related
                 if other.span.source.path != "<built in>"
             ],
-            data=self.fix(view, item),
+            data=self.fix(program, item),
         )
 
-    def fix(self, view: View, item: diagnostics.Diagnostic) -> dict[str, Any] | None:
+    def fix(self, program: Program, item: diagnostics.Diagnostic) -> dict[str, Any] | None:
         """What mends it, as a workspace edit's changes, for clients that apply it themselves."""
         if not item.changes:
             return None
         changes: dict[str, list[Any]] = {}
         for edit in item.changes:
-            uri = self.uri(view.program.path_of(edit.span.source))
+            uri = self.uri(program.path_of(edit.span.source))
             changes.setdefault(uri, []).append({"range": _plain(self, edit.span), "newText": edit.text})
         return {"changes": changes}
 
@@ -418,6 +454,7 @@ def _documents(server: Server) -> None:
         )
         for other in others:
             server.soon(other)
+        server.hush_elsewhere()
         server.idle = asyncio.get_running_loop().call_later(IDLE, server.tidy_all)
 
     @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)

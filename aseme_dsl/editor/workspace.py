@@ -279,7 +279,7 @@ class Workspace:
         for root in self.roots(path):
             programs.append((yield from self._programming(root)))
         found = in_order(
-            item for program in programs for item in program.diagnostics if _is_about(program, item, path)
+            item for program in programs for item in program.diagnostics if program.place_of(item) == path
         )
         buffer = self.buffers.get(path)
         program = programs[0]
@@ -375,13 +375,6 @@ def _stamp(path: str) -> object:
     except (OSError, ValueError):
         return None
     return found.st_mtime_ns, found.st_size
-
-
-def _is_about(program: Program, item: Diagnostic, path: str) -> bool:
-    if item.span is None:
-        shown = item.path or program.root
-        return program.inspection.loaded.paths.get(shown, os.path.realpath(shown)) == path
-    return program.path_of(item.span.source) == path
 
 
 __all__ = ["Buffer", "Header", "Project", "Workspace", "files_below", "header_of", "imported"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -202,6 +203,24 @@ def test_lines_in_a_block_of_their_own() -> None:
         "  }\n}\n"
     )
     assert [code for code in codes(changed) if code[0] == "E"] == []
+
+
+@pytest.mark.parametrize("kept", ["enter A : [near]", "enter B : [far]", "enter C : else"])
+def test_lines_where_some_are_missing_now(kept: str) -> None:
+    """What is said of the rest of the model only when the lines are there has waited for them."""
+    lines = ("enter A : [near]", "enter B : [far]", "enter C : else")
+    text = (
+        "system T\nimport soccer\nlet near = vision.state.Ball.distance < 3\n"
+        "let far = vision.state.Ball.distance > 5\n"
+        "srm r {\n  liveness { r = (A | B | C)~ }\n  activities { A takes 1s  B takes 1s  C takes 1s }\n"
+        f"  control ‸r {{\n    {kept}\n  }}\n}}\nteam T {{ robot1 : r }}\n"
+    )
+    assert "E404" in codes(text.replace("‸", ""))
+    changed = done(text, "Write a control line")
+    assert [code for code in codes(changed) if code[0] == "E"] == []
+    for line in lines:
+        verb, term = line.split()[:2]
+        assert len(re.findall(rf"^ +{verb} +{term} +:", changed, re.MULTILINE)) == 1
 
 
 # ---- names for expressions -----------------------------------------------------------------------
