@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields, is_dataclass
 from typing import Any
 
 from aseme_dsl.amola.liveness import Formula
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.editor.index import NAMES, Kind, Occurrence, Symbol, Use
 from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
@@ -161,10 +162,11 @@ class Fold:
     kind: str = "region"
 
 
-def folds(view: View) -> tuple[Fold, ...]:
+def folds(view: View) -> InPieces[tuple[Fold, ...]]:
     """Blocks in braces, comments of several lines, and imports that follow each other."""
     source = view.source
     lexed = clean(source)
+    yield
     found = [*_braces(source, lexed.tokens), *_comments(lexed.comments), *_imports(view)]
     return tuple(sorted(found, key=lambda item: (item.first, -item.last)))
 

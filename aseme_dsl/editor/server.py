@@ -640,7 +640,7 @@ def _structure(server: Server) -> None:
             return None
         return [
             lsp.FoldingRange(item.first - 1, item.last - 1, kind=_FOLDS[item.kind])
-            for item in outline.folds(view)
+            for item in await server.in_pieces(outline.folds(view))
         ]
 
     @server.feature(lsp.TEXT_DOCUMENT_SELECTION_RANGE)
@@ -679,7 +679,7 @@ def _structure(server: Server) -> None:
         view = await server.view(params.text_document.uri)
         if view is None:
             return None
-        data = tokens.encoded(server.lines(view.source), tokens.tokens(view))
+        data = await _encoded(server, view)
         return lsp.SemanticTokens(data, _remember(server, view, data))
 
     @server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA)
@@ -689,7 +689,7 @@ def _structure(server: Server) -> None:
         view = await server.view(params.text_document.uri)
         if view is None:
             return None
-        data = tokens.encoded(server.lines(view.source), tokens.tokens(view))
+        data = await _encoded(server, view)
         known, before = server.tokens.get(view.path, ("", []))
         name = _remember(server, view, data)
         if known != params.previous_result_id:
@@ -705,8 +705,9 @@ def _structure(server: Server) -> None:
         if found is None:
             return None
         view, (start, end) = found
-        within = [item for item in tokens.tokens(view) if item.end > start and item.start < end]
-        return lsp.SemanticTokens(tokens.encoded(server.lines(view.source), within))
+        names = await server.in_pieces(tokens.tokens(view))
+        within = [item for item in names if item.end > start and item.start < end]
+        return lsp.SemanticTokens(await server.in_pieces(tokens.encoded(server.lines(view.source), within)))
 
     @server.feature(lsp.TEXT_DOCUMENT_INLAY_HINT)
     async def inlay_hints(params: lsp.InlayHintParams) -> list[lsp.InlayHint] | None:
@@ -747,6 +748,11 @@ def _entry(server: Server, item: outline.Entry) -> lsp.DocumentSymbol:
         detail=item.detail,
         children=[_entry(server, inner) for inner in item.inside],
     )
+
+
+async def _encoded(server: Server, view: View) -> list[int]:
+    names = await server.in_pieces(tokens.tokens(view))
+    return await server.in_pieces(tokens.encoded(server.lines(view.source), names))
 
 
 def _remember(server: Server, view: View, data: Sequence[int]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.editor.index import Kind, Occurrence, Use
 from aseme_dsl.editor.positions import Lines
 from aseme_dsl.editor.view import View
@@ -75,17 +76,25 @@ class Token:
     modifiers: int
 
 
-def tokens(view: View) -> tuple[Token, ...]:
+AT_ONCE = 1000
+"""How many names are looked at in one piece: others want answers meanwhile."""
+
+
+def tokens(view: View) -> InPieces[tuple[Token, ...]]:
     """The names of a file in the order of the text; none overlaps another."""
     found: list[Token] = []
-    for item in view.occurrences:
+    behind = 0
+    for number, item in enumerate(view.occurrences):
+        if number % AT_ONCE == AT_ONCE - 1:
+            yield
         span = view.whole(item.span)
-        if span.end > span.start and (not found or span.start >= found[-1].end):
-            found.append(Token(span.start, span.end, _NUMBER[item.symbol.kind], _modifiers(view, item)))
+        if span.end > span.start >= behind:
+            found.append(Token(span.start, span.end, _NUMBER[item.symbol.kind], _modifiers(item)))
+            behind = span.end
     return tuple(found)
 
 
-def _modifiers(view: View, item: Occurrence) -> int:
+def _modifiers(item: Occurrence) -> int:
     bits = 0
     if item.use is Use.DECLARATION:
         bits |= 1
@@ -98,11 +107,13 @@ def _modifiers(view: View, item: Occurrence) -> int:
     return bits
 
 
-def encoded(lines: Lines, found: Sequence[Token]) -> list[int]:
+def encoded(lines: Lines, found: Sequence[Token]) -> InPieces[list[int]]:
     """As the protocol wants them: five numbers each, places relative to the token before."""
     data: list[int] = []
     line = character = 0
-    for item in found:
+    for number, item in enumerate(found):
+        if number % AT_ONCE == AT_ONCE - 1:
+            yield
         begin, end = lines.position(item.start), lines.position(item.end)
         if begin.line != end.line:
             continue

@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 from aseme_dsl.build.project import compile_root
 from aseme_dsl.cli.lsp import project
 from aseme_dsl.compiler import Analysis, analyse
+from aseme_dsl.compiler.pieces import finished
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.editor.hints import hints, lenses
 from aseme_dsl.editor.hover import hover
@@ -90,9 +91,9 @@ def answer_all(view: View, offset: int, workspace: Workspace) -> None:
     """Nothing that an editor may ask for fails, whatever the text."""
     for item in view.occurrences:
         assert view.whole(item.span).text in (item.span.text, item.symbol.name)
-    encoded(view.lines, tokens(view))
+    finished(encoded(view.lines, finished(tokens(view))))
     outline(view)
-    folds(view)
+    finished(folds(view))
     links(view)
     lenses(view)
     layout(view.source)
