@@ -416,6 +416,7 @@ def _documents(server: Server) -> None:
         folders = server.workspace.folders.values() if server.workspace.folders else ()
         paths = [to_fs_path(folder.uri) for folder in folders] or [server.workspace.root_path]
         server.files.folders = [path for path in paths if path]
+        _ask_for_news_of_files(server)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
     def did_open(params: lsp.DidOpenTextDocumentParams) -> None:
@@ -470,6 +471,18 @@ def _documents(server: Server) -> None:
         server.files.forget()
         for path in server.files.buffers:
             server.soon(path)
+
+
+def _ask_for_news_of_files(server: Server) -> None:
+    """Have the editor tell of files that change on disk, if it does so when asked."""
+    workspace = server.client_capabilities.workspace
+    watching = workspace.did_change_watched_files if workspace is not None else None
+    if watching is None or not watching.dynamic_registration:
+        return
+    glob = "**/*.{aseme,proto,py,toml}"
+    options = lsp.DidChangeWatchedFilesRegistrationOptions([lsp.FileSystemWatcher(glob)])
+    registration = lsp.Registration("files", lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES, options)
+    server.client_register_capability(lsp.RegistrationParams([registration]))
 
 
 def _change(item: lsp.TextDocumentContentChangeEvent) -> Change:

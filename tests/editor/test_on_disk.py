@@ -56,6 +56,13 @@ async def client(lsp_client: LanguageClient, tmp_path: Path) -> AsyncIterator[No
     }.items():
         (tmp_path / "main" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "main" / name).write_text(text, "utf-8")
+    registered: list[lsp.Registration] = []
+    lsp_client.registered = registered  # type: ignore[attr-defined]
+
+    @lsp_client.feature(lsp.CLIENT_REGISTER_CAPABILITY)
+    def register(params: lsp.RegistrationParams) -> None:
+        registered.extend(params.registrations)
+
     await lsp_client.initialize_session(
         lsp.InitializeParams(
             capabilities=client_capabilities("visual-studio-code"),
@@ -101,6 +108,17 @@ def changed(project: Project, name: str, text: str | None) -> None:
         path.write_text(text, "utf-8")
     event = lsp.FileEvent(path.as_uri(), kind)
     project.client.workspace_did_change_watched_files(lsp.DidChangeWatchedFilesParams([event]))
+
+
+async def test_the_server_asks_to_be_told_of_files(client: LanguageClient) -> None:
+    """An editor that watches files only when it is asked to (Neovim, Emacs) is asked."""
+    seen: list[lsp.Registration] = []
+    async with asyncio.timeout(10):
+        while not seen:
+            seen = list(client.registered)  # type: ignore[attr-defined]
+            await asyncio.sleep(0.02)
+    (registration,) = seen
+    assert registration.method == "workspace/didChangeWatchedFiles"
 
 
 @pytest.mark.parametrize(
