@@ -13,7 +13,7 @@ import pytest_lsp
 from lsprotocol import types as lsp
 from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
 
-from tests.editor.test_server import Project
+from tests.editor.test_server import Project, asked_to_watch
 
 pytestmark = pytest.mark.asyncio
 
@@ -56,13 +56,7 @@ async def client(lsp_client: LanguageClient, tmp_path: Path) -> AsyncIterator[No
     }.items():
         (tmp_path / "main" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "main" / name).write_text(text, "utf-8")
-    registered: list[lsp.Registration] = []
-    lsp_client.registered = registered  # type: ignore[attr-defined]
-
-    @lsp_client.feature(lsp.CLIENT_REGISTER_CAPABILITY)
-    def register(params: lsp.RegistrationParams) -> None:
-        registered.extend(params.registrations)
-
+    lsp_client.registered = asked_to_watch(lsp_client)  # type: ignore[attr-defined]
     await lsp_client.initialize_session(
         lsp.InitializeParams(
             capabilities=client_capabilities("visual-studio-code"),

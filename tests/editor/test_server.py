@@ -168,10 +168,22 @@ def shown(text: str, place: lsp.Range) -> str:
     return line[2 * place.start.character : 2 * place.end.character].decode("utf-16-le")
 
 
+def asked_to_watch(client: LanguageClient) -> list[lsp.Registration]:
+    """What the server asks an editor to tell of, as it asks."""
+    registered: list[lsp.Registration] = []
+
+    @client.feature(lsp.CLIENT_REGISTER_CAPABILITY)
+    def register(params: lsp.RegistrationParams) -> None:
+        registered.extend(params.registrations)
+
+    return registered
+
+
 @pytest_lsp.fixture(
     config=ClientServerConfig(server_command=[sys.executable, "-m", "aseme_dsl", "lsp"]), scope="module"
 )
 async def client(lsp_client: LanguageClient, folder: Path) -> AsyncIterator[None]:
+    asked_to_watch(lsp_client)
     await lsp_client.initialize_session(
         lsp.InitializeParams(
             capabilities=client_capabilities("visual-studio-code"),
