@@ -78,7 +78,9 @@ def check_code(
         found += problems
         if module is not None:
             modules.append(module)
-            if piece.what == "activity":
+            is_written = piece.said.takes is not None or not memory.recall(_is_empty, module, piece.wanted)
+            complete = complete and is_written
+            if piece.what == "activity" and is_written:
                 talks[piece.said.name] = memory.recall(_talk_in, module)
             said = memory.same((piece.what, piece.said.name), piece.said)
             seen = types if module.imports_messages else memory.same("no types", System(system.name))
@@ -406,6 +408,21 @@ def _calls(module: _Module) -> _Calls:
         value = node.args[1] if len(node.args) > 1 else named.get("message")
         found.append(_Call(node.func.attr, said, module.span(first), from_host, value))
     return tuple(sorted(found, key=lambda call: call.span.start))
+
+
+def _is_empty(module: _Module, wanted: str) -> bool:
+    """Whether the class is as a build starts it: its `execute` is a docstring. `pass` is somebody's word."""
+    methods = [
+        item
+        for node in module.tree.body
+        if isinstance(node, ast.ClassDef) and node.name == wanted
+        for item in node.body
+        if isinstance(item, (ast.FunctionDef, ast.AsyncFunctionDef)) and item.name == "execute"
+    ]
+    return any(
+        all(isinstance(item, ast.Expr) and isinstance(item.value, ast.Constant) for item in method.body)
+        for method in methods
+    )
 
 
 def _talk_in(module: _Module) -> tuple[Talk, ...]:

@@ -117,7 +117,11 @@ def _by_performative(checker: Checker, path: tree.Path) -> Value | None:
         hint = f"write `{taken.name}{members}`"
         checker.report("E533", f"the message is called `{taken.name}` here", path.span, hint)
         return None
-    hint = f"name it in the event, `{said} b from …`, and write `b.member`"
+    if taken is not None and any(
+        taken.span.start <= item.span.start < taken.span.end for item in checker.diagnostics if item.span
+    ):
+        return None  # what is wrong with the event is said there
+    hint = f"only the line that takes it knows it, `{said} from …`: keep what is needed in a variable there"
     if taken is None and not checker.scope.parties:
         hint = "agent messages are known in the `control` of a participant of an `aip`"
     checker.report("E533", f"no `{said}` is taken here", path.span, hint)

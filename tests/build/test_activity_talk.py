@@ -95,6 +95,12 @@ def test_what_nothing_sends_or_takes_is_told_once_all_code_is_there(tmp_path: Pa
     assert say(tmp_path, Boil=f'context.receive("cancel"); {sent}') == []
 
 
+@pytest.mark.parametrize("empty", ['"""Called once."""', "..."])
+def test_an_activity_as_the_build_starts_it_may_still_do_it(tmp_path: Path, empty: str) -> None:
+    assert say(tmp_path, Boil="pass", Wait=empty) == []
+    assert len(say(tmp_path, Wait="pass")) == 3, "pass says that there is nothing to do"
+
+
 def test_a_module_that_activities_share_may_do_it(tmp_path: Path) -> None:
     assert len(say(tmp_path, Boil="pass", Wait="pass")) == 3
     (tmp_path / "talking.py").write_text(
