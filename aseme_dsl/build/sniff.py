@@ -166,7 +166,8 @@ class Sniffer:
 
     def _said(self, record: Record, sender: str, receivers: tuple[str, ...]) -> Arrow:
         conversation = str(record["conversation"])
-        self._protocols.setdefault(conversation, str(record["protocol"]))
+        if record["protocol"]:
+            self._protocols.setdefault(conversation, str(record["protocol"]))
         for who, part in (
             (sender, record.get("participant")),
             *((to, record.get("receiver")) for to in receivers),

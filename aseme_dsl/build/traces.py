@@ -141,7 +141,7 @@ class Summary:
         elif kind == "conversation":
             protocol = str(record.get("protocol") or record["conversation"].partition("-")[0])
             self._protocols.setdefault(protocol, Counter())[record["what"]] += 1
-        elif kind == "mail":
+        elif kind == "mail" and record["protocol"]:
             self._protocols.setdefault(record["protocol"], Counter())["messages"] += 1
         elif kind in ("fault", "error"):
             self._fault(record, agent)

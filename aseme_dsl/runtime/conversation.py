@@ -460,8 +460,10 @@ class Conversations:
             and message.sender is not None
             and performative_of(message.performative) != NOT_UNDERSTOOD
         ):
-            reply_with = name_of((to, next(self._numbers)))
-            answer = outsiders.answer(message, to, NOT_UNDERSTOOD, reason, reply_with)
+            agent = self._agents.get(to)
+            own = agent.identity() if agent is not None else (to, next(self._numbers))
+            answer = outsiders.answer(message, to, NOT_UNDERSTOOD, reason, name_of(own))
+            self._told.answered_outside(answer, own, identity)
             self._carry_outside(to, answer, answer.receivers)
 
     def appeared(self, name: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
@@ -102,6 +103,25 @@ class ConversationTrace:
             content=None if content is None else content[:LONGEST],
             reason=reason,
         )
+
+    def answered_outside(self, answer: FipaMessage, identity: Identity, to: Identity) -> None:
+        """An agent that is not of the team is told that what it has said means nothing."""
+        if self._trace.active:
+            self._trace.write(
+                "mail",
+                self._driver.clock.now(),
+                agent=identity[0],
+                sequence=identity[1],
+                performative=performative_of(answer.performative),
+                message="",
+                content=json.loads(str(answer.content)),
+                protocol=answer.protocol,
+                conversation=answer.conversation,
+                participant="",
+                receiver="",
+                to=[receiver.name for receiver in answer.receivers],
+                answers=[list(to)],
+            )
 
     def takes_part(
         self,

@@ -187,7 +187,15 @@ def test_what_is_not_understood_is_told_and_answered(ask: Generated, case: str) 
     (answer,) = alice.heard
     assert (answer.performative, answer.conversation) == ("not-understood", "c1")
     assert answer.in_reply_to == "r1"
-    assert json.loads(str(answer.content))["reason"] == told["reason"]
+    content = json.loads(str(answer.content))
+    assert content["reason"] == told["reason"]
+    (mail,) = [record for record in of(records, "mail") if record["answers"] == [told["input"]]]
+    assert (mail["performative"], mail["content"], mail["to"]) == (
+        "not_understood",
+        content,
+        ["alice@elsewhere"],
+    )
+    assert answer.reply_with == f"{mail['agent']}-{mail['sequence']}"
     assert alice.team.conversations._conversations == {}
 
 
