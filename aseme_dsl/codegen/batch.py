@@ -542,7 +542,7 @@ class _ForNumba(_Translation):
             self.function.body[-1], ast.Return
         ):
             body.append("return False")
-        return ["@njit(cache=True)", head, *(f"    {line}" for line in body or ["pass"])]
+        return ["@compiled", head, *(f"    {line}" for line in body or ["pass"])]
 
 
 class _Elements(ast.NodeTransformer):

@@ -126,6 +126,21 @@ class Batch:
             raise Unsettled(f"instance {first} does not settle after {ROUNDS} rounds, at {active}")
         return moved
 
+    def table(self, name: str) -> tuple[Any, int]:
+        """The array of two dimensions in which a variable of `bb` is a row, and its number: `[row, instance]`.
+
+        There is one for each type of variable; a loop that numba compiles is given this instead of many arrays.
+
+        Raises:
+            KeyError: there is no such variable.
+        """
+        kind = next((dtype for other, dtype, _, is_seen in self.ARRAYS if other == name and is_seen), None)
+        if kind is None:
+            raise KeyError(f"{type(self).__name__} has no variable {name}")
+        row = [other for other, dtype, _, _ in self.ARRAYS if dtype == kind].index(name)
+        table = self._tables[list(TABLES).index(kind)]
+        return (table.T if self._compiled is not None else table), row
+
     # ---- questions -------------------------------------------------------------------------
 
     def active(self, label: str) -> Any:
