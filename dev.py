@@ -58,6 +58,7 @@ LONG = [
     ("a real match of ten minutes", ["benchmarks/real_match.py", "10", "SIGINT"], {}),
     ("one that SIGTERM ends", ["benchmarks/real_match.py", "3", "SIGTERM"], {}),
     ("speed, by hand and of others", ["-m", "benchmarks.peers"], {}),
+    ("thousands at once", ["benchmarks/batch.py"], {}),
     ("answers to an editor", ["benchmarks/editor.py"], {}),
     (
         "random edits",

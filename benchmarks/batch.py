@@ -1,10 +1,10 @@
-"""How much faster 10 000 players are stepped at once than one by one: NumPy and numba against the scalar class.
+"""What 10 000 players cost at once and one by one: NumPy and numba against the plain class.
 
 Run by hand: `python3 dev.py long`, or `python benchmarks/batch.py [INSTANCES]`. The player is that of
 `benchmarks/behaviours`, driven with its recorded changes of four flags before each event; each instance is at
-another phase of them. The scalar class has a dictionary as its blackboard. What is timed is the whole of a tick:
-the inputs of all instances are written, each side by the fastest of its means, and the step is made. First all
-three must have done the same in a sample of instances, step by step; that is also when numba compiles.
+another phase of them. The plain class has a dictionary as its blackboard. What is timed is the whole of a
+tick: the inputs of all instances are written, each side by the fastest of its means, and the step is made.
+First all three must have done the same in a sample of instances, step by step; then numba compiles, too.
 
 Times are CPU time. The three take turns in rounds, and what counts is the median of the ratios of a round. As
 dictionaries are luck (where their keys lie depends on a seed), the rounds are shared among processes with
@@ -34,8 +34,8 @@ from numba import njit
 from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.batch import BACKEND as BATCH
 from benchmarks.behaviours.catalogue import BEHAVIOURS, INPUTS
-from benchmarks.peers.compiling import compiled_into, system_of, write
 from benchmarks.peers.adapters.python_code import function
+from benchmarks.peers.compiling import compiled_into, system_of, write
 from benchmarks.peers.driving import blackboard
 
 PLAYER = BEHAVIOURS["player"]
@@ -44,7 +44,7 @@ EVENTS = [event for event, _ in PLAYER.steps]
 SIZE = 10_000
 SAMPLE = 50
 SCALARS = 40
-"""How many players are stepped one by one in a round: what one costs does not depend on how many there are."""
+"""How many players are stepped one by one in a round; what one costs does not depend on that."""
 
 SEEDS, ROUNDS = 5, 5
 """How many processes there are, and how many rounds each of them makes."""
@@ -155,28 +155,30 @@ def check(kind: Any, batch_kind: Any) -> None:
         AssertionError: they differ.
     """
     names = [name for name, _, _, is_seen in batch_kind.ARRAYS if is_seen]
-    for engine, drivers in DRIVERS.items():
+    for engine, drive_by in DRIVERS.items():
         alone = [Scalar(kind, phase) for phase in range(SAMPLE)]
         batch = batch_kind(SAMPLE, engine)
-        step = 0
-
-        def compare() -> None:
-            nonlocal step
-            for phase, scalar in enumerate(alone):
-                scalar.changes[step](scalar.bb)
-                scalar.chart.send(EVENTS[step])
-                same = batch.configuration(phase) == scalar.chart.configuration() and all(
-                    getattr(batch.bb, name)[phase] == scalar.bb[name] for name in names
-                )
-                assert same, f"{engine}, instance {phase}, step {step}: it differs from the scalar class"
-            step += 1
-
-        drive = drivers(batch, compare)
-        batch.start()
-        drive()
-        entered = [name for name in names if name.startswith("entered_")]
-        never = [name for name in entered if not getattr(batch.bb, name).any()]
+        drive_by(batch, comparison(engine, alone, batch, names))()
+        never = [name for name in names if name.startswith("entered_") and not getattr(batch.bb, name).any()]
         assert not never, f"never in the sample: {', '.join(never)}"
+
+
+def comparison(engine: str, alone: list[Scalar], batch: Any, names: list[str]) -> Drive:
+    """What makes the next step of those that are alone, and compares them with the batch."""
+    batch.start()
+    steps = iter(range(STEPS))
+
+    def compare() -> None:
+        step = next(steps)
+        for place, scalar in enumerate(alone):
+            scalar.changes[step](scalar.bb)
+            scalar.chart.send(EVENTS[step])
+            same = batch.configuration(place) == scalar.chart.configuration() and all(
+                getattr(batch.bb, name)[place] == scalar.bb[name] for name in names
+            )
+            assert same, f"{engine}, instance {place}, step {step}: it differs from the plain class"
+
+    return compare
 
 
 def timed(drive: Drive) -> float:
@@ -191,7 +193,7 @@ def timed(drive: Drive) -> float:
 
 
 def measured(folder: Path, size: int) -> dict[str, list[float]]:
-    """Nanoseconds of a step of one instance, a number a round, by engine, and of the scalar class."""
+    """Nanoseconds of a step of one instance, a number a round, by engine, and of the plain class."""
     sys.path[:0] = [str(folder / "player" / "dict"), str(folder / "batch")]
     kind = importlib.import_module("Player.player").Player
     for name in ("Player.player", "Player"):
@@ -239,7 +241,8 @@ def main(size: int) -> int:
             for contender, times in json.loads(ran.stdout).items():
                 found[contender] += times
     scalar = found["scalar"]
-    print(f"{size} players, {STEPS} steps; the scalar class with a dictionary: {statistics.median(scalar):.0f} ns a step")
+    alone = statistics.median(scalar)
+    print(f"{size} players, {STEPS} steps. One by one, with a dictionary: {alone:.0f} ns a step.")
     print()
     print("| | ns a step of an instance | found | wanted | |")
     print("| --- | --- | --- | --- | --- |")

@@ -332,7 +332,11 @@ def _measured(
                 "Machine.send": lambda: _plain_pass(plain, said, Machine),
                 "Machine.post": lambda: _plain_pass(plain, said, Machine, "post"),
             }
-        ways = _timed(makers, {"agent": lambda: kind("one"), "plain": plain}, rounds)
+        instances: dict[str, Callable[[], object]] = {"agent": lambda: kind("one")}
+        if plain is not None:
+            queued = partial(_queued, plain)
+            instances |= {"plain": plain, "Machine.send": queued, "Machine.post": queued}
+        ways = _timed(makers, instances, rounds)
     return Measured(
         chart.name,
         len(chart.nodes),
@@ -478,7 +482,7 @@ def _fresh(inputs: Sequence[object]) -> int:
 
 def _timed(
     makers: Mapping[str, Callable[[], _Pass]],
-    instances: Mapping[str, Callable[[], object] | None],
+    instances: Mapping[str, Callable[[], object]],
     rounds: int,
 ) -> dict[str, Timed]:
     """The medians of interleaved rounds."""
@@ -501,15 +505,20 @@ def _timed(
     finally:
         if enabled:
             gc.enable()
-    memory = {name: _memory(make) for name, make in instances.items() if make is not None}
+    memory = {name: _memory(make) for name, make in instances.items()}
     return {
         name: Timed(
             statistics.median(steps[name]),
             statistics.median(idle[name]),
-            memory.get(name, memory.get("plain", 0.0)),
+            memory[name],
         )
         for name in makers
     }
+
+
+def _queued(plain: Callable[[], Any]) -> object:
+    """A statechart with its queue."""
+    return Machine(plain())
 
 
 def _memory(make: Callable[[], object]) -> float:

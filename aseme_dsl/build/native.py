@@ -38,7 +38,7 @@ class NativeError(Exception):
 
 
 def compiled(files: Iterable[Planned]) -> Iterator[Planned]:
-    """For each module of a statechart among the files the compiled one.
+    """For each module of a statechart among the files the compiled one, to be imported by its path there.
 
     Raises:
         NativeError: mypyc or a C compiler is missing, or cannot compile one.
@@ -69,16 +69,15 @@ def _check_mypyc() -> None:
 
 def _compiled(file: Planned, others: dict[str, bytes]) -> list[Planned]:
     path = PurePosixPath(file.path)
-    package = path.parent.name
     with tempfile.TemporaryDirectory(prefix="asemec-native-") as temporary:
-        folder = Path(temporary) / package
-        folder.mkdir()
+        folder = Path(temporary) / path.parent
+        folder.mkdir(parents=True)
         for name, content in others.items():
             if PurePosixPath(name).parent == path.parent and name.endswith(".py"):
                 (folder / PurePosixPath(name).name).write_bytes(content)
         (folder / path.name).write_text(native_source(file.content.decode()), "utf-8")
         done = subprocess.run(
-            [sys.executable, "-c", _MYPYC, f"{package}/{path.name}", f"{package}.{path.stem}"],
+            [sys.executable, "-c", _MYPYC, str(path), ".".join(path.with_suffix("").parts)],
             cwd=temporary,
             capture_output=True,
             text=True,
@@ -100,7 +99,10 @@ from mypyc.build import mypycify
 
 setup(
     ext_modules=mypycify(
-        ["--ignore-missing-imports", sys.argv[1]], opt_level="2", debug_level="0", group_name=sys.argv[2]
+        ["--ignore-missing-imports", "--namespace-packages", "--explicit-package-bases", sys.argv[1]],
+        opt_level="2",
+        debug_level="0",
+        group_name=sys.argv[2],
     ),
     script_args=["--quiet", "build_ext", "--inplace"],
     packages=[],

@@ -73,7 +73,7 @@ def knob(text: str) -> Knob:
         raise VariationError(f"{text!r} has the value {double} twice")
     found = Knob(name, tuple(values))
     if found.counts and not all(value.isdecimal() and int(value) > 0 for value in values):
-        raise VariationError(f"{text!r}: how many agents there are is a number from 1 on")
+        raise VariationError(f"{text!r}: how many agents there are is a number from 1 on, or a range as 1..8")
     return found
 
 

@@ -797,7 +797,8 @@ class _Reader:
         line = self.source.text.rfind("\n", 0, word.start) + 1
         if self.source.text[line : word.start].strip():
             return None
-        return surely(word, BLOCKS["JunkControl"].words)
+        verbs = BLOCKS["JunkControl"].words
+        return None if word in verbs else surely(word, verbs)
 
     def _after_parts(self, has_actions: bool, has_condition: bool) -> Malformed:
         if has_actions:

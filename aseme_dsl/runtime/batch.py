@@ -99,6 +99,10 @@ class Batch:
         """One step with an event for every instance; for each, whether anything was taken."""
         return self._run(self.EVENTS.get(event, "step"))
 
+    def step(self) -> Any:
+        """One step without an event for every instance; for each, whether anything was taken."""
+        return self._run("step")
+
     def done(self, label: str, which: Any) -> Any:
         """The activity of a BASIC state has returned in those instances (an array of truths), where it runs.
 
@@ -111,7 +115,7 @@ class Batch:
             slot = getattr(self, f"r{region}")
             ended &= slot == number
             slot[ended] = number + 1
-        return self._run("step")
+        return self.step()
 
     def _run(self, name: str) -> Any:
         np = _numpy()
@@ -127,9 +131,9 @@ class Batch:
         return moved
 
     def table(self, name: str) -> tuple[Any, int]:
-        """The array of two dimensions in which a variable of `bb` is a row, and its number: `[row, instance]`.
+        """The array in which a variable of `bb` is a row, and which one: `[row, instance]`.
 
-        There is one for each type of variable; a loop that numba compiles is given this instead of many arrays.
+        There is one array for each type of variable, so that a loop that numba compiles needs no more.
 
         Raises:
             KeyError: there is no such variable.

@@ -38,7 +38,7 @@ def compiled_natively(folder: Path, behaviours: Iterable[Behaviour]) -> str:
     """Compile the class of each behaviour to machine code, too; why not, if that cannot be."""
     for behaviour in behaviours:
         files = [
-            Planned(f"plain/{artefact.path}", artefact.text.encode(), "plain")
+            Planned(artefact.path, artefact.text.encode(), "plain")
             for artefact in PLAIN.generate(system_of(behaviour), BackendOptions())
         ]
         try:
@@ -46,7 +46,7 @@ def compiled_natively(folder: Path, behaviours: Iterable[Behaviour]) -> str:
         except NativeError as problem:
             return str(problem)
         for file in (*files, *made):
-            path = folder / behaviour.name / "native" / file.path.removeprefix("plain/")
+            path = folder / behaviour.name / "native" / file.path
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(file.content)
     return ""

@@ -64,6 +64,34 @@ def test_each_instance_goes_its_own_way(tmp_path: Path) -> None:
     assert set(numpy.bb.mood) == {1}
 
 
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_time_alone_makes_a_step(tmp_path: Path, engine: str) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    with without_compiling():
+        batch = kind(3, engine)
+        batch.start()
+        batch.bb.near = batch.bb.seen = [True, False, True]
+        batch.bb.power = 1.0
+        batch.send("tick")
+        assert not batch.step().any()
+        batch.now = 20_000_000
+        assert batch.step().tolist() == [True, False, True]
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_a_variable_is_a_row_of_a_table(tmp_path: Path, engine: str) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    with without_compiling():
+        batch = kind(3, engine)
+        for name, values in (("near", [True, False, True]), ("shots", [3, 4, 5]), ("power", [0.5, 1.5, 2.5])):
+            table, row = batch.table(name)
+            table[row] = values
+            assert getattr(batch.bb, name).tolist() == values
+        assert batch.table("seen")[0] is not None and not batch.bb.seen.any()
+        with pytest.raises(KeyError, match="no variable stuck"):
+            batch.table("stuck")
+
+
 def test_what_is_active_is_asked_of_all_at_once(tmp_path: Path) -> None:
     _, kind = made(system_of(ROBOT), tmp_path, "robot")
     batch = kind(3)

@@ -61,6 +61,7 @@ def test_a_plain_statechart_is_compared_and_timed_beside(tmp_path: Path) -> None
     assert list(item.ways) == ["agent", "plain", "Machine.send", "Machine.post"]
     assert (item.steps, item.visited, item.activities, item.refused) == (400, 2, 2, ())
     assert item.taken == item.transitions - 1  # the loop has no end
+    assert item.ways["Machine.send"].memory > item.ways["plain"].memory + 500  # it has a queue
 
 
 def test_a_seed_draws_the_same(tmp_path: Path) -> None:

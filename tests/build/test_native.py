@@ -46,9 +46,9 @@ team Room { one : lamp }
 
 GAME = """\
 import json, random, sys
-from Room import Lamp
-from Room.messages import Light
-import Room.lamp as module
+from plain.Room import Lamp
+from plain.Room.messages import Light
+import plain.Room.lamp as module
 
 draw, lamp, seen = random.Random(5), Lamp(), []
 lamp.start()
@@ -75,7 +75,7 @@ def play(folder: Path) -> tuple[str, object]:
 def test_machine_code_does_the_same_and_goes_when_it_is_not_asked_for(tmp_path: Path) -> None:
     (tmp_path / "room.aseme").write_text(ROOM, "utf-8")
     build = ("build", "room.aseme", "--only", "plain", "-o", "out")
-    folder = tmp_path / "out" / "plain"
+    folder = tmp_path / "out"
     done = asemec(*build, "--native", cwd=tmp_path)
     assert done.code == 0, done.err
     file, native = play(folder)

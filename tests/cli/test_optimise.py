@@ -212,6 +212,7 @@ def test_what_is_not_there_is_said_before_anything_is_played(
         ("carrier", "is not written carrier=1..8"),
         ("carrier=8..1", "8..1 is no range"),
         ("carrier=0..2", "a number from 1 on"),
+        ("carrier=1-3", "or a range as 1..8"),
         ("carrier=1,1", "has the value 1 twice"),
         ("carrier=1,,2", "lacks a value"),
         ("a.b.c=1", "is not written"),

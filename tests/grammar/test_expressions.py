@@ -98,6 +98,13 @@ def test_hints() -> None:
     assert hint("/ send accept-proposal Award to b") == "names are written with '_': accept_proposal"
 
 
+def test_a_verb_that_is_right_is_not_mended() -> None:
+    mistake = mistakes("srm a { control f { enter A : [b]\n enter!C : else } }")[0]
+    assert (mistake.code, mistake.hint, mistake.fix) == ("E102", None, None)
+    mistake = mistakes("srm a { control f { enter A : [b]\n entre C : else } }")[0]
+    assert mistake.fix == "enter"
+
+
 # ---- transition expressions --------------------------------------------------------------------
 
 
