@@ -149,8 +149,9 @@ def messages(generated: Generated) -> dict[str, Any]:
 def serve(python: str) -> subprocess.Popen[str]:
     """SPADE's side, ready to play."""
     program = Path(__file__).with_name("agents_spade.py")
+    # -P: this folder has a spade.py, which is not SPADE.
     process = subprocess.Popen(
-        [python, str(program)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        [python, "-P", str(program)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     )
     assert process.stdout is not None
     if process.stdout.readline().strip() != "ready":

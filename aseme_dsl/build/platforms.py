@@ -81,8 +81,9 @@ def link_of(platform: str, loaded: Loaded, configuration: Configuration, here: S
         from aseme_dsl.runtime.transport.over_mango import MangoPlatform
         from aseme_dsl.runtime.transport.settings import Mango
 
-        hosts = _mango_hosts(configuration)
-        unknown = [name for name in team if name not in hosts] if len(team) > len(here) else []
+        is_whole = len(team) <= len(here)
+        hosts = {} if is_whole and configuration.mango is None else _mango_hosts(configuration)
+        unknown = [name for name in team if name not in hosts and not is_whole]
         if unknown:
             raise PlatformError(
                 f"nobody would find {unknown[0]}: say in [tool.asemec.mango] hosts where it listens"

@@ -7,7 +7,10 @@ import json
 import pickle
 import socket
 import struct
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -192,3 +195,16 @@ def test_a_name_that_mango_keeps_for_itself() -> None:
     assert platform.address_of("agent1") == "127.0.0.1:5/agent1_"
     assert platform.agent_at("127.0.0.1:5/agent1_") == "agent1"
     assert platform.agent_at("127.0.0.1:6/agent1_") is None
+
+
+def test_a_team_in_one_process(tmp_path: Path) -> None:
+    """Nothing said of addresses, as a newcomer runs it."""
+    contract_net = Path(__file__).parents[1] / "acceptance" / "contract_net.aseme"
+    command = [sys.executable, "-m", "aseme_dsl", "run", str(contract_net), "--platform", "mango"]
+    done = subprocess.run(
+        [*command, "--for", "2s", "-q", "-o", str(tmp_path)], capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    trace = (tmp_path / "trace.jsonl").read_text("utf-8").splitlines()
+    said = {record["performative"] for line in trace if (record := json.loads(line))["kind"] == "mail"}
+    assert {"cfp", "refuse"} <= said
