@@ -14,7 +14,7 @@ from aseme_dsl.diagnostics.changes import apply
 from aseme_dsl.diagnostics.pages import file_of
 from aseme_dsl.editor.actions import CLASS, Action, ActionKind, actions, carry_out
 from aseme_dsl.editor.activities import activity_class
-from aseme_dsl.editor.completion import MOST, complete
+from aseme_dsl.editor.completion import offered
 from aseme_dsl.editor.items import Item, ItemKind
 from aseme_dsl.editor.known import Known, known_in
 from aseme_dsl.editor.positions import Lines
@@ -93,13 +93,13 @@ def _offer(server: Server) -> None:
             return None
         source, offset, known = found
         typed = params.context.trigger_character if params.context is not None else None
-        items = complete(source, offset, known)
+        items, are_all = offered(source, offset, known)
         if typed == " " and not _is_wanted_after_a_blank(source.text, offset):
             items = ()
         ranges = _Ranges(server, source)
         with_snippets = _takes_snippets(server)
         return lsp.CompletionList(
-            len(items) == MOST,
+            not are_all,
             [_item(ranges, number, item, with_snippets) for number, item in enumerate(items)],
         )
 

@@ -29,8 +29,8 @@ from aseme_dsl.grammar.expected import Expected
 from aseme_dsl.grammar.token import Token
 from aseme_dsl.source import Source
 
-MOST = 500
-"""How many items are offered at most."""
+MOST = 200
+"""How many items are offered at most. An editor takes long to read more, and nobody reads so many."""
 
 _LATER = 10
 """By how much items are put behind those that go on with what stands on the line."""
@@ -38,9 +38,14 @@ _LATER = 10
 
 def complete(source: Source, offset: int, known: Known) -> tuple[Item, ...]:
     """The items for a cursor before the character at `offset`. No text raises anything."""
+    return offered(source, offset, known)[0]
+
+
+def offered(source: Source, offset: int, known: Known) -> tuple[tuple[Item, ...], bool]:
+    """The items, and whether these are all: of too many, those that go with what is typed are the first."""
     place = place_at(source.text, offset)
     if place.inside == "comment" or not place.expected:
-        return ()
+        return (), True
     block = around(place, known)
     found: dict[str, Item] = {}
     for expected in _relevant(place):
@@ -53,7 +58,16 @@ def complete(source: Source, offset: int, known: Known) -> tuple[Item, ...]:
             if known_item is None or item.rank < known_item.rank:
                 found[item.label] = item
     ordered = sorted(found.values(), key=lambda item: item.rank)
-    return tuple(ordered[:MOST])
+    if len(ordered) <= MOST:
+        return tuple(ordered), True
+    going = [item for item in ordered if _goes_with(source.text[item.start : offset], item.label)]
+    return tuple(going[:MOST]), False
+
+
+def _goes_with(typed: str, label: str) -> bool:
+    """Whether the letters typed stand in a label in this order, which is how editors choose."""
+    letters = iter(label.lower())
+    return all(letter in letters for letter in typed.lower())
 
 
 def _relevant(place: Place) -> Iterable[Expected]:

@@ -502,3 +502,12 @@ def test_what_people_see(place: str, snapshot: Snapshot) -> None:
     # Words of the language are left out, so that a new one does not change this: the grammar has them.
     items = tuple(item for item in offered(SHOWN[place]) if item.kind is not ItemKind.WORD or item.is_snippet)
     snapshot(listed(tuple(item for item in items if item.label not in FORMS)), f"completion_{place}.txt")
+
+
+def test_of_too_many_those_that_go_with_what_is_typed_are_offered() -> None:
+    names = " . ".join(f"Go{number:03}" for number in range(300))
+    text = f"system T\nsrm r {{\n  liveness {{ r = {names} }}\n  control r {{\n    enter "
+    found = labels(f"{text}Go29{CURSOR} :\n  }}\n}}\n")
+    assert {f"Go29{digit}" for digit in range(10)} <= set(found)
+    assert "Go001" not in found
+    assert len(labels(f"{text}{CURSOR} :\n  }}\n}}\n")) == 200
