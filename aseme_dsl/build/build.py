@@ -103,7 +103,6 @@ def build(
         UnknownBackend: a backend is asked for that is not installed.
     """
     from aseme_dsl.backends.backend import Refused
-    from aseme_dsl.build.native import NativeError, compiled
 
     before = earlier or Earlier()
     known = before.known
@@ -132,6 +131,8 @@ def build(
         files += (file for file in code if file.home not in homes)
     generated = [file for file in files if file.part in backends]
     if choice.native and not refused:
+        from aseme_dsl.build.native import NativeError, compiled
+
         try:
             files += compiled(generated)
         except NativeError as problem:

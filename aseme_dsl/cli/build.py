@@ -31,6 +31,7 @@ from aseme_dsl.cli.shared import (
 from aseme_dsl.diagnostics import Diagnostic, has_errors, in_order
 
 if TYPE_CHECKING:
+    from aseme_dsl.build.build import Choice
     from aseme_dsl.build.build import Report as Built
     from aseme_dsl.build.inputs import Inputs
     from aseme_dsl.build.project import Compiled
@@ -147,7 +148,6 @@ def _built(
     """Compile and build once; with an error in any of the systems, none is built."""
     from aseme_dsl.build.build import build, choose
     from aseme_dsl.build.configuration import OUTPUT
-    from aseme_dsl.build.native import BACKEND
     from aseme_dsl.build.project import compile_root, inputs_of, path_of
 
     inputs = inputs_of(files, standard_input)
@@ -165,16 +165,22 @@ def _built(
                 chosen["backends"],
                 [c.name for one in compiled if one.system for c in one.system.iacs],
             )
-            if choice.native and BACKEND not in (choice.only or choice.generated):
-                raise click.UsageError(
-                    f"--native compiles what --backend {BACKEND} makes: ask for that, too."
-                )
+            if choice.native:
+                _check_native(choice)
             folder = output or item.configuration.output or Path(OUTPUT)
             folder = folder / item.system.name if len(compiled) > 1 else folder
             earlier = None if workshop is None else workshop.about(path_of(item.root)).begin(item.layout)
             built.append(build(item.system, folder, choice, earlier=earlier))
             found += built[-1].diagnostics
     return inputs, compiled, built, found
+
+
+def _check_native(choice: Choice) -> None:
+    """Raises a usage error if nothing is generated that could be compiled."""
+    from aseme_dsl.build.native import BACKEND
+
+    if BACKEND not in (choice.only or choice.generated):
+        raise click.UsageError(f"--native compiles what --backend {BACKEND} makes: ask for that, too.")
 
 
 def _once(do: Callable[[Workshop], _Done], workshop: Workshop) -> Done:

@@ -91,7 +91,7 @@ class Batch:
 
     # ---- steps -----------------------------------------------------------------------------
 
-    def start(self, sel: Selection = None) -> None:
+    def start(self) -> None:
         """Enter the root of every instance, and go on until nothing is enabled."""
         self._run("start")
 

@@ -7,8 +7,6 @@ of them, `ORACLE_FIRST=1000000` at others.
 from __future__ import annotations
 
 import os
-import shutil
-import sys
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from itertools import cycle
@@ -37,6 +35,7 @@ from tests.oracle.choices import Choices, simplest
 from tests.oracle.interpreter import Reference
 from tests.oracle.plain import without_limits
 from tests.oracle.playing import filled, like
+from tests.oracle.test_agreement import forget
 from tests.support.generated import Generated, imported, system_of
 from tests.support.plain_engine import CannotDo, PlainEngine, plain_class
 
@@ -217,10 +216,7 @@ def play(choices: Choices) -> Iterator[Game]:
             game.play(choices)
             yield game
     finally:
-        name = made.package.__name__
-        for module in [m for m in sys.modules if m == name or m.startswith(name + ".")]:
-            del sys.modules[module]
-        shutil.rmtree(made.folder)
+        forget(made)
 
 
 def difference(made: list[int]) -> str | None:
