@@ -416,6 +416,7 @@ class Conversations:
         except outsiders.NotUnderstood as problem:
             self._not_understood(agent.name, message, identity, str(problem))
             return
+        by = self._deadline(agent, message, sender)
         info = found.infos[0]
         acl = AclMessage(
             found.performative,
@@ -432,7 +433,7 @@ class Conversations:
             message.ontology,
             message.reply_with,
             message.in_reply_to,
-            outsiders.own_moment(message.reply_by, self._driver.clock),
+            by,
         )
         self._told.received(agent.name, acl)
         if conversation is None:
@@ -449,6 +450,15 @@ class Conversations:
                 members.append(sender)
             self._deliver(agent, acl)
         self._close(name)
+
+    def _deadline(self, agent: Agent, message: FipaMessage, sender: str) -> int | None:
+        """Until when an outsider wants an answer; None, and told, if what it says of that cannot be read."""
+        try:
+            return outsiders.deadline(message, self._driver.clock)
+        except ValueError as problem:
+            what = f"{message.performative} of {sender} is taken without its deadline"
+            self._told.fault(agent.name, f"{what}: {problem} (reply-by)")
+            return None
 
     def _not_understood(
         self, to: str, message: FipaMessage, identity: Identity, reason: str, *, answered: bool = True

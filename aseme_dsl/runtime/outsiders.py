@@ -183,7 +183,19 @@ def answer(message: FipaMessage, sender: str, performative: str, reason: str, re
     )
 
 
-def own_moment(moment: datetime | Span | None, clock: Clock) -> int | None:
+def deadline(message: FipaMessage, clock: Clock) -> int | None:
+    """Until when an outsider wants an answer, in ns of the run; None if it does not say so.
+
+    Raises:
+        ValueError: what it says is no moment.
+    """
+    unread = parameter(message, "reply-by")
+    if unread:
+        raise ValueError(f"{unread[:100]!r} is no date and time")
+    return _own_moment(message.reply_by, clock)
+
+
+def _own_moment(moment: datetime | Span | None, clock: Clock) -> int | None:
     """A moment of FIPA's in ns of the run; None in virtual time for one that is not relative."""
     if isinstance(moment, Span):
         days = moment.years * 365 + moment.months * 30 + moment.days
@@ -193,7 +205,7 @@ def own_moment(moment: datetime | Span | None, clock: Clock) -> int | None:
     try:
         left = moment.timestamp() - datetime.now(UTC).timestamp()
     except (OverflowError, ValueError):  # in the year 1, in local time
-        return None
+        raise ValueError(f"{moment} is out of reach") from None
     return clock.now() + round(left * SECOND)
 
 

@@ -151,7 +151,7 @@ _FIPA = {
     "reply-with": "reply_with",
     "in-reply-to": "in_reply_to",
 }
-_FURTHER = ("performative", "reply-to", "reply-by", OURS)
+_FURTHER = {"performative", "reply-to", "reply-by", OURS}
 
 
 def said(message: FipaMessage) -> tuple[dict[str, str], str]:
@@ -173,13 +173,16 @@ def said(message: FipaMessage) -> tuple[dict[str, str], str]:
 
 
 def heard(sender: str, to: str, headers: Headers, body: str) -> FipaMessage:
-    """The message of an outsider: what it does not say is empty, and what FIPA does not know is kept."""
+    """The message of an outsider: what it does not say is empty; what FIPA does not know is kept as it was
+    said, and so is a deadline that is no moment.
+    """
     by = None
+    unread = set(headers) - _FIPA.keys() - _FURTHER
     if "reply-by" in headers:
         try:
             by = datetime.fromisoformat(headers["reply-by"])
         except ValueError:
-            by = None  # a deadline is a wish, and the message means the same without
+            unread.add("reply-by")
     return FipaMessage(
         headers.get("performative", ""),
         AgentIdentifier(sender),
@@ -187,8 +190,6 @@ def heard(sender: str, to: str, headers: Headers, body: str) -> FipaMessage:
         body,
         tuple(AgentIdentifier(name) for name in headers.get("reply-to", "").split()),
         reply_by=by,
-        parameters=tuple(
-            (name, value) for name, value in headers.items() if name not in _FIPA and name not in _FURTHER
-        ),
+        parameters=tuple((name, value) for name, value in headers.items() if name in unread),
         **{name: headers[header] for header, name in _FIPA.items() if header in headers},
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import threading
+import time
 from collections.abc import Sequence
 from typing import Any
 
@@ -55,6 +56,31 @@ def test_an_outsider_takes_part_in_a_conversation(net: Generated, square: Square
     assert (headers["conversation-id"], headers["protocol"], headers["in-reply-to"]) == ("c1", "net", "q1")
     (received,) = bob.of("received")
     assert received["input"][0] == "alice@square" and received["content"] == {"n": 3}
+
+
+@pytest.mark.parametrize(
+    ("said", "reason"),
+    [("soon", "'soon' is no date and time"), ("0001-01-01", "0001-01-01 00:00:00 is out of reach")],
+)
+def test_a_deadline_that_cannot_be_read_is_told(
+    net: Generated, square: Square, monkeypatch: pytest.MonkeyPatch, said: str, reason: str
+) -> None:
+    monkeypatch.setenv("TZ", "Asia/Tokyo")  # where the year 1 began before the year 1
+    time.tzset()
+    bob = part(net, ["bob"], {}, link(square)).start()
+    wait_until(lambda: square.sites)
+    square.say(ALICE, "bob@square", {"performative": "cfp", "protocol": "net", "reply-by": said}, '{"n": 3}')
+    wait_until(lambda: said_to(square, "alice"))
+    bob.stop()
+    monkeypatch.undo()
+    time.tzset()
+    ((answer, _),) = said_to(square, "alice")
+    assert answer["performative"] == "propose"  # a deadline is a wish: the message means the same without
+    (received,) = bob.of("received")
+    assert "reply_by" not in received
+    (fault,) = bob.of("fault")
+    assert fault["agent"] == "bob"
+    assert fault["reason"] == f"cfp of alice@square is taken without its deadline: {reason} (reply-by)"
 
 
 @pytest.mark.parametrize(
