@@ -111,7 +111,7 @@ def _check_name(checker: Checker, name: tree.Name) -> None:
 
 
 def check_use(checker: Checker, taken: Taken | None, typed: amola.TransitionExpression) -> None:
-    """W551 for a name that neither the condition nor the actions use."""
+    """W551 for a name that neither the condition nor the actions use, of which nothing is left out."""
     if taken is None or not taken.name or checker.diagnostics or amola.taken_message(typed):
         return
     checker.report("W551", f"nothing uses `{taken.name}` here", taken.span, "use it, or leave the name out")

@@ -61,17 +61,23 @@ def type_expression(
             condition = value
     elif written.when:
         checker.report("E505", "`when` needs a condition", written.span, "write `when [condition]`")
-    actions = [item for action in written.actions for item in _actions(checker, action)]
+    made = [tuple(_actions(checker, action)) for action in written.actions]
     typed = amola.TransitionExpression(
         tuple(event for event in events if event is not None),
         written.when,
         written.otherwise,
         condition,
-        tuple(actions),
+        tuple(item for items in made for item in items),
         written.span,
         None if written.every is None else written.every.nanoseconds,
     )
-    exchange.check_use(checker, taken, typed)
+    wholly = (
+        None not in events
+        and (condition is not None or written.condition is None)
+        and all(len(items) == _parts(action) for action, items in zip(written.actions, made, strict=True))
+    )
+    if wholly:
+        exchange.check_use(checker, taken, typed)
     return typed, tuple(checker.diagnostics)
 
 
@@ -345,6 +351,11 @@ def _actions(checker: Checker, written: tree.Action) -> Iterator[amola.Action]:
     made = _action(checker, written)
     if made is not None:
         yield made
+
+
+def _parts(written: tree.Action) -> int:
+    """For how many actions a written one stands, if none of them is left out."""
+    return 1 + len(written.fills or ()) if isinstance(written, tree.Publish) else 1
 
 
 def _filled(checker: Checker, written: tree.Publish, fills: tuple[tree.Fill, ...]) -> Iterator[amola.Action]:

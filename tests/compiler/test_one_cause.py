@@ -482,3 +482,49 @@ aip ask {
     assert [item.hint for item in items] == [
         "`q` is known only in the line that takes the message: keep what is needed in a variable"
     ]
+
+
+@pytest.mark.parametrize(
+    ("declared", "line", "expected"),
+    [
+        ("message Bidd { double cost }", "[bid.cost < 3]", ["E502"]),
+        ("message Bidd { double cost }", "/ best = sender(bid)", ["E502"]),
+        ('message Bid { double cost } import "gone.aseme"', "[cheap(bid)]", ["E004"]),
+        ('message Bid { double cost } import "gone.aseme"', "[limit > bid.cost]", ["E004"]),
+        ('message Bid { double cost } import "gone.aseme"', "/ best = first(best, sender(bid))", ["E004"]),
+        (
+            'message Bid { double cost } import "gone.aseme" topic t { state Bid }',
+            "/ write_messages.t.state.Bid { cost = rounded(bid.cost) }",
+            ["E004"],
+        ),
+        (
+            'message Bid { double cost } import "gone.aseme" topic t { state Bid }',
+            "/ write_messages.t.state.Bid { cost = 3 }",
+            ["E004", "W551"],
+        ),
+    ],
+)
+def test_what_uses_the_message_that_is_taken_may_be_wrong_itself(
+    declared: str, line: str, expected: list[str]
+) -> None:
+    text = f"""system S
+{declared}
+aip p {{
+  participant a {{
+    var best : agent
+    engage "Always."
+    sends cfp Bid
+    receives propose Bid
+    process = A . B
+  }}
+  participant b {{ engage "Always."  sends propose Bid  receives cfp Bid  process = X }}
+  control a {{
+    enter A : / send cfp Bid to b
+    enter B : propose Bid bid from b {line}
+  }}
+  control b {{ enter X : cfp Bid from a / send propose Bid to a }}
+}}
+srm r {{ plays p.a  liveness {{ r = a }} }}
+srm q {{ plays p.b  liveness {{ q = b }} }}
+"""
+    assert [code for code in codes(text) if code[0] != "N"] == expected
