@@ -19,6 +19,7 @@ pytest.importorskip("mango", reason="mango is not installed: python3 dev.py long
 
 import mango
 
+from aseme_dsl.runtime.team import TeamError
 from aseme_dsl.runtime.transport.over_mango import MangoPlatform
 from aseme_dsl.runtime.transport.over_platform import PlatformLink
 from aseme_dsl.runtime.transport.settings import Mango
@@ -87,6 +88,16 @@ def test_who_ends_is_gone_at_once_and_who_comes_again_gets_what_waits(started: C
     box.stop.set()
     found = [r["message"]["n"] for r in again.of("arrived", channel="team.signal.M")]
     assert found == list(range(20, 40))
+
+
+def test_agents_in_one_process_have_one_address(
+    net: Generated, started: Callable[..., Part], hosts: dict[str, tuple[str, int]]
+) -> None:
+    with pytest.raises(TeamError, match=r"ann, bob are in one process.*--process-per-robot"):
+        started(net, "ann", "bob").join()
+    hosts["bob"] = hosts["ann"]
+    both = started(net, "ann", "bob")
+    wait_until(lambda: both.team.transport._link._platform._place)  # type: ignore[attr-defined]
 
 
 class Theirs(mango.Agent):

@@ -92,7 +92,10 @@ class MangoPlatform:
         self._receives, self._agents = receives, tuple(agents)
         places = {self._settings.hosts[name] for name in agents if name in self._settings.hosts}
         if len(places) > 1:
-            raise TransportError(f"{', '.join(agents)} are in one process, and have different addresses")
+            raise TransportError(
+                f"{', '.join(agents)} are in one process, and have different addresses: start each in one of"
+                " its own (`asemec run --process-per-robot`), or give them one address"
+            )
         host, port = next(iter(places), ("127.0.0.1", 0))
         self._loop = asyncio.new_event_loop()
         self._thread = threading.Thread(target=self._loop.run_forever, name="aseme mango", daemon=True)
