@@ -54,6 +54,8 @@ def found(a: str = ASK, b: str = ANSWER, **more: str) -> list[str]:
         ("enter A : agree Note from b or after(1s)", ANSWER, False),
         ("enter A : agree Note from b  enter A : after(1s)", ANSWER, False),
         (ASK, LOSS, False),
+        # a condition may hold: it says to which question an answer belongs
+        (f'{ASK} [agree.Note.text == "1"]', ANSWER, False),
         # of two that may come, one can
         (f"{ASK} or refuse Note from b", REFUSE, False),
         # it was sent before somebody waits
