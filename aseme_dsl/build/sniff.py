@@ -58,6 +58,8 @@ class Sniffer:
         self._agents: dict[str, _Agent] = {}
         self._protocols: dict[str, str] = {}
         self._parts: dict[str, dict[str, None]] = {}
+        self._names: dict[str, dict[tuple[str, int], str]] = {}
+        """What was said, by conversation and by the message's identity."""
         self._left_out: Counter[str] = Counter()
         self._others: set[str] = set()
         self._shown: set[str] = set()
@@ -136,11 +138,13 @@ class Sniffer:
         agent = self._agents.get(name)
         match record["kind"]:
             case "mail":
+                self._remember(record, name, int(record["sequence"]))
                 yield self._said(record, name, tuple(record["to"]))
             case "received":
-                sender = str(record["input"][0])
+                sender, number = record["input"]
+                self._remember(record, str(sender), int(number))
                 if sender not in self._agents:
-                    yield self._said(record, sender, (name,))
+                    yield self._said(record, str(sender), (name,))
             case "conversation" if agent is not None:
                 yield from self._takes_part(record, agent, moment, name)
             case "step" if agent is not None:
@@ -163,6 +167,10 @@ class Sniffer:
                     yield Mark(moment, name, f"breaks down: {reason}", conversation, ends=True)
             case _:
                 return
+
+    def _remember(self, record: Record, sender: str, number: int) -> None:
+        said = f"{record['performative']} {record['message']} of {sender}"
+        self._names.setdefault(str(record["conversation"]), {})[sender, number] = said
 
     def _said(self, record: Record, sender: str, receivers: tuple[str, ...]) -> Arrow:
         conversation = str(record["conversation"])
@@ -207,9 +215,11 @@ class Sniffer:
                 agent.inside.pop(branch, None)
                 agent.left[conversation] = moment
                 # Its own are the news that somebody is gone.
-                untaken = sum(identity[0] != name for identity in record.get("untaken", ()))
+                untaken = [(who, number) for who, number in record.get("untaken", ()) if who != name]
                 if untaken:
-                    messages = "a message" if untaken == 1 else f"{untaken} messages"
+                    messages = f"{len(untaken)} messages"
+                    if len(untaken) == 1:
+                        messages = self._names.get(conversation, {}).get(untaken[0], "a message")
                     yield Mark(moment, name, f"leaves without having taken {messages}", conversation)
             case "gone":
                 yield Mark(moment, name, f"hears that {record['peer']} is gone", conversation)

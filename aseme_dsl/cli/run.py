@@ -333,6 +333,8 @@ def _print(
                     "seed": played.seed,
                     "agents": [asdict(agent) for agent in result.agents],
                     "faults": telling.faults,
+                    "untaken": telling.untaken,
+                    "unexpected": telling.unexpected,
                     "summary": played.summary,
                     "folder": str(folder),
                     "trace": str(played.trace),

@@ -10,6 +10,7 @@ from typing import IO, TYPE_CHECKING, Any
 import click
 
 from aseme_dsl.cli.shared import plural
+from aseme_dsl.runtime.acl import NOT_UNDERSTOOD
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.loading import Loaded
@@ -28,7 +29,8 @@ class Telling:
     `alone` is the plan that plays instead of the team, if one does. `activities`: when an agent starts
     another activity than before in a region, and what activities log; `transitions`: every transition and
     every start; `progress`: the project's own lines, and on a terminal the time. Faults, failures and
-    passed deadlines are always shown, on standard error; what several agents have in common for the first.
+    passed deadlines are always shown, on standard error; what several agents have in common for the first. Of
+    agent messages that nobody took there is the number, at the end.
     """
 
     def __init__(
@@ -55,6 +57,10 @@ class Telling:
         self._faults: Counter[tuple[str, str]] = Counter()
         self._late = 0
         """How many deadlines have passed."""
+        self.untaken = 0
+        """How many agent messages were there for a participant that left without having taken them."""
+        self.unexpected = 0
+        """How many agent messages nobody expected."""
         self._followed: dict[str, Plan] = {}
         """The plans of agents that have changed to another one."""
         self._shown_at = 0.0
@@ -84,7 +90,9 @@ class Telling:
             return what == "crash"
         if kind == "step":
             return self._transitions
-        if kind in ("fault", "error", "swap", "select"):
+        if kind == "conversation":
+            return what == "leave"
+        if kind in ("fault", "error", "swap", "select", "unexpected"):
             return True
         return kind == "log" and self._activities
 
@@ -111,13 +119,18 @@ class Telling:
             if self._transitions:
                 for taken in record.get("taken", ()):
                     self._took(record, taken["transitions"])
+        elif kind == "conversation":
+            if record["what"] == "leave":  # its own are the news that somebody is gone
+                self.untaken += sum(sender != record["agent"] for sender, _ in record.get("untaken", ()))
+        elif kind == "unexpected":
+            self.unexpected += record["performative"] != NOT_UNDERSTOOD  # which only answers another one
         elif kind in ("swap", "select"):
             self._changed(record)
         elif kind in ("fault", "error"):
             self._wrong(record, "fault" if kind == "fault" else "failure", record["reason"], record.get("at"))
 
     def end(self) -> None:
-        """Take the time away, and say how many faults there were besides those that were shown."""
+        """Take the time away, and say how much there was that was not shown."""
         self._clear()
         again = self.faults - min(len(self._faults), _QUIET_AFTER)
         if again > 0:
@@ -125,6 +138,9 @@ class Telling:
         if self._late > _QUIET_AFTER:
             late = plural(self._late - _QUIET_AFTER, "passed deadline")
             click.echo(f"... and {late} more; the trace has them all", err=True)
+        counts = ((self.untaken, "not taken"), (self.unexpected, "not expected"))
+        if lost := [f"{plural(count, 'agent message')} {what}" for count, what in counts if count]:
+            click.echo(f"... {', '.join(lost)}: `asemec sniff` shows which", err=True)
 
     @property
     def faults(self) -> int:

@@ -41,7 +41,7 @@ FORMAT = 1
 Record = dict[str, Any]
 Listener = Callable[[Record], None]
 """Is shown the lines: all, or if it has a method `wants(kind, what)` those of which that says so. It is asked
-once for each kind; `what` is that of an activity's line, else None."""
+once for each kind and `what`, which is None where such a line has none."""
 
 _encode = json.JSONEncoder(ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode
 _text = cache(_encode)

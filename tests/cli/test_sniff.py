@@ -123,6 +123,68 @@ def test_as_data(run: Path, here: Here) -> None:
     assert found["remarks"] == ["left out: 2 messages and 2 events of 1 conversation"]
 
 
+ORDERS = """
+system Orders
+message Dish { string name }
+message Meal { string name }
+aip ordering {
+  participant waiter { sends request Dish  receives inform Meal  process = Order . AwaitMeal }
+  participant cook [1..*] { sends inform Meal  receives request Dish  process = Cook }
+  control waiter {
+    enter Order     : / send request Dish { name = "pie" } to cook
+    leave AwaitMeal : inform Meal from cook or after(1min)
+  }
+  control cook {
+    enter Cook : request Dish from waiter
+    leave Cook : / send inform Meal { name = "pie" } to waiter
+  }
+}
+srm service { plays ordering.waiter  liveness { service = waiter . Rest }
+              activities { Order takes 1s  AwaitMeal takes 5min  Rest takes 1min } }
+srm kitchen { plays ordering.cook  liveness { kitchen = cook }  activities { Cook takes 20s } }
+team Orders { ann : service  bob, cat, dan : kitchen }
+"""
+COOK = """
+class Cook:
+    def execute(self, context):
+        context.wait(LATE if context.agent == "dan" else 20)
+"""
+
+
+@pytest.mark.parametrize(
+    ("late", "sniffed", "told", "counts"),
+    [
+        (20, ["leaves without having taken 2 messages"], "2 agent messages not taken", (2, 0)),
+        (
+            25,
+            [
+                "leaves without having taken inform Meal of cat",
+                "did not expect inform Meal: its part in the conversation is over",
+            ],
+            "1 agent message not taken, 1 agent message not expected",
+            (1, 1),
+        ),
+    ],
+)
+def test_what_is_never_taken_is_told(
+    folder: Path, here: Here, late: int, sniffed: list[str], told: str, counts: tuple[int, int]
+) -> None:
+    Path("orders.aseme").write_text(ORDERS, "utf-8")
+    Path("activities").mkdir()
+    Path("activities/cook.py").write_text(COOK.replace("LATE", str(late)), "utf-8")
+    done = here("run", "orders.aseme", "--activities", "activities", "-q")
+    assert f"... {told}: `asemec sniff` shows which\n" in done.err
+    shown = [line for line in lines(here("sniff", "out").out) if " ann ! " in line]
+    assert [line.split(" ann ! ")[1].partition(" [")[0] for line in shown] == sniffed
+    result = json.loads(here("run", "orders.aseme", "--activities", "activities", "--json").out)["result"]
+    assert (result["untaken"], result["unexpected"]) == counts
+
+
+def test_what_is_taken_is_not_counted(run: Path, here: Here) -> None:
+    """A cook that breaks down while the other one is told of it has not left anything untaken."""
+    assert "agent message" not in here("run", "kitchen.aseme", "--activities", "activities").err
+
+
 # ---- long ones -----------------------------------------------------------------------------------
 
 
