@@ -11,8 +11,9 @@ The examples of a page share a folder and run from the top to the bottom. Their 
     diff      a change to a file (see below)
     sh        a command that cannot run here (it installs something, or never ends); only a few are allowed
 
-In what is expected `...` stands for anything: alone on a line for any lines, elsewhere for any text. Comments
-`<!-- word: value -->` before an example, which readers do not see, say more:
+In what is expected `...` stands for anything: alone on a line for any lines, elsewhere for any text; but not
+in what `--help` says, which has such dots of its own. Comments `<!-- word: value -->` before an example,
+which readers do not see, say more:
 
     file: PATH        the example becomes this file
     part of: PATH     the example's lines stand together in this file (`...` skips lines)
@@ -107,15 +108,20 @@ class Page:
     edits: list[tuple[int, int, list[str]]] = field(default_factory=list)
 
     def run(self) -> None:
-        """Run every example; with `update`, write what commands say now into the page."""
+        """Run every example up to what is wrong; with `update`, write what commands say now into the page."""
         self.lines = self.path.read_text("utf-8").split("\n")
         self.names["__name__"] = "__page__"
-        for example in examples(self.lines):
-            try:
-                self._run(example)
-            except Wrong as wrong:
-                place = self.path.relative_to(ROOT)
-                raise AssertionError(f"{place}:{example.first + 1}: {wrong}") from None
+        try:
+            for example in examples(self.lines):
+                try:
+                    self._run(example)
+                except Wrong as wrong:
+                    place = os.path.relpath(self.path, ROOT)
+                    raise AssertionError(f"{place}:{example.first + 1}: {wrong}") from None
+        finally:
+            self._write_edits()
+
+    def _write_edits(self) -> None:
         if self.edits:
             for first, last, new in reversed(self.edits):
                 self.lines[first:last] = new
@@ -198,8 +204,9 @@ class Page:
         now: list[str] = []
         for command, output in commands(example.text):
             got = self._command(command)
-            if not agrees(output, got):
-                if not self.update or "..." in "\n".join(output):
+            is_help = command.endswith(" --help")
+            if output != got if is_help else not agrees(output, got):
+                if not self.update or (not is_help and "..." in "\n".join(output)):
                     again = "pytest tests/docs --snapshot-update writes it here, except where `...` stands"
                     raise Wrong(f"`{command}` says something else\n{difference(output, got)}\n{again}")
                 output = got
