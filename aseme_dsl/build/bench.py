@@ -1,53 +1,51 @@
-"""Bench: what a step of a system's own statecharts costs, with inputs that they can take.
+"""Bench: what a step of a system's own statecharts costs, with inputs that they can take or once took.
 
-Inputs are drawn by a seed: events that transitions wait for, values for the messages that are read (near the
-constants that conditions compare them with), ends of activities, agent messages that branches wait for. They
-are drawn while one chart runs, and then played to fresh ones. The agents' step and the plain one, where a
-role has one, must be in the same configuration after every step before anything is timed.
+The inputs are drawn by a seed, or are those that agents got in a recorded run. They are played to fresh
+charts: to the agent's and, where a role has one, to the plain one, which must be in the same configuration
+after every step before it is timed.
 """
 
 from __future__ import annotations
 
 import gc
-import random
 import statistics
 import time
 import tracemalloc
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from aseme_dsl.amola.expression import Literal, Raised, Received
-from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.build.build import Choice, build
+from aseme_dsl.build.course import Course, begun, doings, plain_begun, plain_player, player
+from aseme_dsl.build.drawn import drawn
+from aseme_dsl.build.recorded import Recording, recorded
 from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.inputs import Arrived, Completed, Happened, Input, Mail, Written
-from aseme_dsl.runtime.loading import Loaded, importing, load_system
+from aseme_dsl.runtime.loading import importing, load_system
 from aseme_dsl.runtime.machine import Machine
 from aseme_dsl.runtime.naming import class_name
+from aseme_dsl.runtime.plain import ActivityFailed
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.statechart import Statechart
     from aseme_dsl.amola.system import System
     from aseme_dsl.runtime.plain import Plain
 
-MS = 1_000_000
-_LONGEST = 50
-"""Milliseconds between two inputs, at most; now and then it is a thousand times as long."""
+STEPS = 2000
+"""How many inputs are drawn."""
 _INSTANCES = 200
 """How many instances are made to see how much memory one takes."""
 _FEW = 500
-"""With fewer inputs, several charts are played to in a round."""
+"""With fewer steps, several charts are played to in a round."""
 _IDLE = 2000
 """How many steps without an input are timed."""
 
 
 @dataclass(frozen=True, slots=True)
 class Timed:
-    """One way to run a role: ns of CPU for a step with an input and for one without, bytes an instance."""
+    """One way to run a role: ns of CPU for a step with its inputs and for one without, bytes an instance."""
 
     step: float
     idle: float
@@ -63,39 +61,47 @@ class Measured:
     regions: int
     transitions: int
     steps: int
+    """How many steps are played, those aside with which agents begin."""
+    inputs: int
     activities: int
     """How many states have an activity."""
     visited: int
     """How many of these were active."""
     taken: int
     """How many of the transitions were taken."""
+    agents: tuple[Played, ...] = ()
+    """Whose recorded inputs these are."""
     ways: Mapping[str, Timed] = field(default_factory=dict)
     refused: tuple[str, ...] = ()
+    one_by_one: int = 0
+    """How many steps the plain statechart makes of those steps: it takes ends and events one by one."""
+    left_out: str = ""
+    """Why the plain statechart, which there is, was not timed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Played:
+    """An agent whose recorded steps were played; `until` is why not all of them, if so."""
+
+    trace: str
+    agent: str
+    steps: int
+    inputs: int
+    until: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Bench:
-    """What was measured of a system, with the seed that its inputs came from."""
+    """What was measured of a system, with the seed that its inputs came from, or the traces with them."""
 
     system: str
     seed: int
     load: float
     """How long it takes to import all that was generated for agents, in ms of CPU."""
     roles: tuple[Measured, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Said:
-    """One input as data: `kind` is `event`, `message`, `done`, `write` or `mail`; at `now` (ns)."""
-
-    kind: str
-    now: int
-    name: str
-    content: Mapping[str, Any] = field(default_factory=dict)
-    token: int = 0
-    outcome: str | None = None
-    mail: tuple[str, str, str] = ("", "", "")
-    """Branch, performative and participant of an agent message, whose type is `name`."""
+    traces: tuple[str, ...] = ()
+    problems: tuple[str, ...] = ()
+    """What has to be said of the traces."""
 
 
 class Different(Exception):
@@ -108,34 +114,60 @@ def bench(
     path: Sequence[Path] = (),
     *,
     roles: Sequence[str] = (),
-    steps: int = 2000,
+    steps: int | None = None,
     rounds: int = 7,
     seed: int = 1,
+    traces: Sequence[Path] = (),
 ) -> Bench:
     """Generate a system into `folder` (a temporary one), and measure its roles (or some of them).
 
-    `path` are the folders in which the functions of conditions are found.
+    `path` are the folders in which the functions of conditions are found. With `traces`, the inputs are those
+    recorded there, `steps` of each agent at the most; without, so many (`STEPS`) are drawn by the seed.
 
     Raises:
         Different: the faces of a role do not agree.
+        NotPlayable: a trace is not one of these roles as they are.
     """
     build(system, folder, Choice(only=frozenset({"monas"})))
     package = folder / "monas" / system.name
     loaded = load_system(package, path)
+    messages = vars(loaded.modules[f"monas.{system.name}.messages"])
+    wanted = [chart for chart in system.iacs if not roles or chart.name in roles]
+    kinds = {chart.name: loaded.charts[chart.name] for chart in wanted}
+    recordings = [recorded(trace, system.name, kinds, messages, steps) for trace in traces]
+    plain, refused = _plain(system, folder, path)
+    found: list[Measured] = []
+    for chart in wanted:
+        kind = kinds[chart.name]
+        if traces:
+            courses, agents = _courses(recordings, chart.name)
+        else:
+            one = drawn(system, chart, kind, messages, STEPS if steps is None else steps, seed)
+            courses, agents = [one] if len(one.steps) > 1 else [], ()
+        measured = _measured(chart, kind, plain.get(chart.name), courses, rounds, recorded=bool(traces))
+        found.append(replace(measured, agents=agents, refused=refused.get(chart.name, ())))
     loads: list[float] = []
     for _ in range(rounds):
-        begun = time.process_time()
+        begun_at = time.process_time()
         load_system(package, path)
-        loads.append(1000 * (time.process_time() - begun))
-    wanted = [chart for chart in system.iacs if not roles or chart.name in roles]
-    plain, refused = _plain(system, folder, path)
-    found = [
-        _measured(
-            system, chart, loaded, plain.get(chart.name), refused.get(chart.name, ()), steps, rounds, seed
-        )
-        for chart in wanted
-    ]
-    return Bench(system.name, seed, statistics.median(loads), tuple(found))
+        loads.append(1000 * (time.process_time() - begun_at))
+    return Bench(
+        system.name,
+        recordings[0].seed if recordings else seed,
+        statistics.median(loads),
+        tuple(found),
+        tuple(str(item.path) for item in recordings),
+        tuple(item.problem for item in recordings if item.problem is not None),
+    )
+
+
+def _courses(recordings: Sequence[Recording], role: str) -> tuple[list[Course], tuple[Played, ...]]:
+    """The courses of a role, and whose they are."""
+    found = [(str(item.path), course) for item in recordings for course in item.courses[role]]
+    played = tuple(
+        Played(trace, item.agent, len(item.steps) - 1, item.inputs, item.until) for trace, item in found
+    )
+    return [course for _, course in found if len(course.steps) > 1], played
 
 
 def _plain(
@@ -158,326 +190,141 @@ def _plain(
     return {chart.name: getattr(package, class_name(chart.name)) for chart in possible.iacs}, refused
 
 
-# ---- inputs ------------------------------------------------------------------------------------
-
-
-class _Drawing:
-    """Draws inputs that a chart can take."""
-
-    def __init__(self, system: System, chart: Statechart, kind: type[Chart], chance: random.Random) -> None:
-        self.chance = chance
-        self.kind = kind
-        self.messages = {message.name: message for message in system.messages}
-        self.enums = {enum.name: enum for enum in system.enums}
-        events = [event for item in chart.transitions for event in item.expression.events]
-        self.events = sorted({event.name for event in events if isinstance(event, Raised)})
-        self.channels = [
-            (info.name, info.message) for info in kind.PLAN.channels if kind.READERS.get(info.name)
-        ]
-        awaited = dict.fromkeys(
-            (event.performative, event.message, event.participant)
-            for event in events
-            if isinstance(event, Received)
-        )
-        self.mails = [
-            (branch.label, *mail)
-            for branch in kind.PLAN.branches
-            for mail in awaited
-            if mail[:2] in branch.receives
-        ]
-        written = {name for item in kind.PLAN.activities for name in item.variables}
-        self.variables = [item for item in chart.variables if item.name in written]
-        self.ends = {item.name: item.ends for item in kind.PLAN.activities}
-        self.activity = {node.label: node.activity for node in chart.nodes}
-        self.constants: dict[Kind, list[Any]] = {}
-        for _, value in chart.values():
-            if isinstance(value, Literal):
-                self.constants.setdefault(value.type.kind, []).append(value.value)
-
-    def next(self, chart: Chart, now: int) -> Said | None:
-        """An input for a chart as it is; None if there is nothing that it could take."""
-        running = [
-            label for label, (leaf, _, number) in chart.RUNNING.items() if getattr(chart, leaf) == number
-        ]
-        active = chart.configuration()
-        mails = [mail for mail in self.mails if any(label.startswith(f"{mail[0]}.") for label in active)]
-        kinds = [
-            *(["event"] * bool(self.events)),
-            *(["message"] * 2 * bool(self.channels)),
-            *(["done"] * 2 * bool(running)),
-            *(["write"] * bool(self.variables)),
-            *(["mail"] * 3 * bool(mails)),
-        ]
-        if not kinds:
-            return None
-        match self.chance.choice(kinds):
-            case "event":
-                return Said("event", now, self.chance.choice(self.events))
-            case "message":
-                channel, message = self.chance.choice(self.channels)
-                return Said("message", now, channel, self.content(message))
-            case "done":
-                label = self.chance.choice(running)
-                ends = self.ends.get(self.activity[label] or "", ())
-                outcome = self.chance.choice(ends) if ends else None
-                return Said(
-                    "done", now, label, token=getattr(chart, chart.RUNNING[label][1]), outcome=outcome
-                )
-            case "write":
-                variable = self.chance.choice(self.variables)
-                return Said("write", now, variable.name, {"value": self.value(variable.type)})
-            case _:
-                branch, performative, message, participant = self.chance.choice(mails)
-                content = self.content(message) if message else {}
-                return Said("mail", now, message, content, mail=(branch, performative, participant))
-
-    def content(self, name: str) -> dict[str, Any]:
-        """Values for the members of a message, some of an optional one missing."""
-        found: dict[str, Any] = {}
-        for item in self.messages[name].fields:
-            if item.label == "repeated":
-                found[item.name] = tuple(self.value(item.type) for _ in range(self.chance.randrange(4)))
-            elif item.label != "optional" or self.chance.random() < 0.7:
-                found[item.name] = self.value(item.type)
-        return found
-
-    def value(self, kind: Type) -> Any:
-        """A value of a type: more often than not near a constant of the chart's own conditions."""
-        chance = self.chance
-        known = self.constants.get(kind.kind, [])
-        near = chance.choice(known) if known and chance.random() < 0.7 else None
-        match kind.kind:
-            case Kind.BOOL:
-                return chance.random() < 0.5
-            case Kind.INT | Kind.DURATION:
-                return (0 if near is None else int(near)) + chance.randrange(-2, 3)
-            case Kind.DOUBLE:
-                return (chance.uniform(-1, 1) if near is None else float(near)) + chance.choice(
-                    (-0.1, 0, 0.1)
-                )
-            case Kind.STRING:
-                return "text" if near is None else str(near)
-            case Kind.BYTES:
-                return b"\x00"
-            case Kind.ENUM:
-                return ("enum", kind.name, chance.choice(self.enums[kind.name].constants)[0])
-            case Kind.MESSAGE:
-                return ("message", kind.name, self.content(kind.name))
-        return None
-
-
-def _made(name: str, content: Mapping[str, Any], messages: Mapping[str, Any]) -> Any:
-    """A message of the class that a package has for it."""
-    kind = messages[name]
-    own = {item.name for item in fields(kind)}
-    return kind(**{key: _value(item, messages) for key, item in content.items() if key in own})
-
-
-def _value(value: Any, messages: Mapping[str, Any]) -> Any:
-    match value:
-        case ("enum", str(name), str(constant)):
-            return messages[name][constant]
-        case ("message", str(name), dict(content)):
-            return _made(name, content, messages)
-        case tuple():
-            return tuple(_value(item, messages) for item in value)
-    return value
-
-
-def _agent_input(said: Said, number: int, messages: Mapping[str, Any]) -> Input:
-    match said.kind:
-        case "event":
-            return Happened(said.name)
-        case "message":
-            message = _made(said.name.rpartition(".")[2], said.content, messages)
-            return Arrived(said.name, message, "other", said.now, ("other", number))
-        case "done":
-            return Completed(said.name, said.token, said.outcome)
-        case "write":
-            return Written(said.name, _value(said.content["value"], messages))
-    branch, performative, participant = said.mail
-    content = _made(said.name, said.content, messages) if said.name else None
-    return Mail(branch, performative, said.name, content, participant, "other", ("other", number))
-
-
 # ---- measuring ---------------------------------------------------------------------------------
-
-_Step = tuple[int, tuple[Input, ...]]
-_Call = tuple[Callable[[str], object] | None, str, str | None, Any, int]
-"""What is called with which text; before, what is put where on the blackboard, and the time."""
 
 
 def _measured(
-    system: System,
     chart: Statechart,
-    loaded: Loaded,
+    kind: type[Chart],
     plain: type[Plain] | None,
-    refused: tuple[str, ...],
-    steps: int,
+    courses: Sequence[Course],
     rounds: int,
-    seed: int,
+    *,
+    recorded: bool,
 ) -> Measured:
-    kind = loaded.charts[chart.name]
-    messages = vars(loaded.modules[f"monas.{system.name}.messages"])
-    said, script, trail, visited, taken = _drawn(system, chart, kind, messages, steps, seed)
-    ways: dict[str, Timed] = {}
-    if script:
-        makers: dict[str, Callable[[], tuple[Callable[[], None], Callable[[], object], int]]] = {
-            "agent": lambda: _agent_pass(kind, script)
-        }
-        if plain is not None:
-            _compare(plain, said, trail)
-            makers |= {
-                "plain": lambda: _plain_pass(plain, said, lambda made: made),
-                "Machine.send": lambda: _plain_pass(plain, said, Machine),
-                "Machine.post": lambda: _plain_pass(plain, said, Machine, "post"),
-            }
-        instances: dict[str, Callable[[], object]] = {"agent": lambda: kind("one")}
-        if plain is not None:
+    left_out, one_by_one = "", 0
+    makers: dict[str, Callable[[], _Pass]] = {"agent": lambda: _agent_pass(kind, courses)}
+    instances: dict[str, Callable[[], object]] = {"agent": lambda: kind("one")}
+    if plain is not None and courses:
+        try:
+            one_by_one = sum(_compare(plain, kind, course) for course in courses)
+        except Different as different:
+            if not recorded:
+                raise
+            left_out = str(different)
+        else:
             queued = partial(_queued, plain)
+            makers |= {
+                "plain": lambda: _plain_pass(plain, kind, courses, lambda made: made),
+                "Machine.send": lambda: _plain_pass(plain, kind, courses, Machine),
+                "Machine.post": lambda: _plain_pass(plain, kind, courses, Machine, "post"),
+            }
             instances |= {"plain": plain, "Machine.send": queued, "Machine.post": queued}
-        ways = _timed(makers, instances, rounds)
     return Measured(
         chart.name,
         len(chart.nodes),
         len(kind.REGIONS),
         len(chart.transitions),
-        len(script),
+        sum(len(course.steps) - 1 for course in courses),
+        sum(course.inputs for course in courses),
         len(kind.RUNNING),
-        len(visited & kind.RUNNING.keys()),
-        len(taken),
-        ways,
-        refused,
+        len(kind.RUNNING.keys() & {label for course in courses for label in course.visited}),
+        len({number for course in courses for number in course.taken}),
+        ways=_timed(makers, instances, rounds) if courses else {},
+        one_by_one=one_by_one,
+        left_out=left_out,
     )
 
 
-def _drawn(
-    system: System, chart: Statechart, kind: type[Chart], messages: Mapping[str, Any], steps: int, seed: int
-) -> tuple[list[Said], list[_Step], list[tuple[str, ...]], set[str], set[int]]:
-    """Inputs as data and for an agent, each with the configuration after it; the states and transitions."""
-    chance = random.Random(f"{seed} {chart.name}")
-    drawing = _Drawing(system, chart, kind, chance)
-    running = kind("one")
-    running.settle()
-    running.step(0, ())
-    said: list[Said] = []
-    script: list[_Step] = []
-    trail = [running.configuration()]
-    visited, taken = set(trail[0]), set[int]()
-    now = 0
-    while len(script) < steps and not running.finished and running.failure is None:
-        now += chance.randrange(_LONGEST) * (1000 if chance.random() < 0.02 else 1) * MS
-        item = drawing.next(running, now)
-        if item is None:
-            break
-        inputs = (_agent_input(item, len(script) + 1, messages),)
-        outcome = running.step(now, inputs)
-        said.append(item)
-        script.append((now, inputs))
-        trail.append(running.configuration())
-        visited.update(trail[-1])
-        taken.update(number for numbers in outcome.taken for number in numbers)
-    return said, script, trail, visited, taken
-
-
-def _compare(kind: type[Plain], said: Sequence[Said], trail: Sequence[tuple[str, ...]]) -> None:
-    """Play the inputs to a plain chart.
+def _compare(plain: type[Plain], kind: type[Chart], course: Course) -> int:
+    """Play a course to a plain chart; how many steps it makes of it, the start aside.
 
     Raises:
         Different: it is not where the agent's was.
     """
-    chart = kind()
-    chart.start()
-    found = chart.configuration()
-    if found != trail[0]:
-        raise Different(f"{kind.__name__}: at first {found}, and as an agent {trail[0]}")
-    calls = _calls(chart, chart, said)
-    for number, (call, wanted) in enumerate(zip(calls, trail[1:], strict=True), start=1):
-        _do(chart, [call])
-        if chart.configuration() != wanted:
+    chart = plain_begun(plain, course, _fresh(kind, course))
+    name = plain.__name__
+    doing_all = doings(chart, chart, course, _fresh(kind, course))
+    for number, doing in enumerate(doing_all):
+        try:
+            plain_player(chart, [doing])()
+        except ActivityFailed as failed:
+            raise Different(f"{name}: in step {number} {failed}") from failed
+        found, wanted = chart.configuration(), course.trail[number]
+        if found != wanted:
+            inputs = course.steps[number].inputs
+            what = ", ".join(f"{type(item).__name__.lower()} {_about(item)}" for item in inputs) or "no input"
+            at_once = "; it takes them one after the other" if len(inputs) > 1 else ""
             raise Different(
-                f"{kind.__name__}: after input {number} ({said[number - 1].kind} {said[number - 1].name}) "
-                f"{chart.configuration()}, and as an agent {wanted}"
+                f"{name}: after step {number} ({what}{at_once}) {found}, and as an agent {wanted}"
             )
+    return sum(len(doing.calls) for doing in doing_all) - 1
 
 
-def _calls(chart: Plain, runner: Any, said: Sequence[Said], send: str = "send") -> list[_Call]:
-    """What the inputs are for a plain chart."""
-    package = import_module(type(chart).__module__.rpartition(".")[0] + ".messages")
-    slots = {channel: slot for slot, channel, host in chart.MESSAGES if host is None}
-    found: list[_Call] = []
-    for item in said:
-        match item.kind:
-            case "event":
-                found.append((getattr(runner, send), item.name, None, None, item.now))
-            case "done":
-                found.append((runner.done, item.name, None, None, item.now))
-            case "write":
-                value = _value(item.content["value"], vars(package))
-                found.append((None, "", item.name, value, item.now))
-            case _:
-                message = _made(item.name.rpartition(".")[2], item.content, vars(package))
-                found.append((None, "", slots.get(item.name), message, item.now))
-    return found
-
-
-def _do(chart: Plain, calls: Sequence[_Call], step: Callable[[], object] | None = None) -> None:
-    """Give a plain chart its inputs."""
-    board = getattr(chart, "bb")  # noqa: B009  of each subclass another
-    changed = getattr(board, "changed", None)
-    step = step or chart.step
-    timed = hasattr(chart, "now")
-    for call, text, slot, message, now in calls:
-        if timed:
-            chart.now = now  # type: ignore[attr-defined]
-        if call is not None:
-            call(text)
-            continue
-        if slot is not None:
-            setattr(board, slot, message)
-            if changed is not None:
-                changed()
-        step()
+def _about(item: Any) -> str:
+    """What an input is about."""
+    return next(
+        str(getattr(item, name))
+        for name in ("channel", "label", "name", "variable", "message")
+        if hasattr(item, name)
+    )
 
 
 _Pass = tuple[Callable[[], None], Callable[[], object], int]
-"""What plays all inputs to a fresh chart, what makes a step without one afterwards, and how many inputs."""
+"""What plays all courses to fresh charts, what makes a step without inputs afterwards, and how many steps."""
 
 
-def _agent_pass(kind: type[Chart], script: Sequence[_Step]) -> _Pass:
-    charts = [kind("one") for _ in range(_fresh(script))]
-    for chart in charts:
-        chart.settle()
-        chart.step(0, ())
-
-    def play() -> None:
-        for chart in charts:
-            step = chart.step
-            for now, inputs in script:
-                step(now, inputs)
-
-    return play, partial(charts[-1].step, script[-1][0], ()), len(charts) * len(script)
+def _agent_pass(kind: type[Chart], courses: Sequence[Course]) -> _Pass:
+    plays: list[Callable[[], None]] = []
+    for course in _often(courses):
+        chart = _fresh(kind, course)
+        player(chart, course.steps[:1])()
+        plays.append(player(chart, course.steps[1:]))
+    return _one_by_one(plays), partial(chart.step, course.steps[-1].now, ()), _number(courses)
 
 
 def _plain_pass(
-    kind: type[Plain], said: Sequence[Said], made: Callable[[Any], Any], send: str = "send"
+    plain: type[Plain],
+    kind: type[Chart],
+    courses: Sequence[Course],
+    made: Callable[[Plain], Any],
+    send: str = "send",
 ) -> _Pass:
-    charts = [kind() for _ in range(_fresh(said))]
-    runners = [made(chart) for chart in charts]
-    for runner in runners:
-        runner.start()
-    calls = [_calls(chart, runner, said, send) for chart, runner in zip(charts, runners, strict=True)]
-
-    def play() -> None:
-        for chart, runner, own in zip(charts, runners, calls, strict=True):
-            _do(chart, own, runner.step)
-
-    return play, runners[-1].step, len(charts) * len(said)
+    plays: list[Callable[[], None]] = []
+    for course in _often(courses):
+        chart = plain_begun(plain, course, _fresh(kind, course))
+        runner = made(chart)
+        first, *others = doings(chart, runner, course, _fresh(kind, course), send)
+        plain_player(chart, [first])()
+        plays.append(plain_player(chart, others))
+    return _one_by_one(plays), runner.step, _number(courses)
 
 
-def _fresh(inputs: Sequence[object]) -> int:
-    """How many charts are played to: more than one where a chart comes to its end soon."""
-    return max(1, _FEW // len(inputs))
+def _one_by_one(plays: Sequence[Callable[[], None]]) -> Callable[[], None]:
+    def play_all() -> None:
+        for play in plays:
+            play()
+
+    return play_all
+
+
+def _fresh(kind: type[Chart], course: Course) -> Chart:
+    """A chart that has not made the first step of a course."""
+    return begun(kind, course.agent, course.seed, course.queue)
+
+
+def _often(courses: Sequence[Course]) -> list[Course]:
+    """The courses, several times where they are short: a chart may come to its end soon."""
+    return [*courses] * _times(courses)
+
+
+def _number(courses: Sequence[Course]) -> int:
+    """How many steps are timed."""
+    return _times(courses) * sum(len(course.steps) - 1 for course in courses)
+
+
+def _times(courses: Sequence[Course]) -> int:
+    return max(1, _FEW // sum(len(course.steps) - 1 for course in courses))
 
 
 def _timed(
@@ -494,13 +341,13 @@ def _timed(
         for _ in range(rounds):
             for name, make in makers.items():
                 play, tick, number = make()
-                begun = time.process_time_ns()
+                begun_at = time.process_time_ns()
                 play()
-                steps[name].append((time.process_time_ns() - begun) / number)
-                begun = time.process_time_ns()
+                steps[name].append((time.process_time_ns() - begun_at) / number)
+                begun_at = time.process_time_ns()
                 for _ in range(_IDLE):
                     tick()
-                idle[name].append((time.process_time_ns() - begun) / _IDLE)
+                idle[name].append((time.process_time_ns() - begun_at) / _IDLE)
                 gc.collect(0)
     finally:
         if enabled:
@@ -533,46 +380,4 @@ def _memory(make: Callable[[], object]) -> float:
         tracemalloc.stop()
 
 
-# ---- telling -----------------------------------------------------------------------------------
-
-
-def markdown(found: Bench) -> str:
-    """The report for people."""
-    lines = [
-        f"# {found.system}",
-        "",
-        f"Seed {found.seed}; the code of all agents is imported in {found.load:.1f} ms of CPU. Times are CPU"
-        " time of one thread, medians of interleaved rounds.",
-        "",
-        "| role | states | regions | inputs | activities started | transitions taken |",
-        "| --- | ---: | ---: | ---: | ---: | ---: |",
-    ]
-    for item in found.roles:
-        visited = f"{item.visited} of {item.activities}"
-        numbers = (item.states, item.regions, item.steps, visited, f"{item.taken} of {item.transitions}")
-        lines.append(f"| {item.role} | {' | '.join(map(str, numbers))} |")
-    lines += [
-        "",
-        "| role | run as | step, ns | of the agent's | idle tick, ns | memory, bytes |",
-        "| --- | --- | ---: | ---: | ---: | ---: |",
-    ]
-    for item in found.roles:
-        lines += _rows(item)
-    notes = [
-        f"- `{item.role}` has no plain statechart: {', '.join(item.refused)}."
-        for item in found.roles
-        if item.refused
-    ]
-    return "\n".join([*lines, *([""] if notes else []), *notes]) + "\n"
-
-
-def _rows(item: Measured) -> Iterator[str]:
-    if not item.ways:
-        yield f"| {item.role} | nothing that it could take | | | | |"
-    for name, timed in item.ways.items():
-        share = f"{timed.step / item.ways['agent'].step:.2f}"
-        numbers = (f"{timed.step:.0f}", share, f"{timed.idle:.0f}", f"{timed.memory:.0f}")
-        yield f"| {item.role} | {name} | {' | '.join(numbers)} |"
-
-
-__all__ = ["Bench", "Different", "Measured", "Timed", "bench", "markdown"]
+__all__ = ["STEPS", "Bench", "Different", "Measured", "Played", "Timed", "bench"]

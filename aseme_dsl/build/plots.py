@@ -1,11 +1,12 @@
-"""Plots of a study as SVG: the measure over what was varied, and what quicker activities would gain."""
+"""Plots as SVG: of a study, what was measured over what was varied; of a bench, what steps cost."""
 
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from aseme_dsl.build.bench import Timed
 from aseme_dsl.build.findings import Row, Slower
 from aseme_dsl.build.variation import Knob
 
@@ -95,6 +96,54 @@ def gains_plot(found: Sequence[Slower], times: float, what: str) -> bytes:
     return _svg(figure)
 
 
+def costs_plot(found: Mapping[str, Mapping[str, Timed]]) -> bytes:
+    """Two points for each way to run a role, on a logarithmic axis: a step, and one without an input.
+
+    Raises:
+        PlotsMissing: there is nothing to draw with.
+    """
+    rows = [(role, way, timed) for role, ways in found.items() for way, timed in ways.items()]
+    figure, axes = _figure(height=1.3 + 0.3 * len(rows))
+    from matplotlib.ticker import LogLocator
+
+    places = range(len(rows))
+    axes.hlines(
+        places, [item.idle for _, _, item in rows], [item.step for _, _, item in rows], color="#cccccc"
+    )
+    for colour, label, times in (
+        (_GREY, "idle tick", [timed.idle for _, _, timed in rows]),
+        (_BLUE, "step with its inputs", [timed.step for _, _, timed in rows]),
+    ):
+        axes.plot(times, places, marker="o", linestyle="", color=colour, label=label)
+        for time, place in zip(times, places, strict=True):
+            is_least = time == min(rows[place][2].idle, rows[place][2].step)
+            beside = {"xytext": (-7 if is_least else 7, 0), "textcoords": "offset points", "va": "center"}
+            text = _duration(time)
+            axes.annotate(text, (time, place), ha="right" if is_least else "left", fontsize=8, **beside)
+    axes.set_yticks(places, [f"{role}, {way}" for role, way, _ in rows])
+    axes.tick_params(axis="y", length=0)
+    axes.set_ylim(len(rows) - 0.4, -0.6)
+    axes.grid(visible=False, axis="y")
+    axes.set_xscale("log")
+    axes.margins(x=0.18)
+    low, high = axes.get_xlim()
+    if high < 100 * low:
+        axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_formatter(lambda value, _: _duration(value))
+    axes.xaxis.set_minor_formatter("")
+    axes.set_xlabel("CPU time (logarithmic)")
+    figure.legend(loc="outside upper left", ncols=2, frameon=False)
+    return _svg(figure, "asemec bench")
+
+
+def _duration(nanoseconds: float) -> str:
+    """A time in the unit that fits."""
+    for unit, size in (("ms", 1e6), ("µs", 1e3)):
+        if nanoseconds >= size:
+            return f"{nanoseconds / size:.3g} {unit}"
+    return f"{nanoseconds:.3g} ns"
+
+
 def _places(knob: Knob) -> dict[str, float]:
     """Where a value stands: numbers at their place, others one after the other."""
     try:
@@ -114,10 +163,10 @@ def _figure(height: float = 4.0) -> tuple[Figure, Any]:
         return figure, figure.subplots()
 
 
-def _svg(figure: Figure) -> bytes:
+def _svg(figure: Figure, creator: str = "asemec optimise") -> bytes:
     from matplotlib import rc_context
 
     out = io.BytesIO()
     with rc_context(_SETTINGS):
-        figure.savefig(out, format="svg", metadata={"Date": None, "Creator": "asemec optimise"})
+        figure.savefig(out, format="svg", metadata={"Date": None, "Creator": creator})
     return out.getvalue()

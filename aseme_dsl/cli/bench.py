@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -16,29 +18,62 @@ from aseme_dsl.cli.shared import (
 )
 from aseme_dsl.diagnostics import closest, has_errors
 
+if TYPE_CHECKING:
+    from aseme_dsl.build.bench import Bench
+
 
 @click.command(
     short_help="Measure what a step of each role costs.",
-    help="Generate the code of a system, play inputs that its roles can take to it, and say what a step"
-    " costs: as agents run it, and as a plain statechart where a role is one. Inputs are drawn by a seed.",
-    epilog="Example: asemec bench team.aseme   ·   asemec bench team.aseme --role player --steps 9000 --json",
+    help="Generate the code of a system, play inputs to its roles, and say what a step costs: as agents run"
+    " it, and as a plain statechart where a role is one. The inputs are what agents got in a recorded run, or"
+    " what the roles can take, drawn by a seed.",
+    epilog="Example: asemec bench team.aseme   ·   asemec bench team.aseme --role player --steps 9000 --json"
+    "   ·   asemec bench team.aseme --inputs out/trace.jsonl -o bench.md --plot bench.svg",
 )
 @click.argument("file", metavar="FILE", type=FilePath())
 @click.option("--role", "roles", multiple=True, metavar="ROLE", help="Only this role. May be repeated.")
-@click.option("--steps", type=click.IntRange(1), default=2000, show_default=True, help="How many inputs.")
+@click.option(
+    "--inputs",
+    "traces",
+    multiple=True,
+    metavar="TRACE",
+    type=FilePath(path_type=Path),
+    help="Play what the agents of each role got in this run. May be repeated.",
+)
+@click.option(
+    "--steps", type=click.IntRange(1), help="How many inputs.  [default: 2000; with --inputs, all there are]"
+)
 @click.option(
     "--rounds", type=click.IntRange(1), default=7, show_default=True, help="How often to time each."
 )
-@click.option("--seed", type=int, default=1, show_default=True, help="What the inputs are drawn from.")
+@click.option("--seed", type=int, help="What the inputs are drawn from.  [default: 1]")
+@click.option(
+    "-o", "--output", type=FilePath(path_type=Path), metavar="FILE", help="Write the report into this file."
+)
+@click.option(
+    "--plot", type=FilePath(path_type=Path), metavar="FILE.svg", help="Write a plot of it into this file."
+)
 @json_option
 @colour_option
 def command(
-    file: str, roles: tuple[str, ...], steps: int, rounds: int, seed: int, as_json: bool, colour: str
+    file: str,
+    roles: tuple[str, ...],
+    traces: tuple[Path, ...],
+    steps: int | None,
+    rounds: int,
+    seed: int | None,
+    output: Path | None,
+    plot: Path | None,
+    as_json: bool,
+    colour: str,
 ) -> int:
     """Print the report in Markdown; 1 if the file has errors, or two ways to run a role do not agree."""
-    from dataclasses import asdict
     from tempfile import TemporaryDirectory
 
+    if traces and seed is not None:
+        raise click.UsageError("--seed draws inputs, --inputs takes recorded ones: choose one.")
+    if plot is not None and plot.suffix != ".svg":
+        raise click.BadParameter("a plot is an SVG file: FILE.svg.", param_hint="'--plot'")
     compiled = one_system(file)
     if compiled.system is None or has_errors(compiled.diagnostics):
         print_diagnostics(compiled.diagnostics, colour)
@@ -49,19 +84,57 @@ def command(
             near = closest(role, known)
             hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(known)}."
             raise click.UsageError(f"{compiled.system.name} has no role {role!r}. {hint}")
-    from aseme_dsl.build.bench import Different, bench, markdown
+    from aseme_dsl.build.bench import Different, bench
+    from aseme_dsl.build.recorded import NotPlayable
 
     path = [compiled.configuration.folder, Path(file).parent]
     with TemporaryDirectory(prefix="asemec-bench-") as folder:
         try:
             found = bench(
-                compiled.system, Path(folder), path, roles=roles, steps=steps, rounds=rounds, seed=seed
+                compiled.system,
+                Path(folder),
+                path,
+                roles=roles,
+                steps=steps,
+                rounds=rounds,
+                seed=1 if seed is None else seed,
+                traces=traces,
             )
+        except NotPlayable as problem:
+            click.echo(f"asemec: {problem}", err=True)
+            return 1
         except Different as problem:
             click.echo(f"nothing was timed, for the ways to run a role do not agree: {problem}", err=True)
             return 1
+    return _leave(found, output, plot, as_json, colour)
+
+
+def _leave(found: Bench, output: Path | None, plot: Path | None, as_json: bool, colour: str) -> int:
+    """Write the files, and print what is to be printed; the exit code."""
+    from dataclasses import asdict
+
+    from aseme_dsl.build.bench_report import markdown
+    from aseme_dsl.build.plots import PlotsMissing, costs_plot
+    from aseme_dsl.build.write import write_file
+
+    files: dict[Path, bytes] = {}
+    if plot is not None:
+        try:
+            files[plot] = costs_plot({item.role: item.ways for item in found.roles})
+        except PlotsMissing as problem:
+            raise click.ClickException(str(problem)) from problem
+    if output is not None:
+        picture = None if plot is None else Path(os.path.relpath(plot, output.parent)).as_posix()
+        files[output] = markdown(found, picture).encode()
+    for name, content in files.items():
+        problems = write_file(name, content).diagnostics
+        if has_errors(problems):
+            print_diagnostics(problems, colour)
+            return 1
     if as_json:
         print_json(asdict(found))
-    else:
+    elif output is None:
         click.echo(markdown(found), nl=False)
+    if files and not as_json:
+        click.echo("\n".join(str(name) for name in files))
     return 0

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from aseme_dsl.build.bench import Bench, Different, _compare, _drawn, _plain, bench, markdown
+from aseme_dsl.build.bench import Bench, Different, _compare, _plain, bench
+from aseme_dsl.build.bench_report import markdown
 from aseme_dsl.build.build import Choice, build
+from aseme_dsl.build.drawn import drawn
 from aseme_dsl.build.project import compile_root
 from aseme_dsl.runtime.loading import load_system
 from tests.cli.support import BAD, GOOD, asemec
@@ -60,7 +63,7 @@ def test_a_plain_statechart_is_compared_and_timed_beside(tmp_path: Path) -> None
     item = measured(tmp_path / "lamp.aseme", tmp_path / "out", steps=400).roles[0]
     assert list(item.ways) == ["agent", "plain", "Machine.send", "Machine.post"]
     assert (item.steps, item.visited, item.activities, item.refused) == (400, 2, 2, ())
-    assert item.taken == item.transitions - 1  # the loop has no end
+    assert item.taken == item.transitions
     assert item.ways["Machine.send"].memory > item.ways["plain"].memory + 500  # it has a queue
 
 
@@ -81,11 +84,12 @@ def test_nothing_is_timed_where_the_ways_to_run_a_role_disagree(tmp_path: Path) 
     build(system, tmp_path, Choice(only=frozenset({"monas"})))
     loaded = load_system(tmp_path / "monas" / "Lamp")
     messages = vars(loaded.modules["monas.Lamp.messages"])
-    said, _, trail, _, _ = _drawn(system, system.iacs[0], loaded.charts["lamp"], messages, 50, 1)
-    kind = _plain(system, tmp_path, ())[0]["lamp"]
-    _compare(kind, said, trail)
-    with pytest.raises(Different, match="after input 50"):
-        _compare(kind, said, [*trail[:-1], ("0.9",)])
+    kind = loaded.charts["lamp"]
+    course = drawn(system, system.iacs[0], kind, messages, 50, 1)
+    plain = _plain(system, tmp_path, ())[0]["lamp"]
+    assert _compare(plain, kind, course) == 50
+    with pytest.raises(Different, match="after step 50"):
+        _compare(plain, kind, replace(course, trail=(*course.trail[:-1], ("0.9",))))
 
 
 def test_the_command(tmp_path: Path) -> None:
@@ -98,5 +102,21 @@ def test_the_command(tmp_path: Path) -> None:
     assert said["format"] == 1 and said["seed"] == 1
     assert said["roles"][0]["ways"]["agent"]["step"] > 0
     assert asemec("bench", "bad.aseme", cwd=tmp_path).code == 1
+    wrong = asemec("bench", "good.aseme", "--plot", "bench.png", cwd=tmp_path)
+    assert wrong.code == 2 and "FILE.svg" in wrong.err
     wrong = asemec("bench", "good.aseme", "--role", "robott", cwd=tmp_path)
     assert wrong.code == 2 and "Did you mean 'robot'?" in wrong.err
+
+
+def test_the_report_and_its_plot_as_files(tmp_path: Path) -> None:
+    (tmp_path / "good.aseme").write_text(GOOD, "utf-8")
+    few = ("--steps", "50", "--rounds", "1")
+    files = ("-o", "out/bench.md", "--plot", "out/pictures/bench.svg")
+    done = asemec("bench", "good.aseme", *few, *files, cwd=tmp_path)
+    assert done.code == 0 and done.out.splitlines() == ["out/pictures/bench.svg", "out/bench.md"], done.err
+    assert "](pictures/bench.svg)" in (tmp_path / "out" / "bench.md").read_text("utf-8")
+    plot = (tmp_path / "out" / "pictures" / "bench.svg").read_text("utf-8")
+    assert "robot, agent" in plot and "robot, Machine.send" in plot and "idle tick" in plot
+    (tmp_path / "file").touch()
+    done = asemec("bench", "good.aseme", *few, "-o", "file/bench.md", cwd=tmp_path)
+    assert done.code == 1 and "Traceback" not in done.err and "file" in done.err
