@@ -28,15 +28,24 @@ class BatchError(Exception):
 
 
 class BatchBoard:
-    """The arrays that a program sees; one that is set is set element by element."""
+    """The arrays that a program sees; one that is set is set element by element, or all to one value."""
 
     def __init__(self, arrays: Mapping[str, Any]) -> None:
         self.__dict__.update(arrays)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        if name not in self.__dict__:
+        array = self.__dict__.get(name)
+        if array is None:
             raise AttributeError(f"there is no {name} on this blackboard")
-        self.__dict__[name][:] = value
+        try:
+            shape = _numpy().shape(value)
+            if shape in ((), (1,), array.shape):
+                array[:] = value
+                return
+        except (ValueError, TypeError, OverflowError) as error:
+            raise type(error)(f"{name} cannot be set: {error}") from error
+        given = " by ".join(map(str, shape))
+        raise ValueError(f"{name} wants one value for all, or an array of {len(array)}, not one of {given}")
 
 
 class Batch:

@@ -109,6 +109,22 @@ def test_what_is_active_is_asked_of_all_at_once(tmp_path: Path) -> None:
         batch.bb.sen = True
 
 
+def test_what_does_not_fit_on_the_blackboard_is_refused_by_its_name(tmp_path: Path) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    batch = kind(3)
+    for one in (True, [True], [True] * 3):
+        batch.bb.seen = one
+        assert batch.bb.seen.tolist() == [True] * 3
+    for wrong, shape in (([True] * 4, "4"), ([[True] * 3] * 2, "2 by 3"), ([], "0")):
+        wanted = f"seen wants one value for all, or an array of 3, not one of {shape}"
+        with pytest.raises(ValueError, match=wanted):
+            batch.bb.seen = wrong
+    with pytest.raises(ValueError, match=r"seen cannot be set: .*inhomogeneous"):
+        batch.bb.seen = [True, [True, False]]
+    with pytest.raises(ValueError, match=r"shots cannot be set: .*'many'"):
+        batch.bb.shots = "many"
+
+
 def test_the_end_of_an_activity_is_for_those_in_which_it_runs(tmp_path: Path) -> None:
     text = """
 system Doors
