@@ -153,6 +153,9 @@ def _by_event(
     while isinstance(statement, ast.If) and isinstance(statement.test, ast.Compare):
         (event,) = statement.test.comparators
         assert isinstance(event, ast.Constant)
+        if isinstance(statement.test.ops[0], ast.NotEq):  # there is one only, and with others it has ended
+            yield str(event.value), tuple(body[1:])
+            return
         part = tuple(statement.body)
         own = re.fullmatch(r"return self\.(_on_\w+)\(\)", ast.unparse(part[0]))
         yield str(event.value), tuple(methods[own[1]].body[1:]) if own is not None else part

@@ -12,6 +12,7 @@ region that uses it has a copy (`v3_x`) during the step.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -61,8 +62,11 @@ IN_LINE = 400
 BRANCHES = 8
 """More events than this are found in a table, fewer by comparisons."""
 
-GUARDS = 4
-"""So many conditions in a row are not looked at again before the blackboard has changed, if it is tracked."""
+GUARDS = 8
+"""So many conditions in a row are not looked at again before the blackboard has changed, if it is tracked.
+
+With fewer, asking for that costs those who do not track theirs more than it saves those who do.
+"""
 
 NESTED = 6
 """Regions in so many others, and in twice as many, have methods of their own."""
@@ -175,6 +179,7 @@ class _Body:
     last: int
     title: str
     lines: tuple[str, ...]
+    is_and: bool = False
 
 
 class _Generator(Face):
@@ -216,13 +221,14 @@ class _Generator(Face):
     # ---- names -----------------------------------------------------------------------------
 
     def _modes(self) -> tuple[str, ...]:
-        names = dict.fromkeys(
+        """The events, those first that most transitions wait for: they are asked about first."""
+        names = Counter(
             event.name
             for transition in self.chart.transitions
             for event in transition.expression.events
             if isinstance(event, Raised)
         )
-        return (*names, STEP)
+        return (*(name for name, _ in names.most_common()), STEP)
 
     def _on_board(self, name: str) -> str:
         """What a variable is called on the blackboard: as in the document, if that is free."""
@@ -566,8 +572,9 @@ class _Generator(Face):
                 lines.append(line)
                 continue
             gates = [gate for gate, read in self.gates.items() if text.removeprefix(_WROTE) in read]
-            if gates:
-                lines.append(f"{line[: len(line) - len(text)]}{' = '.join(gates)} = False")
+            again = f"{line[: len(line) - len(text)]}{' = '.join(gates)} = False"
+            if gates and lines[-2:-1] != [again]:
+                lines.append(again)
         return lines
 
     def _board(self) -> list[str]:
@@ -688,10 +695,10 @@ class _Generator(Face):
             lines.append("        self.faulty: set[int] = set()")
         return lines
 
-    def _leaf_labels(self) -> list[tuple[str, ...]]:
+    def _leaf_labels(self) -> list[str]:
         """The labels of each region's leaves by their numbers."""
         return [
-            tuple(
+            " ".join(
                 label
                 for node in self.flat.leaves(region.number)
                 for label in [node.label] * self.rests.width(node)
@@ -763,6 +770,18 @@ class _Generator(Face):
             self.tables += ["", f"_EVENTS: {kind} = {{", *entries, "}"]
             lines = ["        method = _EVENTS.get(event)", "        if method is not None:"]
             lines += ["            return method(self)"]
+        if in_line and len(events) == 1:
+            (event,) = events
+            body = bodies[event][0]
+            other = "return False" if idle else "return self.step()"
+            lines = [f"        if event != {event!r}:", f"            {other}"]
+            return [
+                f"    def {signature}:",
+                f'        """{document}"""',
+                *lines,
+                *self._locals(body, 2),
+                *body,
+            ]
         for index, event in enumerate(events if len(events) <= BRANCHES else ()):
             body = bodies[event][0] if in_line else [f"        return self.{self.event_methods[event]}()"]
             lines.append(f"        {'elif' if index else 'if'} event == {event!r}:")
@@ -858,7 +877,7 @@ class _Generator(Face):
                     begin = found[-1].title.split(" to ")[0]
                     found[-1] = _Body(found[-1].first, number, f"{begin} to {title}", lines)
                 else:
-                    found.append(_Body(number, number, title, lines))
+                    found.append(_Body(number, number, title, lines, leaf.type is NodeType.AND))
         return found
 
     def _is_left(self, leaf: Node) -> bool:
@@ -887,6 +906,8 @@ class _Generator(Face):
         name = f"self.r{region}"
         if len(bodies) == 2:
             return self._either(name, *bodies)
+        if len(filled) == 1:
+            return self._tree(name, bodies)
         local = f"r{region}"
         return [f"{local} = {name}", *self._tree(local, bodies)]
 
@@ -909,24 +930,40 @@ class _Generator(Face):
             return list(bodies[0].lines)
         if len(bodies) == 2:
             return self._either(name, *bodies)
-        if len(filled) <= 3:
-            lines: list[str] = []
-            for index, body in enumerate(filled):
-                is_last = index == len(filled) - 1 and len(filled) == len(bodies)
-                test = (
-                    f"{name} == {body.first}"
-                    if body.first == body.last
-                    else f"{body.first} <= {name} <= {body.last}"
-                )
-                word = "else" if is_last else f"{'elif' if index else 'if'} {test}"
-                lines += [f"{word}:  # {body.title}", *_indented(body.lines, 1)]
-            return lines
-        middle = len(bodies) // 2
+        is_held = filled[-1] is bodies[-1] and bodies[-1].is_and and len(filled) > 1
+        if len(filled) <= 3 and not is_held:
+            return self._one_by_one(name, bodies)
+        # A statechart stays long in an AND: one comparison is to lead there.
+        middle = len(bodies) - 1 if is_held else len(bodies) // 2
         lower, upper = self._tree(name, bodies[:middle]), self._tree(name, bodies[middle:])
         if not lower:
             return [f"if {name} >= {bodies[middle].first}:", *_indented(upper, 1)]
         lines = [f"if {name} < {bodies[middle].first}:", *_indented(lower, 1)]
-        return [*lines, "else:", *_indented(upper, 1)] if upper else lines
+        if is_held:
+            return [*lines, f"else:  # {bodies[-1].title}", *_indented(upper, 1)]
+        return [*lines, f"el{upper[0]}", *upper[1:]] if upper else lines
+
+    def _one_by_one(self, name: str, bodies: list[_Body]) -> list[str]:
+        """Compare with each number at which there is anything to do."""
+        lines: list[str] = []
+        tested = bodies[0].first
+        """What is smaller does not come so far."""
+        filled = [body for body in bodies if body.lines]
+        for body in filled:
+            is_last = body is bodies[-1] and body.first == tested
+            if body.first == body.last:
+                test = f"{name} == {body.first}"
+            elif body.first == tested:
+                test = f"{name} <= {body.last}"
+            elif body is bodies[-1]:
+                test = f"{name} >= {body.first}"
+            else:
+                test = f"{body.first} <= {name} <= {body.last}"
+            if body.first == tested:
+                tested = body.last + 1
+            word = "else" if is_last else f"{'elif' if lines else 'if'} {test}"
+            lines += [f"{word}:  # {body.title}", *_indented(body.lines, 1)]
+        return lines
 
     def _by_table(self, mode: _Mode, region: int) -> list[str]:
         """Find the body of the active leaf in a tuple of functions, each for as many leaves as `CHUNK`.

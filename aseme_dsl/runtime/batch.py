@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any, ClassVar, TypeAlias
 
-from aseme_dsl.runtime.plain import ROUNDS, Unsettled
+from aseme_dsl.runtime.plain import ROUNDS, Unsettled, leaves_of
 
 Selection: TypeAlias = Any
 """Which instances: their numbers, in an array; or a slice that is all of them."""
@@ -59,7 +59,7 @@ class Batch:
     """What the instances have one of each: name, NumPy type, first value, and whether it is on `bb`."""
     EVENTS: ClassVar[Mapping[str, str]] = {}
     """The methods that make a step with an event; with others a step is one without."""
-    LEAVES: ClassVar[tuple[tuple[str, ...], ...]] = ()
+    LEAVES: ClassVar[tuple[str, ...]] = ()
     INNER: ClassVar[Mapping[tuple[int, int], tuple[int, ...]]] = {}
     RUNNING: ClassVar[Mapping[str, tuple[int, int]]] = {}
     END: ClassVar[int] = -1
@@ -79,6 +79,7 @@ class Batch:
         self.now = 0
         self.stuck: Any = None
         self._everybody = slice(None)
+        self._leaves = tuple(map(leaves_of, self.LEAVES))
         # What numba looks at, an instance after the other, lies together; NumPy takes it array by array.
         turned = engine == "numba"
         self._tables = []
@@ -120,7 +121,7 @@ class Batch:
         """
         region, number = self.RUNNING[label]
         ended = which & self.active(label)
-        if len(self.LEAVES[region]) > 1:
+        if len(self._leaves[region]) > 1:
             slot = getattr(self, f"r{region}")
             ended &= slot == number
             slot[ended] = number + 1
@@ -163,18 +164,18 @@ class Batch:
             KeyError: no leaf has that label.
         """
         np = _numpy()
-        region = next((n for n, labels in enumerate(self.LEAVES) if label in labels), None)
+        region = next((n for n, labels in enumerate(self._leaves) if label in labels), None)
         if region is None:
             raise KeyError(f"{type(self).__name__} has no leaf {label}")
         found = self._reached(region)
-        if len(self.LEAVES[region]) > 1:
-            numbers = [n for n, other in enumerate(self.LEAVES[region]) if other == label]
+        if len(self._leaves[region]) > 1:
+            numbers = [n for n, other in enumerate(self._leaves[region]) if other == label]
             found = found & np.isin(getattr(self, f"r{region}"), numbers)
         return found
 
     def counts(self) -> dict[str, int]:
         """In how many instances each leaf is active."""
-        labels = dict.fromkeys(label for labels in self.LEAVES for label in labels)
+        labels = dict.fromkeys(label for labels in self._leaves for label in labels)
         return {label: int(self.active(label).sum()) for label in labels}
 
     def configuration(self, instance: int) -> tuple[str, ...]:
@@ -183,16 +184,16 @@ class Batch:
         stack = [0]
         while stack:
             region = stack.pop()
-            number = int(getattr(self, f"r{region}")[instance]) if len(self.LEAVES[region]) > 1 else 0
+            number = int(getattr(self, f"r{region}")[instance]) if len(self._leaves[region]) > 1 else 0
             active.append((region, number))
             stack += self.INNER.get((region, number), ())
-        return tuple(self.LEAVES[region][number] for region, number in sorted(active))
+        return tuple(self._leaves[region][number] for region, number in sorted(active))
 
     @property
     def finished(self) -> Any:
         """For each instance, whether the root's END is active."""
         np = _numpy()
-        if len(self.LEAVES[0]) == 1:
+        if len(self._leaves[0]) == 1:
             return np.full(self.size, self.END == 0)
         return getattr(self, "r0") == self.END  # noqa: B009  a slot of the subclass
 
@@ -202,7 +203,7 @@ class Batch:
         around = next((key for key, regions in self.INNER.items() if region in regions), None)
         while around is not None:
             outer, number = around
-            if len(self.LEAVES[outer]) > 1:
+            if len(self._leaves[outer]) > 1:
                 found &= getattr(self, f"r{outer}") == number
             around = next((key for key, regions in self.INNER.items() if outer in regions), None)
         return found

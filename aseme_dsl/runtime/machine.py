@@ -6,7 +6,6 @@ step, from a method that the step calls or from another thread, waits in one que
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
@@ -14,6 +13,10 @@ from aseme_dsl.runtime.plain import Plain
 
 Trace = Callable[[str, str, bool], object]
 """Told after each step which it was (`start`, `send`, `step`, `done`), of what, and if it took anything."""
+
+Call = Callable[[str], object]
+Waiting = list[tuple[Call, str]]
+"""The steps that are to be made, in order, each with what it is given."""
 
 C = TypeVar("C", bound=Plain)
 
@@ -27,7 +30,7 @@ class Machine(Generic[C]):
     What a step raises goes to the caller whose thread runs it; what is queued waits for the next caller.
     """
 
-    __slots__ = ("_done", "_run", "_start", "_step", "chart", "post", "send")
+    __slots__ = ("_queue", "_token", "_trace", "chart", "post", "send")
 
     send: Callable[[str], bool]
     """One step with an event; whether anything was taken. False, too, if it had to be queued."""
@@ -36,25 +39,12 @@ class Machine(Generic[C]):
 
     def __init__(self, chart: C, trace: Trace | None = None) -> None:
         self.chart = chart
-        core = chart.send if trace is None else _traced(chart, "send", trace)
-        queue: deque[tuple[Callable[[str], bool], str]] = deque()
-        token = [None]
+        self._trace = trace
+        core = chart.send if trace is None else _traced(chart.send, trace, "send")
+        queue = self._queue = Waiting()
+        token = self._token = [None]
         # One call of C takes the token, so no thread can come in between; closures, because their variables
         # are read faster than attributes, and `send` is short.
-
-        def drain() -> None:
-            """Make the steps that are queued, unless somebody else does."""
-            while queue:
-                try:
-                    token.pop()
-                except IndexError:
-                    return
-                try:
-                    while queue:
-                        call, argument = queue.popleft()
-                        call(argument)
-                finally:
-                    token.append(None)
 
         def send(event: str) -> bool:
             try:
@@ -62,81 +52,93 @@ class Machine(Generic[C]):
             except IndexError:
                 queue.append((core, event))
                 if token:  # given back in between
-                    drain()
+                    _drain(queue, token)
                 return False
             try:
                 taken = core(event)
             finally:
                 token.append(None)
             if queue:
-                drain()
-            return taken
-
-        def run(call: Callable[[str], bool], argument: str) -> bool:
-            try:
-                token.pop()
-            except IndexError:
-                queue.append((call, argument))
-                if token:
-                    drain()
-                return False
-            try:
-                taken = call(argument)
-            finally:
-                token.append(None)
-            if queue:
-                drain()
+                _drain(queue, token)
             return taken
 
         def post(event: str) -> None:
             if queue:
                 queue.append((core, event))
-                drain()
+                _drain(queue, token)
             else:
                 send(event)
 
         self.send = send
         self.post = post
-        self._run = run
-        self._start = _called(chart.start, trace, "start")
-        self._step = _called(chart.step, trace, "step")
-        self._done = chart.done if trace is None else _traced(chart, "done", trace)
 
     def start(self) -> bool:
         """Enter the root, and go on until nothing is enabled."""
-        return self._run(self._start, "")
+        chart = self.chart
+        return self._run("start", "", lambda _: chart.start())
 
     def step(self) -> bool:
         """One step without an event, for what the blackboard says; whether anything was taken."""
-        return self._run(self._step, "")
+        chart = self.chart
+        return self._run("step", "", lambda _: chart.step())
 
     def done(self, label: str) -> bool:
         """One step, before which the activity of a BASIC state has returned; whether anything was taken."""
-        return self._run(self._done, label)
+        return self._run("done", label, self.chart.done)
+
+    def _run(self, what: str, argument: str, call: Call) -> bool:
+        """Make a step as `send` does, but any."""
+        queue, token = self._queue, self._token
+        if self._trace is not None:
+            call = _traced(call, self._trace, what)
+        try:
+            token.pop()
+        except IndexError:
+            queue.append((call, argument))
+            if token:
+                _drain(queue, token)
+            return False
+        try:
+            taken = call(argument)
+        finally:
+            token.append(None)
+        if queue:
+            _drain(queue, token)
+        return bool(taken)
 
 
-def _called(method: Callable[[], bool | None], trace: Trace | None, what: str) -> Callable[[str], bool]:
-    """A method without argument, as the queue holds it."""
+def _drain(queue: Waiting, token: list[None]) -> None:
+    """Make the steps that are queued, unless somebody else does."""
+    while queue:
+        try:
+            token.pop()
+        except IndexError:
+            return
+        try:
+            while queue:
+                # All at once, since the first of many leaves a list slowly; a deque needs much memory.
+                steps = queue[:]
+                del queue[: len(steps)]
+                steps.reverse()
+                try:
+                    while steps:
+                        call, argument = steps.pop()
+                        call(argument)
+                finally:
+                    queue[:0] = reversed(steps)  # one has raised something
+        finally:
+            token.append(None)
 
-    def call(argument: str) -> bool:
-        taken = bool(method())
-        if trace is not None:
-            trace(what, argument, taken)
-        return taken
 
-    return call
+def _traced(call: Call, trace: Trace, what: str) -> Callable[[str], bool]:
+    """A step that is told of."""
 
-
-def _traced(chart: Plain, what: str, trace: Trace) -> Callable[[str], bool]:
-    """A method whose steps are told of."""
-    method: Callable[[str], bool] = getattr(chart, what)
-
-    def call(argument: str) -> bool:
-        taken = method(argument)
+    def traced(argument: str) -> bool:
+        taken = bool(call(argument))
         trace(what, argument, taken)
         return taken
 
-    return call
+    return traced
 
 
 __all__ = ["Machine", "Trace"]

@@ -146,6 +146,7 @@ srm R {
   var b : bool = false
   var c : bool = false
   var d : bool = false
+  var e : int = 0
   var tracked : int = 0
   liveness { R = (Wait . Go)~ }
   control R {
@@ -153,6 +154,10 @@ srm R {
     enter Go : when [b]
     enter Go : when [c]
     enter Go : when [d] / d = false; tracked = tracked + 1
+    enter Go : when [e == 1]
+    enter Go : when [e == 2]
+    enter Go : when [e == 3]
+    enter Go : when [e == 4]
     leave Go : when [!a && !b && !c]
   }
 }

@@ -126,6 +126,30 @@ srm R {
     assert machine.chart.finished
 
 
+def test_what_is_queued_behind_a_step_that_raises_is_taken_in_its_order() -> None:
+    order: list[str] = []
+
+    class Told:
+        """A chart whose first step is given more events; the second of them raises."""
+
+        def send(self, event: str) -> bool:
+            order.append(event)
+            if event == "first":
+                for other in ("a", "wrong", "b", "c"):
+                    machine.post(other)
+            if event == "wrong":
+                machine.post("last")
+                raise OSError(event)
+            return True
+
+    machine: Machine[Any] = Machine(Told())
+    with pytest.raises(OSError, match="wrong"):
+        machine.send("first")
+    assert order == ["first", "a", "wrong"]
+    machine.post("later")
+    assert order[3:] == ["b", "c", "last", "later"]
+
+
 def test_a_step_that_does_not_settle_is_an_error() -> None:
     text = "system S srm R { var b : bool = true liveness { R = A~ } control R { repeat A : when [b] } }"
     with pytest.raises(Unsettled, match=r"does not settle after 1000 rounds, at 0\.2"):
