@@ -12,8 +12,7 @@ from aseme_dsl.build import study as studies
 from aseme_dsl.build.findings import Row, best, rows, slowest, worth
 from aseme_dsl.build.study import TIME, Case, StudyError
 from aseme_dsl.build.study_report import Study
-from aseme_dsl.build.variation import Knob, Variant, variants, varied
-from aseme_dsl.diagnostics import closest
+from aseme_dsl.build.variation import Knob, Variant, instead, variants, varied
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
@@ -56,11 +55,9 @@ def optimise(
     cases = [Case(variant) for variant in variants(question.knobs)]
     for case in cases:  # all mistakes before the first run
         varied(system, case.variant)
-    known = _activities(system)
+    known = activities_of(system)
     if plan.measure != TIME and ":" not in plan.measure and plan.measure not in known:
-        near = closest(plan.measure, known)
-        hint = f"; did you mean {near}?" if near else f"; there are {', '.join(known)}"
-        raise StudyError(f"no agent of the team does {plan.measure}{hint}")
+        raise StudyError(f"no agent of the team does {plan.measure}; {instead(plan.measure, known)}")
     tried = [name for name in known if question.times != 1 and _takes(system, name)]
     total(len(question.seeds) * (len(cases) + len(tried)))
     with tempfile.TemporaryDirectory(prefix="asemec-") as folder:
@@ -108,7 +105,7 @@ def _chosen(question: Question, found: Sequence[Row]) -> Row | None:
     return best(found, less_is_better=question.less_is_better)
 
 
-def _activities(system: System) -> tuple[str, ...]:
+def activities_of(system: System) -> tuple[str, ...]:
     """What the agents of the team do, in the order of the charts."""
     roles = {agent.role for team in system.teams for agent in team.agents}
     charts = [chart for chart in system.iacs if chart.name in roles]

@@ -129,8 +129,7 @@ def _sized(system: System, name: str, value: str) -> System:
         teams.append(replace(team, agents=tuple(agents)))
     if not found:
         ranges = _ranges(system)
-        there = f"there are {', '.join(ranges)}" if ranges else "the team has none"
-        raise VariationError(f"{_unknown('range of the team', name, ranges)}; {there}")
+        raise VariationError(f"there is no range of the team called {name}; {instead(name, ranges)}")
     return replace(system, teams=tuple(teams))
 
 
@@ -153,7 +152,9 @@ def _set(system: System, name: str, value: str) -> System:
     meant = {agent.name for agent in agents if who in (agent.name, _base(agent), agent.role)}
     if not meant:
         known = list(dict.fromkeys(n for agent in agents for n in (agent.name, _base(agent), agent.role)))
-        raise VariationError(f"{_unknown('agent, range or role', who, known)} in the team")
+        raise VariationError(
+            f"there is no agent, range or role of the team called {who}; {instead(who, known)}"
+        )
     settings = {role: _setting(system, role, variable, value) for role in _roles(agents, meant)}
 
     def of(agent: Agent) -> Agent:
@@ -175,7 +176,8 @@ def _setting(system: System, role: str, name: str, written: str) -> Literal:
     variables = [item for item in chart.variables if item.scope is None] if chart is not None else []
     variable = next((item for item in variables if item.name == name), None)
     if variable is None:
-        raise VariationError(_unknown(f"variable of {role}", name, [item.name for item in variables]))
+        there = instead(name, [item.name for item in variables])
+        raise VariationError(f"there is no variable of {role} called {name}; {there}")
     try:
         value = _value(system, variable.type, written)
     except ValueError:
@@ -209,6 +211,11 @@ def _no(written: str) -> bool:
     raise ValueError(written)
 
 
-def _unknown(what: str, name: str, known: Sequence[str]) -> str:
+def instead(name: str, known: Sequence[str]) -> str:
+    """What may have been meant by a name that is not known, or what there is."""
     near = closest(name, known)
-    return f"there is no {what} called {name}" + (f"; did you mean {near}?" if near else "")
+    if near is not None:
+        return f"did you mean {near}?"
+    if len(known) == 1:
+        return f"there is only {known[0]}"
+    return f"there are {', '.join(known)}" if known else "there is none"

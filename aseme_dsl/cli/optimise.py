@@ -24,6 +24,7 @@ from aseme_dsl.cli.shared import (
 from aseme_dsl.diagnostics import has_errors
 
 if TYPE_CHECKING:
+    from aseme_dsl.amola.system import System
     from aseme_dsl.build.study_report import Study
     from aseme_dsl.build.variation import Knob
 
@@ -61,10 +62,9 @@ def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str
 )
 @click.option(
     "--measure",
-    required=True,
     metavar="WHAT",
     help="What counts: an activity (how often it is done a minute), `time` (until all have finished), or"
-    " MODULE:FUNCTION, which is given the world at the end and gives a number.",
+    " MODULE:FUNCTION, which is given the world at the end and gives a number. It has to be said.",
 )
 @click.option("--less", is_flag=True, help="Less is better, as always with `time`.")
 @click.option(
@@ -103,7 +103,7 @@ def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str
 def command(
     target: str,
     knobs: tuple[Knob, ...],
-    measure: str,
+    measure: str | None,
     less: bool,
     runs: int,
     seed: int,
@@ -128,12 +128,14 @@ def command(
     from aseme_dsl.cli.playing import is_function
     from aseme_dsl.diagnostics import Severity
 
-    if ":" in measure and not is_function(measure):
+    if measure is not None and ":" in measure and not is_function(measure):
         raise click.BadParameter(f"{measure!r} is not MODULE:FUNCTION.", param_hint="'--measure'")
     compiled = one_system(target)
     found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
     if compiled.system is None:
         return refuse(found, as_json, colour)
+    if measure is None:
+        raise click.UsageError(_measures(compiled.system))
     if not as_json:
         print_diagnostics(found, colour)
     configuration = compiled.configuration
@@ -155,10 +157,24 @@ def command(
     except (StudyError, VariationError) as problem:
         if as_json:
             print_json({"result": None, "problem": str(problem), **diagnostics_json(())})
-        raise click.ClickException(f"{problem}.") from problem
+        raise click.ClickException(f"{problem}{'' if str(problem).endswith('?') else '.'}") from problem
     finally:
         progress.end()
     return _leave(study, output or home / "optimise", as_json, colour)
+
+
+def _measures(system: System) -> str:
+    """What may be measured, for whoever has not said it."""
+    from aseme_dsl.build.optimise import activities_of
+
+    names = ", ".join(activities_of(system))
+    lines = [
+        "Missing option '--measure'. What counts may be",
+        *([f"an activity, for how often it is done a minute: {names};"] if names else []),
+        "time, for how long it takes until all agents have finished;",
+        "MODULE:FUNCTION, which is given the world at the end and gives a number.",
+    ]
+    return "\n  ".join(lines)
 
 
 class _Progress:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -187,14 +188,17 @@ def test_a_function_of_the_project_measures_its_world(tmp_path: Path) -> None:
         ),
         (
             ["--vary", "maker=1..3", "--measure", "Carry"],
-            "no range of the team called maker; there are carrier",
+            "no range of the team called maker; there is only carrier.\n",
         ),
-        (["--vary", "maker.speed=1", "--measure", "Carry"], "no variable of machine called speed"),
+        (
+            ["--vary", "maker.speed=1", "--measure", "Carry"],
+            "no variable of machine called speed; there is none.\n",
+        ),
         (
             ["--vary", "make.speed=1", "--measure", "Carry"],
-            "no agent, range or role called make; did you mean maker?",
+            "no agent, range or role of the team called make; did you mean maker?",
         ),
-        (["--measure", "Cary"], "no agent of the team does Cary; did you mean Carry?"),
+        (["--measure", "Cary"], "no agent of the team does Cary; did you mean Carry?\n"),
     ],
 )
 def test_what_is_not_there_is_said_before_anything_is_played(
@@ -222,6 +226,13 @@ def test_a_knob_that_is_written_wrongly_is_wrong_use(feed: Path, vary: str, text
     done = asemec("optimise", feed, "--vary", vary, "--measure", "Carry")
     assert done.code == 2
     assert text in done.err
+
+
+def test_without_a_measure_it_says_what_may_be_measured(feed: Path) -> None:
+    done = asemec("optimise", feed)
+    assert done.code == 2 and "Missing option '--measure'" in done.err
+    assert re.search(r"how often it is done a minute: .*Carry", done.err) and "MODULE:FUNCTION" in done.err
+    assert "\n  time, for how long" in done.err
 
 
 def test_a_value_of_another_type_is_refused(trips: Path) -> None:
