@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from importlib import import_module
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import Protocol, TypeVar
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.records import dataclass
 
 GROUP = "aseme_dsl.backends"
 """The entry point group under which another package offers its backend."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,7 @@ from aseme_dsl.build.deployment import Deployment, TlsFiles
 from aseme_dsl.build.duration import duration
 from aseme_dsl.build.platforms import PLATFORMS, MangoConfiguration, SpadeConfiguration
 from aseme_dsl.diagnostics import CODES, NO_POLICY, Diagnostic, Policy, Setting, Severity, closest
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 FILE = "pyproject.toml"

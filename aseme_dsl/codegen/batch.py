@@ -17,10 +17,11 @@ import ast
 import operator
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 from aseme_dsl.codegen.plain import PlainCode
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.batch import TABLES
 from aseme_dsl.runtime.plain import ROUNDS
 

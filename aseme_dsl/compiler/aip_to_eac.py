@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler import formulas as formula_tables
@@ -25,6 +25,7 @@ from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.scopes import TypedParticipant
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
+from aseme_dsl.records import dataclass
 
 PROCESS = "process"
 """The name of a participant's own formula."""

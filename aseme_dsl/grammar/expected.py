@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import lru_cache
 from typing import Any
 
@@ -17,6 +17,7 @@ from arpeggio import Match, NoMatch, OneOrMore, Optional, OrderedChoice, RegExMa
 
 from aseme_dsl.grammar.recovery import BLOCKS
 from aseme_dsl.grammar.terminals import Progress, all_rules, make_metamodel, skip_blanks
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -26,6 +26,7 @@ from arpeggio import EndOfFile, Match, NoMatch, OneOrMore, Optional, RegExMatch,
 from aseme_dsl.grammar.lexer import Lexed, clean
 from aseme_dsl.grammar.recovery import BLOCKS, end_of_header, end_of_junk, is_outside, is_stray_brace
 from aseme_dsl.grammar.token import token
+from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

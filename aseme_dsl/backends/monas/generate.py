@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions
 from aseme_dsl.backends.shared.generate import (
@@ -15,6 +13,7 @@ from aseme_dsl.backends.shared.generate import (
     source_of,
     system_file,
 )
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.naming import usable
 
 
