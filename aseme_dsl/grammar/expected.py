@@ -16,7 +16,7 @@ from typing import Any
 from arpeggio import Match, NoMatch, OneOrMore, Optional, OrderedChoice, RegExMatch, Sequence, ZeroOrMore
 
 from aseme_dsl.grammar.recovery import BLOCKS
-from aseme_dsl.grammar.terminals import Progress, all_rules, make_metamodel, skip_blanks
+from aseme_dsl.grammar.terminals import AsemeParser, Progress, all_rules, make_parser_model, skip_blanks
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
@@ -55,12 +55,10 @@ class Expected:
 
 def expected_after(text: str) -> tuple[Expected, ...]:
     """What may follow `text`, in the order in which the parser tries it; nothing after a mistake."""
-    from textx import TextXSyntaxError
-
-    parser = _watching()._parser_blueprint.clone()
+    parser: Any = AsemeParser(_watching())
     parser.source = Source("<text>", text)
     parser.make_progress = _Watch
-    with suppress(NoMatch, TextXSyntaxError):  # what is at the end has been noted
+    with suppress(NoMatch):  # what is at the end has been noted
         parser.parse(text)
     return tuple(parser.progress.noted.values())
 
@@ -103,9 +101,9 @@ def _attribute(rule: Any) -> str:
 
 @lru_cache(maxsize=1)
 def _watching() -> Any:
-    """A metamodel whose rules tell which of them have been begun, and that mends nothing at the end."""
-    made = make_metamodel()
-    for rule, _ in list(all_rules(made._parser_blueprint.parser_model)):
+    """Parsing expressions that tell which of them have been begun, and that mends nothing at the end."""
+    made = make_parser_model()
+    for rule, _ in list(all_rules(made)):
         name = str(rule.rule_name)
         if isinstance(rule, Match):
             if name in BLOCKS or name in ("JunkHeader", "JunkEnd"):
@@ -178,7 +176,7 @@ def rest_of(expected: Expected) -> tuple[str | Blank, ...]:
 def _parents() -> dict[int, Any]:
     """The sequence in which a terminal or an assignment stands."""
     found: dict[int, Any] = {}
-    for rule, _ in all_rules(_watching()._parser_blueprint.parser_model):
+    for rule, _ in all_rules(_watching()):
         if type(rule) is Sequence and not _attribute(rule):
             found |= {id(node): rule for node in rule.nodes}
     return found
@@ -209,7 +207,7 @@ def _blanks(nodes: list[Any], attribute: str) -> Iterator[str | Blank]:
 def all_places() -> frozenset[tuple[str, str, str]]:
     """Every rule of the grammar, with each of its attributes and the terminal that is read into it."""
     found: set[tuple[str, str, str]] = set()
-    for rule, owner in all_rules(_watching()._parser_blueprint.parser_model):
+    for rule, owner in all_rules(_watching()):
         attribute = _attribute(rule)
         if attribute:
             for node in rule.nodes:

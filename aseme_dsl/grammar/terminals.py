@@ -1,7 +1,7 @@
 """The textX grammar as a parser that knows all places and goes on after an error.
 
 textX stops at the first error, gives no place to a name in a list, and says what it expected in regular
-expressions. Three changes to the parser that it builds from the grammar mend this:
+expressions. Three changes to the parser of the grammar mend this:
 
 - every terminal's value is a `Token`, a `str` that knows where it stands;
 - the failure that lies farthest in the text is remembered with all terminals that were tried there: when a
@@ -18,13 +18,14 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import field
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
 from arpeggio import EndOfFile, Match, NoMatch, OneOrMore, Optional, RegExMatch, Repetition, Terminal
 
 from aseme_dsl.grammar.lexer import Lexed, clean
+from aseme_dsl.grammar.parser import RulesParser, objects, parsing_expressions
 from aseme_dsl.grammar.recovery import BLOCKS, end_of_header, end_of_junk, is_outside, is_stray_brace
+from aseme_dsl.grammar.rules import rules, textx_metamodel
 from aseme_dsl.grammar.token import token
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
@@ -44,7 +45,7 @@ class Mistake:
 
 @dataclass
 class Progress:
-    """What the parser of one text knows beyond textX."""
+    """What the parser of one text knows beyond textX's."""
 
     lexed: Lexed
     farthest: int = -1
@@ -83,7 +84,7 @@ class Progress:
 
 
 class _Parser:
-    """What is laid over the parser class that textX makes."""
+    """What is laid over a parser class of the grammar."""
 
     source: Source | None = None
     make_progress: type[Progress] = Progress
@@ -98,22 +99,35 @@ class _Parser:
         raise NoMatch([rule], position, parser)
 
 
+class AsemeParser(_Parser, RulesParser):
+    """The compiler's parser, of one text."""
+
+
+@lru_cache(maxsize=1)
+def parser_model() -> Any:
+    """The parsing expressions of the language, made once."""
+    return make_parser_model()
+
+
+def make_parser_model() -> Any:
+    """Another set of the parsing expressions of the language, which may be changed further."""
+    return _laid_over(parsing_expressions(rules()))
+
+
 @lru_cache(maxsize=1)
 def metamodel() -> Any:
-    """The textX metamodel of the language, made once."""
-    return make_metamodel()
-
-
-def make_metamodel() -> Any:
-    """Another textX metamodel of the language, with rules of its own that may be changed further."""
-    from textx import metamodel_from_file
-
-    made = metamodel_from_file(str(Path(__file__).with_name("aseme.tx")), autokwd=True)
+    """The metamodel of the language for those who use textX, made once; its parser reads the same."""
+    made = textx_metamodel()
     parser = made._parser_blueprint
     parser.comments_model = None  # `clean` has blanked them
     parser.__class__ = type("AsemeParser", (_Parser, type(parser)), {})
+    _laid_over(parser.parser_model)
+    return made
+
+
+def _laid_over(top: Any) -> Any:
     braces = {"Open": _open, "Close": _close}
-    for rule, owner in list(all_rules(parser.parser_model)):
+    for rule, owner in list(all_rules(top)):
         if isinstance(rule, Repetition) and isinstance(rule.nodes[0], RegExMatch) and rule.sep is None:
             if not isinstance(rule, Optional):
                 rule._parse = _tokens(rule.nodes[0], isinstance(rule, OneOrMore))
@@ -127,7 +141,7 @@ def make_metamodel() -> Any:
             rule.parse = _missing_close(rule)
         else:
             rule.parse = _terminal(rule, braces.get(owner))
-    return made
+    return top
 
 
 def all_rules(top: Any) -> Iterator[tuple[Any, str]]:
@@ -280,20 +294,14 @@ def _missing_close(rule: Any) -> Callable[[Any], Any]:
 
 
 def read(source: Source) -> tuple[Any, Progress]:
-    """The textX objects of a text, and what the parser has noted."""
+    """The objects of a text, and what the parser has noted."""
     model, progress, _ = read_with_leaves(source)
     return model, progress
 
 
 def read_with_leaves(source: Source) -> tuple[Any, Progress, Any]:
     """The same, and the parse tree, the leaves of which are all tokens of the text."""
-    from textx.model_params import ModelParams
-
-    parser = metamodel()._parser_blueprint.clone()
+    parser = AsemeParser(parser_model())
     parser.source = source
-    model = parser.get_model_from_str(
-        source.text,
-        pre_ref_resolution_callback=lambda made: setattr(made, "_tx_model_params", ModelParams({})),
-    )
-    tree, parser.parse_tree = parser.parse_tree, None  # two thirds of the memory
-    return model, parser.progress, tree
+    tree = parser.parse(source.text)
+    return objects(tree[0]), parser.progress, tree

@@ -18,7 +18,7 @@ from aseme_dsl.compiler.builtins import ACTIONS, FORMS, FUNCTIONS
 from aseme_dsl.grammar import parse, tree
 from aseme_dsl.grammar.expected import words_of
 from aseme_dsl.grammar.syntax.contexts import EXPRESSION_WORDS
-from aseme_dsl.grammar.terminals import all_rules, metamodel
+from aseme_dsl.grammar.terminals import all_rules, parser_model
 from aseme_dsl.source import Source
 from tests.docs.pages import ROOT, completed, examples
 
@@ -51,7 +51,7 @@ def _rows(text: str) -> Iterator[str]:
 
 def _words_of_the_grammar() -> set[str]:
     """Keywords, and the words of rules that are nothing but a choice between words."""
-    rules = [rule for rule, _ in all_rules(metamodel()._parser_blueprint.parser_model)]
+    rules = [rule for rule, _ in all_rules(parser_model())]
     words = {word for rule in rules if hasattr(rule, "to_match") for word in words_of(rule)}
     words = {word.removesuffix(r"\b") for word in words}
     return {word for word in words if word.isidentifier()}

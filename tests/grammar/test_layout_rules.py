@@ -11,7 +11,7 @@ from textx.lang import ALL_TYPE_NAMES
 from aseme_dsl.grammar.layout import format_source
 from aseme_dsl.grammar.layout.rules import DROPPED, EXPRESSIONS, FORMULAS, SHAPES, Line
 from aseme_dsl.grammar.parse import parse_with_leaves
-from aseme_dsl.grammar.terminals import all_rules, metamodel
+from aseme_dsl.grammar.terminals import all_rules, metamodel, parser_model
 from aseme_dsl.source import Source
 
 EVERYTHING = Path(__file__).parent / "layout" / "everything.aseme"
@@ -46,7 +46,7 @@ def test_every_list_of_tokens_has_a_layout() -> None:
     assert of_kind("match") >= FORMULAS | EXPRESSIONS | DROPPED
     lists = {
         rule.nodes[0].rule_name
-        for rule, _ in all_rules(metamodel()._parser_blueprint.parser_model)
+        for rule, _ in all_rules(parser_model())
         if isinstance(rule, (OneOrMore, ZeroOrMore))
         and not isinstance(rule, Optional)
         and rule.sep is None
@@ -67,7 +67,7 @@ def test_layouts_name_what_there_is() -> None:
 
 def keywords(name: str) -> set[str]:
     """The keywords and signs that stand in a rule."""
-    top = metamodel()._parser_blueprint.parser_model
+    top = parser_model()
     return {
         rule.to_match.removeprefix(r"\b").removesuffix(r"\b")
         for rule, owner in all_rules(top)
@@ -83,7 +83,7 @@ def test_the_example_has_every_alternative_of_the_grammar() -> None:
     met = {id(node.rule) for node in nodes(tree)}
     missing = [
         f"{rule.to_match!r} in {owner}"
-        for rule, owner in all_rules(metamodel()._parser_blueprint.parser_model)
+        for rule, owner in all_rules(parser_model())
         if isinstance(rule, Match)
         and not isinstance(rule, EndOfFile)
         and not rule.rule_name.startswith("Junk")

@@ -1,4 +1,4 @@
-"""Colours for editors and documents, made from the grammar: TextMate, Pygments, Vim and Emacs.
+"""What is made from the grammar: its rules as data, and colours: TextMate, Pygments, Vim and Emacs.
 
 `files` gives the text of every file; `python -m aseme_dsl.grammar.syntax` writes them.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+from aseme_dsl.grammar.rules import prepared_text
 from aseme_dsl.grammar.syntax.contexts import outline
 from aseme_dsl.grammar.syntax.emacs import emacs_mode
 from aseme_dsl.grammar.syntax.pygments import pygments_lexer
@@ -19,6 +20,7 @@ def files() -> dict[str, str]:
     """The text of every file that follows from the grammar, by its path from the root of the project."""
     made = outline()
     return {
+        "aseme_dsl/grammar/prepared.py": prepared_text(),
         "editors/vscode/syntaxes/aseme.tmLanguage.json": textmate_grammar(made),
         "aseme_dsl/pygments_lexer.py": pygments_lexer(made),
         "editors/emacs/aseme-mode.el": emacs_mode(made),

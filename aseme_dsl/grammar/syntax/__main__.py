@@ -1,4 +1,4 @@
-"""Writes every file of colours into a checkout of the project."""
+"""Writes every file that follows from the grammar into a checkout of the project."""
 
 from __future__ import annotations
 
