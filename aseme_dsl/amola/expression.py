@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from decimal import Decimal
 
 from aseme_dsl.amola.messages import AGENT, BOOL, DOUBLE, DURATION, INT, Channel, Function, Kind, Type
 from aseme_dsl.records import dataclass
@@ -705,6 +704,8 @@ def _number(number: int | float) -> str:
     text = repr(number)
     if "e" not in text:
         return text
+    from decimal import Decimal
+
     text = format(Decimal(text), "f")
     return text if "." in text else f"{text}.0"
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.build.deployment import Deployment, TlsFiles
 from aseme_dsl.build.duration import duration
@@ -15,6 +14,9 @@ from aseme_dsl.build.platforms import PLATFORMS, MangoConfiguration, SpadeConfig
 from aseme_dsl.diagnostics import CODES, NO_POLICY, Diagnostic, Policy, Setting, Severity, closest
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
+
+if TYPE_CHECKING:
+    import tomllib
 
 FILE = "pyproject.toml"
 TABLE = "tool.asemec"
@@ -114,6 +116,8 @@ def read_configuration(path: Path) -> tuple[Configuration, tuple[Diagnostic, ...
 
 def configuration_of(source: Source) -> tuple[Configuration, tuple[Diagnostic, ...]]:
     """The configuration in the text of a pyproject.toml, which need not be on disk."""
+    import tomllib
+
     path = Path(source.path)
     nothing = Configuration(path.parent, path)
     try:

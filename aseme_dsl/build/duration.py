@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from decimal import Decimal
 
 from aseme_dsl.grammar.lexer import UNITS
 
@@ -19,6 +18,8 @@ def duration(text: str) -> int:
     written = _WRITTEN.fullmatch(text.strip())
     if written is None:
         raise ValueError(f"{text!r} is no duration; durations are written 200ms, 1.5s or 2min")
+    from decimal import Decimal  # exact
+
     nanoseconds = int(Decimal(written[1]) * UNITS[written[2]])
     if nanoseconds > 100 * 366 * 24 * 3600 * 10**9:
         raise ValueError(f"{text} is longer than a century")

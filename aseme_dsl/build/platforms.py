@@ -7,10 +7,7 @@ others take part, too.
 from __future__ import annotations
 
 import contextlib
-import json
 import os
-import secrets
-import subprocess
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -22,6 +19,8 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
+    import subprocess
+
     from aseme_dsl.build.configuration import Configuration
     from aseme_dsl.runtime.loading import Loaded
     from aseme_dsl.runtime.transport.link import Link
@@ -152,6 +151,8 @@ def _mango_hosts(configuration: Configuration) -> dict[str, tuple[str, int]]:
 
 
 def _given() -> dict[str, Any]:
+    import json
+
     found: dict[str, Any] = json.loads(os.environ.get(GIVEN, "{}"))
     return found
 
@@ -165,6 +166,9 @@ def provided(platform: str, loaded: Loaded, configuration: Configuration, say: S
     Raises:
         PlatformError: it cannot be started.
     """
+    import json
+    import secrets
+
     given: dict[str, Any] = {}
     server: EmbeddedServer | None = None
     if platform == SPADE and (configuration.spade is None or configuration.spade.host is None):
@@ -211,6 +215,8 @@ class EmbeddedServer:
         self._thread.start()
 
     def _start(self, port: int) -> subprocess.Popen[str]:
+        import subprocess
+
         command = [sys.executable, "-m", "aseme_dsl.runtime.transport.embedded_server", str(port)]
         return subprocess.Popen(
             command,
@@ -252,6 +258,8 @@ class EmbeddedServer:
                 return
 
     def _end(self) -> None:
+        import subprocess
+
         process = self._process
         for stream in (process.stdin, process.stdout):
             if stream is not None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import sys
 from collections.abc import Callable, Iterable
@@ -113,6 +112,8 @@ def _page(code: str) -> str | None:
 
 def print_json(result: dict[str, Any]) -> None:
     """A result for programs: one JSON document, which begins with the version of its format."""
+    import json
+
     click.echo(json.dumps({"format": FORMAT, **result}, indent=2, ensure_ascii=False))
 
 

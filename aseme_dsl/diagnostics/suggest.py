@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from difflib import SequenceMatcher, get_close_matches
 from itertools import islice
 
 _CLOSE = 0.65
@@ -17,6 +16,10 @@ _MANY = 200
 def closest(name: str, candidates: Iterable[str]) -> str | None:
     """The candidate most like `name` (case and underscores count little), or None if none is close."""
     pool = sorted(set(candidates))
+    if not pool:
+        return None
+    from difflib import get_close_matches
+
     folded: dict[str, str] = {}
     for candidate in pool:
         folded.setdefault(_folded(candidate), candidate)
@@ -34,6 +37,8 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
 
 def surely(name: str, candidates: Iterable[str]) -> str | None:
     """The closest candidate if no other one is about as close: what may be put in place of `name`."""
+    from difflib import SequenceMatcher, get_close_matches
+
     pool = set(candidates)
     near = closest(name, pool)
     if near is None:

@@ -47,7 +47,10 @@ class RulesParser(Parser):  # type: ignore[misc]
 
 
 def parsing_expressions(rules: Mapping[str, Rule]) -> Any:
-    """Arpeggio's parsing expression of the first of the rules, up to the end of the text."""
+    """Arpeggio's parsing expression of the first of the rules, up to the end of the text.
+
+    The terminals' regular expressions are not compiled: a small file needs few of them.
+    """
     made: dict[str, Any] = {}
     top = _of_rule(next(iter(rules)), rules, made)
     return Sequence(nodes=[top, EOF()], rule_name="Model", root=True)
@@ -71,9 +74,7 @@ def _node(expression: Expression, rules: Mapping[str, Rule], made: dict[str, Any
     if kind == "sign":
         return StrMatch(parts[0])
     if kind in ("word", "pattern"):
-        node = RegExMatch(rf"{parts[0]}\b", str_repr=parts[0]) if kind == "word" else RegExMatch(parts[0])
-        node.compile()
-        return node
+        return RegExMatch(rf"{parts[0]}\b", str_repr=parts[0]) if kind == "word" else RegExMatch(parts[0])
     if kind in _ASSIGNED:
         made_as, rule_name = _ASSIGNED[kind]
         attribute, *parts = parts

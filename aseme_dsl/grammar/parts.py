@@ -8,7 +8,6 @@ part then stays what it is, wherever the part moves, until `Lines` puts the line
 from __future__ import annotations
 
 import re
-import secrets
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import count, pairwise
@@ -88,6 +87,8 @@ class Numbers:
     """Gives each part its own numbers for its lines: so long ones, and so begun, that no text has them."""
 
     def __init__(self) -> None:
+        import secrets
+
         self.beginning = 10**5 + secrets.randbelow(9 * 10**5)
         self._next = count()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from functools import lru_cache
+from functools import cache, lru_cache
 
 from aseme_dsl.diagnostics import closest
 from aseme_dsl.grammar.lexer import Tokens
@@ -21,7 +21,7 @@ _OPEN_DECLARATION = (
 )
 _FORMULA = rf"{_NAME}\s*(?:\([\w\s,:]*\)\s*)?=(?!=)"
 _LABELS = r"[0-9]+(?:\.[0-9]+)*\s*[-=]"
-_BEGINS_BY_NAME = re.compile(rf"{_FORMULA}|{_LABELS}")
+_BEGINS_BY_NAME = rf"{_FORMULA}|{_LABELS}"
 
 CLOSED_DECLARATION = re.compile(_CLOSED_DECLARATION)
 """What begins a declaration even where a brace before it is not closed."""
@@ -38,7 +38,7 @@ class Block:
     """
 
     words: tuple[str, ...]
-    entry: re.Pattern[str] | None
+    entry: str | None
     clauses: tuple[str, ...] = ()
     around: tuple[str, ...] = ()
     separators: tuple[str, ...] = ()
@@ -50,9 +50,7 @@ def _words(words: str) -> str:
 
 def _block(words: str, entry: str = "", clauses: str = "", around: str = "") -> Block:
     patterns = [pattern for pattern in (_words(words) if words else "", entry) if pattern]
-    return Block(
-        tuple(words.split()), re.compile("|".join(patterns)), tuple(clauses.split()), tuple(around.split())
-    )
+    return Block(tuple(words.split()), "|".join(patterns), tuple(clauses.split()), tuple(around.split()))
 
 
 def _names(clauses: str = "", around: str = "", separators: str = "") -> Block:
@@ -65,7 +63,7 @@ BLOCKS: dict[str, Block] = {
             "language system import enum message topic function let sag suc aip srm statechart team scenario"
             " property".split()
         ),
-        re.compile(rf"{_CLOSED_DECLARATION}|{_OPEN_DECLARATION}"),
+        rf"{_CLOSED_DECLARATION}|{_OPEN_DECLARATION}",
     ),
     "JunkConstant": _names(separators=",;"),
     "JunkField": _names("optional repeated", separators=",;"),
@@ -92,15 +90,21 @@ _ENTRY_WORDS = frozenset(("abstract", *(word for block in BLOCKS.values() for wo
 
 # What begins an entry of a block around and cannot be an entry of the block itself.
 _OUTER = {
-    "JunkActor": re.compile(rf"actor\s+{_NAME}\s*\{{"),
-    "JunkAip": re.compile(
+    "JunkActor": rf"actor\s+{_NAME}\s*\{{",
+    "JunkAip": (
         rf'participant\s+{_NAME}\s*[\[{{]|outcome\s*"|clause\s+(?:at\s+most|every|\(|{_NAME}\s*@)|control\s+{_NAME}(?:\s+reactive)?\s*\{{'
     ),
-    "JunkSrm": re.compile(
+    "JunkSrm": (
         rf"includes\s+{_NAME}|plays\s+{_NAME}\s*\.|liveness\s*\{{|activities\s*\{{|modules\s*\{{|functionality\s+{_NAME}\s*\{{|control\s+{_NAME}(?:\s+reactive)?\s*\{{"
         rf'|capability\s+{_NAME}\s*["=]|var\s+{_NAME}\s*:'
     ),
 }
+
+
+@cache
+def _pattern(text: str) -> re.Pattern[str]:
+    """Compiled where something is wrong; a file without mistakes needs none of them."""
+    return re.compile(text)
 
 
 def declaration_begins(text: str, line: int) -> int | None:
@@ -128,7 +132,7 @@ def is_outside(tokens: Tokens, index: int, block: Block) -> bool:
     if block is BLOCKS["JunkDeclaration"]:
         return False
     start = tokens.starts[index]
-    if any(_OUTER[name].match(tokens.text, start) for name in block.around):
+    if any(_pattern(_OUTER[name]).match(tokens.text, start) for name in block.around):
         return True
     return begins_declaration(tokens, index)
 
@@ -150,7 +154,7 @@ def is_stray_brace(tokens: Tokens, index: int) -> bool:
     word = tokens.word(following)
     if word == "}" or word in _ENTRY_WORDS:
         return False
-    return not _BEGINS_BY_NAME.match(tokens.text, tokens.starts[following])
+    return not _pattern(_BEGINS_BY_NAME).match(tokens.text, tokens.starts[following])
 
 
 def _begins_entry(tokens: Tokens, index: int, block: Block) -> bool:
@@ -158,7 +162,7 @@ def _begins_entry(tokens: Tokens, index: int, block: Block) -> bool:
         return begins_declaration(tokens, index)
     if block.entry is None:
         return tokens.begins_line(index) or tokens.word(index - 1) in block.separators
-    return block.entry.match(tokens.text, tokens.starts[index]) is not None
+    return _pattern(block.entry).match(tokens.text, tokens.starts[index]) is not None
 
 
 def end_of_junk(tokens: Tokens, first: int, wrong: int, block: Block) -> tuple[int, bool]:

@@ -173,14 +173,21 @@ def skip_blanks(parser: Any) -> int:
     return progress.blank_to  # type: ignore[no-any-return]
 
 
+def _matcher(rule: Any) -> Callable[[str, int], re.Match[str] | None]:
+    if not isinstance(rule, RegExMatch):
+        return re.compile(re.escape(rule.to_match)).match
+    rule.compile()
+    return rule.regex.match  # type: ignore[no-any-return]
+
+
 def _terminal(rule: Any, brace: Callable[[Progress, int], bool] | None) -> Callable[[Any], Any]:
     """The terminal's `parse`: what Arpeggio does, with the place in the value and the failure remembered."""
-    if isinstance(rule, RegExMatch):
-        match = rule.regex.match
-    else:
-        match = re.compile(re.escape(rule.to_match)).match
+    match: Callable[[str, int], re.Match[str] | None] | None = None  # compiled when it is needed
 
     def parse(parser: Any) -> Any:
+        nonlocal match
+        if match is None:
+            match = _matcher(rule)
         position = skip_blanks(parser)
         found = match(parser.input, position)
         if found is None:
@@ -196,10 +203,13 @@ def _terminal(rule: Any, brace: Callable[[Progress, int], bool] | None) -> Calla
 
 def _tokens(rule: Any, at_least_one: bool) -> Callable[[Any], Any]:
     """`_parse` of a flat list of tokens, which most of a file consists of: the same in one loop."""
-    match = rule.regex.match
+    match: Callable[[str, int], re.Match[str] | None] | None = None  # compiled when it is needed
     blanks = _BLANKS.match
 
     def parse(parser: Any) -> Any:
+        nonlocal match
+        if match is None:
+            match = _matcher(rule)
         text = parser.input
         results: list[Any] = []
         position = skip_blanks(parser)

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import re
-import subprocess
 import sys
-import tempfile
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field, replace
@@ -110,6 +108,8 @@ def read_proto(
     Imports inside are looked for from the file's folder, or from the nearest folder above it from which all
     of them are found. Needs the extra `proto` (grpcio-tools): without it, that is the diagnostic (E007).
     """
+    import tempfile
+
     if find_spec("grpc_tools") is None:
         return None, (
             Diagnostic(
@@ -183,6 +183,8 @@ def _protoc(
     folder: Path, root: Path, name: str, texts: Mapping[str, str]
 ) -> tuple[bytes | None, tuple[str, ...]]:
     """The serialized FileDescriptorSet, or what protoc says is wrong."""
+    import subprocess
+
     for other, text in texts.items():
         place = folder / "in" / other
         place.parent.mkdir(parents=True, exist_ok=True)
