@@ -150,6 +150,8 @@ SOMETIMES = {
     "tempfile",
     "tomllib",
     "aseme_dsl.build.build",
+    "aseme_dsl.grammar.explain",
+    "aseme_dsl.interop.proto",
     "aseme_dsl.runtime.inputs",
 }
 """What is needed only if there is something to be said, mended or configured: together 30 ms."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from aseme_dsl.amola.messages import EnumType, Field, Kind, Message, ProtoFile
 from aseme_dsl.amola.python_names import taken_as_constant, taken_as_member, taken_as_type
@@ -12,8 +13,10 @@ from aseme_dsl.compiler.collector import Collector, type_named
 from aseme_dsl.compiler.names import declared_twice
 from aseme_dsl.diagnostics import Related
 from aseme_dsl.grammar import tree
-from aseme_dsl.interop.proto import ProtoImport, join
 from aseme_dsl.source import Span
+
+if TYPE_CHECKING:
+    from aseme_dsl.interop.proto import ProtoImport
 
 LARGEST_NUMBER = 2**29 - 1
 RESERVED_NUMBERS = range(19_000, 20_000)
@@ -24,6 +27,10 @@ def imported_types(
     collector: Collector, protos: Sequence[ProtoImport]
 ) -> tuple[tuple[EnumType, ...], tuple[Message, ...], tuple[ProtoFile, ...]]:
     """The types of .proto files, each declared as if it stood before the document's own."""
+    if not protos:
+        return (), (), ()
+    from aseme_dsl.interop.proto import join
+
     known: dict[str, tuple[ProtoFile, ProtoImport]] = {}
     for one in protos:
         for file in one.files:

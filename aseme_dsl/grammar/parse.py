@@ -42,12 +42,17 @@ def parse_with_leaves(source: Source) -> tuple[Any, tuple[Comment, ...], tuple[D
 def understood(model: Any, progress: Progress) -> tuple[File, tuple[Diagnostic, ...]]:
     """The tree of what textX has made of a text, and all mistakes of the text."""
     from aseme_dsl.grammar.build import build
-    from aseme_dsl.grammar.explain import explain
 
     lexed = progress.lexed
     file, inside = build(lexed.source, model, lexed.comments)
-    mistakes = [explain(lexed, mistake) for mistake in progress.mistakes[: MOST_MISTAKES + 1]]
+    mistakes = _explained(progress) if progress.mistakes else []
     return file, _selected(list(lexed.diagnostics), mistakes, inside)
+
+
+def _explained(progress: Progress) -> list[Diagnostic]:
+    from aseme_dsl.grammar.explain import explain
+
+    return [explain(progress.lexed, mistake) for mistake in progress.mistakes[: MOST_MISTAKES + 1]]
 
 
 MOST_MISTAKES = 100
