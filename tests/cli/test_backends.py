@@ -118,11 +118,11 @@ def test_an_own_behaviour_is_heard_in_a_run(here: Here, folder: Path) -> None:
     ],
 )
 def test_a_class_of_the_user_that_does_not_fit_is_said_before_the_run(
-    folder: Path, wrong: str, said: str
+    here: Here, folder: Path, wrong: str, said: str
 ) -> None:
-    asemec("build", "good.aseme", "--backend", "jade_like", cwd=folder)
+    here("build", "good.aseme", "--backend", "jade_like", "--only", "jade_like")
     (folder / "out/monas/activities/walker_robot_agent.py").write_text(wrong + "\n")
-    done = asemec("run", "out", cwd=folder)
+    done = here("run", "out")
     assert done.code == 1
     assert said in done.err
     assert "Traceback" not in done.err
@@ -150,35 +150,28 @@ def test_systems_that_share_a_folder_of_activities_have_agents_of_their_own(here
 
 @pytest.mark.parametrize("name", ["monas", "jade_like"])
 @pytest.mark.parametrize("backend", ["monas", "jade_like"])
-def test_activities_import_messages_under_either_name(folder: Path, name: str, backend: str) -> None:
+def test_activities_import_messages_under_either_name(
+    here: Here, folder: Path, name: str, backend: str
+) -> None:
     """Also in processes of their own."""
-    (folder / "pair.aseme").write_text(TWO)
+    (folder / "pair.aseme").write_text(TWO.replace("~", ""))
     (folder / "activities").mkdir()
     (folder / "activities/walk.py").write_text(
         f"from {name}.Pair.messages import Seen\n\n\nclass Walk:\n    kind = 'process'\n\n"
         "    def execute(self, context):\n        context.publish('eyes.state.Seen', Seen(ball=True))\n"
-        "        context.wait(0.05)\n"
     )
     (folder / "activities/watch.py").write_text(
         f"from {name}.Pair.messages import Seen\n\n\nclass Watch:\n"
-        "    def execute(self, context):\n        seen = context.state('eyes.state.Seen')\n"
-        "        if seen is not None:\n            assert type(seen) is Seen\n"
-        "            context.log('seen')\n"
-        "        context.wait(0.05)\n"
+        "    def execute(self, context):\n"
+        "        while (seen := context.state('eyes.state.Seen')) is None:\n            context.wait(0.05)\n"
+        "        assert type(seen) is Seen\n        context.log('seen')\n"
     )
-    done = asemec(
-        "run",
-        "pair.aseme",
-        "--backend",
-        backend,
-        "--activities",
-        "activities",
-        "--real",
-        "--for",
-        "1500ms",
-        cwd=folder,
+    done = here(
+        *("run", "pair.aseme", "--backend", backend, "--activities", "activities"),
+        *("--real", "--for", "60s"),
     )
     assert done.code == 0, done.out + done.err
+    assert "all agents have finished" in done.out
     assert '"text":"seen"' in (folder / "out/trace.jsonl").read_text()
 
 

@@ -197,11 +197,11 @@ def test_helpers_beside_activities_count_as_written(here: Here, folder: Path) ->
 
 
 @pytest.mark.parametrize("name", [b"caf\xe9", b"a \"b\" 'c'", b'"""\\N{x}', b"two\nlines", "ω – x".encode()])
-def test_a_file_may_be_called_anything(folder: Path, name: bytes) -> None:
+def test_a_file_may_be_called_anything(here: Here, folder: Path, name: bytes) -> None:
     path = os.fsdecode(name) + ".aseme"
     (folder / path).write_text(GOOD)
     for arguments in (["check"], ["run", "--for", "1s", "-o", "out"], ["diagram", "-o", "drawn"]):
-        done = asemec(arguments[0], path, *arguments[1:], cwd=folder)
+        done = here(arguments[0], path, *arguments[1:])
         assert done.code == 0, done.err
 
 
@@ -269,8 +269,8 @@ def test_json(here: Here, folder: Path) -> None:
     assert failed.json["errors"] == 2
 
 
-def test_standard_input(folder: Path) -> None:
-    done = asemec("build", "-", "-o", "out", "--only", "models", input=GOOD.encode(), cwd=folder)
+def test_standard_input(here: Here, folder: Path) -> None:
+    done = here("build", "-", "-o", "out", "--only", "models", input=GOOD.encode())
     assert done.code == 0, done.err
     assert (folder / "out/models/iac.robot.json").exists()
 
@@ -413,8 +413,10 @@ def test_a_backend_of_somebody_else(folder: Path, site: Path) -> None:
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_an_interrupted_build_loses_nothing(folder: Path, site: Path, number: signal.Signals) -> None:
-    assert asemec("build", "good.aseme", "-o", "out", cwd=folder).code == 0
+def test_an_interrupted_build_loses_nothing(
+    here: Here, folder: Path, site: Path, number: signal.Signals
+) -> None:
+    assert here("build", "good.aseme", "-o", "out").code == 0
     before = state(folder / "out")
     (folder / "good.aseme").write_text(GOOD.replace("takes 1s", "takes 2s"))
     ready = folder / "ready"
@@ -437,10 +439,10 @@ def test_an_interrupted_build_loses_nothing(folder: Path, site: Path, number: si
 
 
 @pytest.mark.parametrize("size", [200, 3000])
-def test_a_full_disk_loses_nothing(folder: Path, size: int) -> None:
+def test_a_full_disk_loses_nothing(here: Here, folder: Path, size: int) -> None:
     """A limit on the size of files stands for the disk."""
     resource = pytest.importorskip("resource")
-    asemec("build", "good.aseme", "-o", "out", cwd=folder)
+    here("build", "good.aseme", "-o", "out")
     before = state(folder / "out")
     (folder / "good.aseme").write_text(GOOD.replace("Walk", "Stroll"))
     done = subprocess.run(

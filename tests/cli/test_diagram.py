@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.support import Here, asemec
+from tests.cli.support import Here
 
 ALL = {"srm.robot", "iac.robot", "iac.robot.tree"}
 
@@ -46,8 +46,8 @@ def test_formats(here: Here, folder: Path, format: str, begin: bytes) -> None:
     assert (folder / "many" / f"srm.robot.{format}").read_bytes().startswith(begin)
 
 
-def test_standard_output(folder: Path) -> None:
-    done = asemec("diagram", "good.aseme", "srm.robot", "-o", "-", "--format", "dot", cwd=folder)
+def test_standard_output(here: Here, folder: Path) -> None:
+    done = here("diagram", "good.aseme", "srm.robot", "-o", "-", "--format", "dot")
     assert (done.code, done.err) == (0, "")
     assert done.out.startswith("digraph")
 

@@ -9,7 +9,7 @@ import pytest
 
 from aseme_dsl.build.format import format_file
 from aseme_dsl.build.write import Disk
-from tests.cli.support import Here, asemec
+from tests.cli.support import Here
 
 UGLY = "system   A\nlet a=1 // one\n"
 NICE = "system A\nlet a = 1  // one\n"
@@ -90,16 +90,16 @@ def test_colour(here: Here, files: Path) -> None:
     assert "\x1b" not in here("fmt", "--diff", "ugly.aseme").out
 
 
-def test_standard_input(files: Path) -> None:
-    done = asemec("fmt", "-", input=UGLY.encode())
+def test_standard_input(here: Here, files: Path) -> None:
+    done = here("fmt", "-", input=UGLY.encode())
     assert (done.code, done.out, done.err) == (0, NICE, "")
-    done = asemec("fmt", "-", input=UGLY.replace("\n", "\r\n").encode())
+    done = here("fmt", "-", input=UGLY.replace("\n", "\r\n").encode())
     assert done.out == NICE.replace("\n", "\r\n")
-    done = asemec("fmt", "--check", "-", input=UGLY.encode())
+    done = here("fmt", "--check", "-", input=UGLY.encode())
     assert (done.code, done.out.splitlines()[0]) == (1, "<stdin>: would be laid out")
-    done = asemec("fmt", "--diff", "-", input=UGLY.encode())
+    done = here("fmt", "--diff", "-", input=UGLY.encode())
     assert done.out.startswith("--- <stdin>\n")
-    done = asemec("fmt", "-", input=b"system A }")
+    done = here("fmt", "-", input=b"system A }")
     assert (done.code, done.out) == (1, "")
     assert "<stdin>:1:10" in done.err
 

@@ -181,15 +181,13 @@ def test_completion_completes() -> None:
 
 
 class TestColour:
-    def out(self, folder: Path, *arguments: str, **environment: str) -> str:
-        return asemec("check", "bad.aseme", *arguments, cwd=folder, **environment).out
-
     def test_none_in_a_pipe(self, folder: Path) -> None:
-        assert "\x1b[" not in self.out(folder)
+        assert "\x1b[" not in asemec("check", "bad.aseme", cwd=folder).out
 
-    def test_always(self, folder: Path) -> None:
-        assert "\x1b[31" in self.out(folder, "--color", "always")
-        assert "\x1b[31" in self.out(folder, "--color", "always", NO_COLOR="1")
+    def test_always(self, here: Here, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        assert "\x1b[31" in here("check", "bad.aseme", "--color", "always").out
+        monkeypatch.setenv("NO_COLOR", "1")
+        assert "\x1b[31" in here("check", "bad.aseme", "--color", "always").out
 
     def test_on_a_terminal_unless_not_wanted(self, folder: Path) -> None:
         pty = pytest.importorskip("pty")

@@ -8,14 +8,17 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.support import Here, asemec
+from tests.cli.support import Here
 
 
-def test_a_new_project_is_checked_played_and_tested(folder: Path) -> None:
-    assert asemec("new", "my-patrol", cwd=folder).code == 0
+def test_a_new_project_is_checked_played_and_tested(
+    here: Here, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert here("new", "my-patrol").code == 0
     made = folder / "my-patrol"
-    assert asemec("check", "--strict", cwd=made).out == "1 file is fine\n"
-    done = asemec("run", ".", cwd=made)
+    monkeypatch.chdir(made)
+    assert here("check", "--strict").out == "1 file is fine\n"
+    done = here("run", ".")
     assert done.code == 0, done.err
     assert done.err == ""
     assert "scout (robot) has finished" in done.out
@@ -29,9 +32,9 @@ def test_a_new_project_is_checked_played_and_tested(folder: Path) -> None:
     assert tests.returncode == 0, tests.stdout
 
 
-def test_generated_and_given_code_passes_ruff(folder: Path) -> None:
-    asemec("new", "patrol", cwd=folder)
-    asemec("build", cwd=folder / "patrol")
+def test_generated_and_given_code_passes_ruff(here: Here, folder: Path) -> None:
+    here("new", "patrol")
+    assert here("build", "patrol", "--only", "monas").code == 0
     done = subprocess.run(
         [sys.executable, "-m", "ruff", "check", "--isolated", "."],
         cwd=folder / "patrol",

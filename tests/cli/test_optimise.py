@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.support import asemec
+from tests.cli.support import Here, asemec
 
 FEED = """\
 system Feed
@@ -88,8 +88,8 @@ def trips(tmp_path: Path) -> Path:
     return path
 
 
-def test_as_many_carriers_are_worth_it_as_keep_the_press_busy(feed: Path) -> None:
-    done = asemec(
+def test_as_many_carriers_are_worth_it_as_keep_the_press_busy(here: Here, feed: Path) -> None:
+    done = here(
         *("optimise", feed, "--vary", "carrier=4..7", "--measure", "Carry", "--runs", "1", "--for", "2min"),
         *("-o", feed.parent / "found"),
     )
@@ -101,29 +101,27 @@ def test_as_many_carriers_are_worth_it_as_keep_the_press_busy(feed: Path) -> Non
     assert (feed.parent / "found" / "report.md").read_text("utf-8") in done.out
 
 
-def test_a_study_is_the_same_in_one_process_and_in_two(feed: Path) -> None:
+def test_a_study_is_the_same_in_one_process_and_in_two(here: Here, feed: Path) -> None:
     texts = []
-    for jobs in ("1", "2"):
+    for start, jobs in ((here, "1"), (asemec, "2")):
         out = feed.parent / jobs
         arguments = ("--vary", "carrier=2,3", "--measure", "Carry", "--runs", "2", "--for", "20s", "-q")
-        done = asemec("optimise", feed, *arguments, "-j", jobs, "-o", out)
+        done = start("optimise", feed, *arguments, "-j", jobs, "-o", out)
         assert done.code == 0, done.err
         texts.append([path.read_bytes() for path in sorted(out.iterdir())])
     assert texts[0] == texts[1]
 
 
-def test_nothing_is_left_among_the_files_of_the_user(feed: Path) -> None:
-    done = asemec(
-        "optimise", feed, "--measure", "Carry", "--runs", "1", "--for", "5s", "-o", feed.parent / "o"
-    )
+def test_nothing_is_left_among_the_files_of_the_user(here: Here, feed: Path) -> None:
+    done = here("optimise", feed, "--measure", "Carry", "--runs", "1", "--for", "5s", "-o", feed.parent / "o")
     assert done.code == 0, done.err
     assert sorted(path.name for path in feed.parent.iterdir()) == ["feed.aseme", "o"]
 
 
-def test_settings_are_varied_and_less_time_is_better(trips: Path) -> None:
-    done = asemec(
-        *("optimise", trips, "--vary", "one.trips=3,2,5", "--measure", "time", "--runs", "2", "--json"),
-        *("-o", trips.parent / "found"),
+def test_settings_are_varied_and_less_time_is_better(here: Here, trips: Path) -> None:
+    done = here(
+        *("optimise", trips, "--vary", "one.trips=3,2,5", "--measure", "time", "--runs", "2", "-j", "1"),
+        *("--json", "-o", trips.parent / "found"),
     )
     assert done.code == 0, done.err
     result = done.json["result"]
@@ -132,8 +130,8 @@ def test_settings_are_varied_and_less_time_is_better(trips: Path) -> None:
     assert [gain["activity"] for gain in result["quicker"]["gains"]] == ["Walk", "Rest"]
 
 
-def test_a_setting_of_a_role_is_for_all_agents_that_a_size_gives(trips: Path) -> None:
-    done = asemec(
+def test_a_setting_of_a_role_is_for_all_agents_that_a_size_gives(here: Here, trips: Path) -> None:
+    done = here(
         *("optimise", trips, "--vary", "walker.trips=4", "--vary", "others=3", "--measure", "Walk"),
         *("--runs", "1", "--for", "9s", "--json", "-o", trips.parent / "found"),
     )
@@ -143,8 +141,8 @@ def test_a_setting_of_a_role_is_for_all_agents_that_a_size_gives(trips: Path) ->
     assert run["done"] == {"Rest": 4, "Walk": 16}
 
 
-def test_what_does_not_finish_has_no_time(trips: Path) -> None:
-    done = asemec(
+def test_what_does_not_finish_has_no_time(here: Here, trips: Path) -> None:
+    done = here(
         *("optimise", trips, "--vary", "one.trips=1,9", "--measure", "time", "--runs", "1", "--for", "8s"),
         *("--quicker", "1", "-o", trips.parent / "found"),
     )
@@ -153,7 +151,10 @@ def test_what_does_not_finish_has_no_time(trips: Path) -> None:
     assert "**Best: one.trips = 1** with 3." in done.out
 
 
-def test_a_function_of_the_project_measures_its_world(tmp_path: Path) -> None:
+def test_a_function_of_the_project_measures_its_world(
+    here: Here, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "trips.aseme").write_text(TRIPS, "utf-8")
     (tmp_path / "place.py").write_text(
         "class Place:\n"
@@ -170,11 +171,11 @@ def test_a_function_of_the_project_measures_its_world(tmp_path: Path) -> None:
         "    return 'much'\n",
         "utf-8",
     )
-    base = ("optimise", "trips.aseme", "--runs", "3", "--for", "1s", "--quicker", "1", "--json")
-    done = asemec(*base, "--world", "place:make", "--measure", "place:measure", cwd=tmp_path)
+    base = ("optimise", "trips.aseme", "--runs", "3", "--for", "1s", "--quicker", "1", "--json", "-j", "1")
+    done = here(*base, "--world", "place:make", "--measure", "place:measure")
     assert done.code == 0, done.err
     assert done.json["result"]["rows"][0]["measure"]["mean"] == 20
-    wrong = asemec(*base, "--world", "place:make", "--measure", "place:word", cwd=tmp_path)
+    wrong = here(*base, "--world", "place:make", "--measure", "place:word")
     assert wrong.code == 1
     assert "place:word gave 'much', which is no number" in wrong.err
 
@@ -202,9 +203,9 @@ def test_a_function_of_the_project_measures_its_world(tmp_path: Path) -> None:
     ],
 )
 def test_what_is_not_there_is_said_before_anything_is_played(
-    feed: Path, arguments: list[str], text: str
+    here: Here, feed: Path, arguments: list[str], text: str
 ) -> None:
-    done = asemec("optimise", feed, *arguments)
+    done = here("optimise", feed, *arguments)
     assert done.code == 1
     assert text in done.err
     assert done.out == ""
@@ -222,20 +223,20 @@ def test_what_is_not_there_is_said_before_anything_is_played(
         ("a.b.c=1", "is not written"),
     ],
 )
-def test_a_knob_that_is_written_wrongly_is_wrong_use(feed: Path, vary: str, text: str) -> None:
-    done = asemec("optimise", feed, "--vary", vary, "--measure", "Carry")
+def test_a_knob_that_is_written_wrongly_is_wrong_use(here: Here, feed: Path, vary: str, text: str) -> None:
+    done = here("optimise", feed, "--vary", vary, "--measure", "Carry")
     assert done.code == 2
     assert text in done.err
 
 
-def test_without_a_measure_it_says_what_may_be_measured(feed: Path) -> None:
-    done = asemec("optimise", feed)
+def test_without_a_measure_it_says_what_may_be_measured(here: Here, feed: Path) -> None:
+    done = here("optimise", feed)
     assert done.code == 2 and "Missing option '--measure'" in done.err
     assert re.search(r"how often it is done a minute: .*Carry", done.err) and "MODULE:FUNCTION" in done.err
     assert "\n  time, for how long" in done.err
 
 
-def test_a_value_of_another_type_is_refused(trips: Path) -> None:
-    done = asemec("optimise", trips, "--vary", "one.trips=many", "--measure", "Walk")
+def test_a_value_of_another_type_is_refused(here: Here, trips: Path) -> None:
+    done = here("optimise", trips, "--vary", "one.trips=many", "--measure", "Walk")
     assert done.code == 1
     assert "'many' is no int, which trips of walker is" in done.err

@@ -224,11 +224,11 @@ class TestPlans:
         (plan,) = result["plans"]
         assert (plan["plan"], plan["states"], plan["agents"]) == ("Walker.robot", 9, ["one", "two"])
 
-    def test_a_robot_needs_no_source(self, folder: Path, script: Path) -> None:
-        asemec("build", "good.aseme", "-o", "out", cwd=folder)
+    def test_a_robot_needs_no_source(self, here: Here, folder: Path, script: Path) -> None:
+        here("build", "good.aseme", "-o", "out")
         (folder / "out" / "models").rename(folder / "models")
         (folder / "good.aseme").unlink()
-        done = asemec("run", "out", "--input", "script.jsonl", cwd=folder)
+        done = here("run", "out", "--input", "script.jsonl")
         assert done.code == 0, done.err
         assert "one  Walk" in done.out
         assert "->" not in done.out
@@ -335,9 +335,16 @@ class TestProjects:
         assert (project / "made/trace.jsonl").exists()
         assert (project / "skills/walk.py").exists()
 
-    def test_from_anywhere(self, project: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
+    def test_from_anywhere(
+        self,
+        here: Here,
+        project: Path,
+        tmp_path_factory: pytest.TempPathFactory,
+        monkeypatch: pytest.MonkeyPatch,
+    ) -> None:
         elsewhere = tmp_path_factory.mktemp("elsewhere")
-        done = asemec("run", project, cwd=elsewhere)
+        monkeypatch.chdir(elsewhere)
+        done = here("run", project)
         assert done.code == 0, done.err
         assert "whistle at 2 s" in done.out
         assert not list(elsewhere.iterdir())
@@ -441,8 +448,7 @@ def test_processes_need_zenoh_and_it_is_said_how_to_get_it(tmp_path: Path) -> No
         assert 'pip install "aseme-dsl[zenoh]"' in done.err and "Traceback" not in done.err
 
 
-def test_a_robot_that_the_team_does_not_have(tmp_path: Path) -> None:
-    (tmp_path / "walk.aseme").write_text(GOOD)
-    done = asemec("node", "onne", "walk.aseme", cwd=tmp_path)
+def test_a_robot_that_the_team_does_not_have(here: Here, folder: Path) -> None:
+    done = here("node", "onne", "good.aseme")
     assert done.code == 2
     assert "there is no robot onne; did you mean one? there are one, two" in done.err

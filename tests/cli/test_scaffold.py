@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.support import GOOD, Here, asemec
+from tests.cli.support import GOOD, Here
 
 SKETCH = """\
 system Match
@@ -83,8 +83,8 @@ def test_files_that_cannot_be_read(here: Here, folder: Path) -> None:
         assert code in done.err
 
 
-def test_standard_input_is_completed_on_standard_output(folder: Path) -> None:
-    done = asemec("scaffold", "-", input=SKETCH.encode())
+def test_standard_input_is_completed_on_standard_output(here: Here, folder: Path) -> None:
+    done = here("scaffold", "-", input=SKETCH.encode())
     assert done.code == 0
     assert done.out.startswith(SKETCH)
     assert "aip win {" in done.out

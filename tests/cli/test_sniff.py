@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -14,6 +15,7 @@ from xml.etree import ElementTree
 
 import pytest
 
+from aseme_dsl.cli import main
 from tests.cli.support import Here
 from tests.conftest import Snapshot
 
@@ -49,14 +51,23 @@ class CarryOut:
 """
 
 
-@pytest.fixture
-def run(folder: Path, here: Here) -> Path:
+@pytest.fixture(scope="module")
+def played(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the trace of a contract net: one cook refuses, the other one breaks down."""
-    Path("kitchen.aseme").write_text(SYSTEM, "utf-8")
-    Path("activities").mkdir()
-    Path("activities/evaluate_job.py").write_text(DECIDE, "utf-8")
-    Path("activities/carry_out.py").write_text(BREAK, "utf-8")
-    here("run", "kitchen.aseme", "--activities", "activities", "-q")
+    folder = tmp_path_factory.mktemp("kitchen")
+    (folder / "kitchen.aseme").write_text(SYSTEM, "utf-8")
+    activities = folder / "activities"
+    activities.mkdir()
+    (activities / "evaluate_job.py").write_text(DECIDE, "utf-8")
+    (activities / "carry_out.py").write_text(BREAK, "utf-8")
+    main(["run", f"{folder}/kitchen.aseme", "--activities", f"{activities}", "-o", f"{folder}/out", "-q"])
+    return folder
+
+
+@pytest.fixture
+def run(played: Path, folder: Path) -> Path:
+    """The output of that run, in a copy where one works."""
+    shutil.copytree(played, folder, dirs_exist_ok=True)
     return folder / "out"
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.support import BAD, GOOD, asemec, command
+from tests.cli.support import BAD, GOOD, Here, asemec, command
 
 PATIENCE = 60.0
 """How long a line may take, in s: an answer to whether it comes at all."""
@@ -259,8 +259,8 @@ def test_an_unknown_backend_in_the_configuration_can_be_mended(project: Path, wa
     "arguments",
     [("build", "-"), ("check", "-"), ("check", "--json"), ("check", "--fix"), ("build", "--json")],
 )
-def test_what_does_not_go_together(arguments: tuple[str, ...], tmp_path: Path) -> None:
-    done = asemec(*arguments, "--watch", cwd=tmp_path, input=b"")
+def test_what_does_not_go_together(here: Here, arguments: tuple[str, ...], folder: Path) -> None:
+    done = here(*arguments, "--watch")
     assert done.code == 2 and "--watch" in done.err
 
 
