@@ -244,7 +244,7 @@ def long(further: list[str]) -> int:
 
 
 def syntax(further: list[str]) -> int:
-    """Set up what a developer needs, and make the colours of all editors from the grammar."""
+    """Set up what a developer needs, and make what follows from the grammar: its rules, and all colours."""
     set_up("dev")
     return in_environment(["-m", "aseme_dsl.grammar.syntax", *further])
 

@@ -182,8 +182,19 @@ NOT_LOADED = {
         "aseme_dsl.codegen.step",
         "aseme_dsl.backends",
     },
-    ("build", "small.aseme", "--only", "models"): {*NEVER, "jinja2", "graphviz"},
-    ("build", "small.aseme", "--only", "monas"): {*NEVER - {"google.protobuf"}, "graphviz"},
+    ("build", "small.aseme", "--only", "models"): {
+        *NEVER,
+        "jinja2",
+        "graphviz",
+        "textx",
+        "importlib.metadata",
+    },
+    ("build", "small.aseme", "--only", "monas"): {
+        *NEVER - {"google.protobuf"},
+        "graphviz",
+        "textx",
+        "importlib.metadata",
+    },
 }
 """Of each command line, what it must not import: nobody should wait for what is not used."""
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from importlib import import_module
-from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
-from typing import Protocol, TypeVar
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.records import dataclass
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 GROUP = "aseme_dsl.backends"
 """The entry point group under which another package offers its backend."""
@@ -131,6 +133,8 @@ def backend_names() -> tuple[str, ...]:
 
 def foreign_backends() -> tuple[EntryPoint, ...]:
     """The backends that other packages offer, by name; none of them is called like one of ours."""
+    from importlib.metadata import entry_points
+
     points = (point for point in entry_points(group=GROUP) if point.name not in OWN)
     return tuple(sorted(points, key=lambda point: point.name))
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, NoReturn, TypeVar
 
@@ -264,13 +264,13 @@ def check_choice(choice: Choice, asked: Iterable[str], roles: Iterable[str]) -> 
             raise click.UsageError(f"There is no role {role!r}. {hint}")
 
 
-def check_backends(names: Iterable[str], others: Iterable[str] = ()) -> None:
+def check_backends(names: Iterable[str], others: Sequence[str] = ()) -> None:
     """Refuse, as wrong use, what is neither a backend nor one of `others`."""
-    from aseme_dsl.backends.backend import backend_names
+    from aseme_dsl.backends.backend import OWN, backend_names
 
-    known = (*others, *backend_names())
+    ours = {*others, *OWN}
     for name in names:
-        if name not in known:
+        if name not in ours and name not in (known := (*others, *backend_names())):
             near = closest(name, known)
             hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(known)}."
             raise click.UsageError(f"There is no {'part or ' if others else ''}backend {name!r}. {hint}")
