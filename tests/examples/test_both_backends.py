@@ -12,7 +12,7 @@ import pytest
 
 from aseme_dsl.build.build import Choice, activities_folder, build
 from aseme_dsl.build.play import Request, load, play
-from aseme_dsl.build.project import compile_root
+from aseme_dsl.build.project import Compiled, compile_root
 from aseme_dsl.diagnostics import has_errors
 
 ROOT = Path(__file__).parents[2]
@@ -35,10 +35,9 @@ INPUTS = {
 """What programs are given that nobody else gives anything."""
 
 
-def trace(path: Path, folder: Path, backend: str, roles: Mapping[str, str] | None = None) -> bytes:
+def trace(compiled: Compiled, folder: Path, backend: str, roles: Mapping[str, str] | None = None) -> bytes:
     """The trace of a program whose agents are of a backend, but for these roles."""
-    compiled = compile_root(path)
-    assert compiled.system is not None
+    assert compiled.system is not None and isinstance(compiled.root, Path)
     configuration = compiled.configuration
     choice = Choice(backends=(backend,), roles=roles or {}, activities=configuration.activities)
     built = build(compiled.system, folder, replace(choice, only=frozenset(choice.generated)))
@@ -50,7 +49,9 @@ def trace(path: Path, folder: Path, backend: str, roles: Mapping[str, str] | Non
     lines = folder / f"trace.{backend}.{len(roles or {})}.jsonl"
     plan = None if loaded.team else next(iter(loaded.charts))
     script = folder / "input.jsonl"
-    script.write_text("".join(json.dumps(line) + "\n" for line in INPUTS.get(path.stem, ())), "utf-8")
+    script.write_text(
+        "".join(json.dumps(line) + "\n" for line in INPUTS.get(compiled.root.stem, ())), "utf-8"
+    )
     request = Request(plan=plan, duration=10 * SECOND, seed=7, trace=lines, script=script)
     play(loaded, activities_folder(folder, choice), configuration, request, tell=lambda line: None)
     return lines.read_bytes()
@@ -60,12 +61,11 @@ def trace(path: Path, folder: Path, backend: str, roles: Mapping[str, str] | Non
 def test_one_seed_is_one_trace(program: Path, tmp_path: Path) -> None:
     project = tmp_path / "project"
     shutil.copytree(program.parent, project, ignore=shutil.ignore_patterns("build", "out", "__pycache__"))
-    path, folder = project / program.name, tmp_path / "out"
-    expected = trace(path, folder, "monas")
+    compiled, folder = compile_root(project / program.name), tmp_path / "out"
+    expected = trace(compiled, folder, "monas")
     assert expected.count(b"\n") > 10
-    assert trace(path, folder, "jade_like") == expected
-    system = compile_root(path).system
-    assert system is not None
-    roles = [chart.name for chart in system.iacs]
-    assert trace(path, folder, "monas", {roles[0]: "jade_like"}) == expected
-    assert trace(path, folder, "jade_like", dict.fromkeys(roles[1:], "monas")) == expected
+    assert trace(compiled, folder, "jade_like") == expected
+    assert compiled.system is not None
+    roles = [chart.name for chart in compiled.system.iacs]
+    assert trace(compiled, folder, "monas", {roles[0]: "jade_like"}) == expected
+    assert trace(compiled, folder, "jade_like", dict.fromkeys(roles[1:], "monas")) == expected

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import shutil
-import subprocess
-import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -18,6 +14,7 @@ from aseme_dsl.backends.monas import BACKEND
 from aseme_dsl.compiler import analyse
 from aseme_dsl.grammar.layout import format_source
 from aseme_dsl.source import Source
+from tests.cli.support import Here
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -81,20 +78,14 @@ def test_every_activity_is_written(program: Program) -> None:
     assert used <= written
 
 
-def played(program: Program, tmp_path: Path) -> dict[str, Any]:
+def test_it_runs(program: Program, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One seed is one run, to the bit: so its end is known."""
     project = tmp_path / program.name
     shutil.copytree(program.path.parent, project, ignore=shutil.ignore_patterns("build", "__pycache__"))
-    command = [sys.executable, "-m", "aseme_dsl", "run", str(project), "--json"]
-    done = subprocess.run(command, capture_output=True, encoding="utf-8")
-    assert done.returncode == (1 if program.lost else 0), done.stdout + done.stderr
-    result: dict[str, Any] = json.loads(done.stdout)["result"]
-    return result | {"told": done.stderr}
-
-
-def test_it_runs(program: Program, tmp_path: Path) -> None:
-    """One seed is one run, to the bit: so its end is known."""
-    result = played(program, tmp_path)
-    assert program.ends in result["told"] or program.ends in str(result["summary"])
+    done = Here(capsys)("run", project, "--json")
+    assert done.code == (1 if program.lost else 0), done.out + done.err
+    result = done.json["result"]
+    assert program.ends in done.err or program.ends in str(result["summary"])
     assert [agent["name"] for agent in result["agents"] if agent["failure"]] == ["carrier5"][: program.lost]
     assert result["faults"] == 2 * program.lost  # it crashes, and it stops
 

@@ -23,6 +23,7 @@ from aseme_dsl.runtime.control import Control
 from aseme_dsl.runtime.control_socket import ControlError, ask, endpoints, listening
 from aseme_dsl.runtime.team import Team
 from aseme_dsl.runtime.trace import Record
+from tests.cli import support as cli
 from tests.faults.test_swap import ONE, WITHOUT_KICK
 from tests.runtime.playing import SECOND, make
 
@@ -47,15 +48,11 @@ def until(what: Callable[[], Any]) -> Any:
 class Here:
     """A folder with texts, and processes that run from it."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, capture: pytest.CaptureFixture[str]) -> None:
         self.folder = folder
+        self.capture = capture
         self.running: list[subprocess.Popen[str]] = []
         self.runtime = Path(tempfile.mkdtemp(prefix="aseme", dir="/tmp"))  # a socket's path is short
-        self.environment = {
-            **os.environ,
-            "PYTHONPATH": str(Path(__file__).parents[2]),
-            "XDG_RUNTIME_DIR": str(self.runtime),
-        }
 
     def write(self, name: str, text: str) -> None:
         (self.folder / name).write_text(text, "utf-8")
@@ -64,7 +61,7 @@ class Here:
         process = subprocess.Popen(
             [sys.executable, "-m", "aseme_dsl", "run", *arguments, "--real", "-q"],
             cwd=self.folder,
-            env=self.environment,
+            env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
             text=True,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -73,17 +70,9 @@ class Here:
         return process
 
     def asemec(self, *arguments: str) -> tuple[int, str]:
-        done = subprocess.run(
-            [sys.executable, "-m", "aseme_dsl", *arguments],
-            cwd=self.folder,
-            env=self.environment,
-            text=True,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            timeout=WAIT,
-            check=False,
-        )
-        return done.returncode, done.stdout
+        """What an operator says, from this process."""
+        done = cli.Here(self.capture)(*arguments)
+        return done.code, done.out + done.err
 
     def status(self) -> list[dict[str, Any]]:
         code, said = self.asemec("status", "-o", "out", "--json")
@@ -94,8 +83,12 @@ class Here:
 
 
 @pytest.fixture
-def here(tmp_path: Path) -> Iterator[Here]:
-    made = Here(tmp_path)
+def here(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Here]:
+    made = Here(tmp_path, capsys)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("XDG_RUNTIME_DIR", str(made.runtime))
     yield made
     for process in made.running:
         if process.poll() is None:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
-from tests.faults.team import ROOT, TEAM, Started, project, signals_from, started
+from aseme_dsl.cli import main
+from tests.faults.team import TEAM, Started, project, signals_from, started
 
 pytest.importorskip("zenoh")
 
@@ -23,16 +21,7 @@ ROBOTS = ("robot1", "robot2", "robot3")
 def swap(run: Started, text: str, *arguments: str) -> None:
     """Change the team as an operator does."""
     (run.folder / "changed.aseme").write_text(text)
-    command = [sys.executable, "-m", "aseme_dsl", "swap", str(run.folder / "changed.aseme"), *arguments]
-    done = subprocess.run(
-        [*command, "-o", str(run.folder / "out")],
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
+    assert main(["swap", f"{run.folder}/changed.aseme", *arguments, "-o", f"{run.folder}/out"]) == 0
 
 
 def begun_as(run: Started, robot: str, life: int) -> str:

@@ -10,6 +10,7 @@ import sys
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -55,7 +56,13 @@ class Generated:
 
 def system_of(text: str, sources: Mapping[str, str] | None = None) -> System:
     """The system of a text that must compile."""
-    analysis = analyse(Source("test.aseme", text), sources=sources)
+    return _system_of(text, frozenset((sources or {}).items()))
+
+
+@lru_cache(maxsize=1000)
+def _system_of(text: str, sources: frozenset[tuple[str, str]]) -> System:
+    """A system does not change, and many tests, those of random charts above all, play the same texts."""
+    analysis = analyse(Source("test.aseme", text), sources=dict(sources) or None)
     assert not has_errors(analysis.diagnostics), "\n" + render_text(analysis.diagnostics)
     assert analysis.system is not None
     return analysis.system
