@@ -7,6 +7,7 @@ compiles (some seconds, the first time). Both do what the plain class does, step
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Mapping
 from importlib import import_module
 from typing import Any, ClassVar, TypeAlias
@@ -24,7 +25,7 @@ COMPILED = "_compiled"
 
 
 class BatchError(Exception):
-    """A batch cannot be had as it is asked for; the text says why."""
+    """A batch cannot be had or used as it is asked for; the text says why."""
 
 
 class BatchBoard:
@@ -37,22 +38,35 @@ class BatchBoard:
         array = self.__dict__.get(name)
         if array is None:
             raise AttributeError(f"there is no {name} on this blackboard")
+        np = _numpy()
         try:
-            shape = _numpy().shape(value)
-            if shape in ((), (1,), array.shape):
-                array[:] = value
-                return
+            given = np.asarray(value)
+            with np.errstate(invalid="ignore"):  # what is no number is told below
+                fitting = given.astype(array.dtype, copy=False)
+            fits = np.can_cast(given.dtype, array.dtype, "same_kind") or bool((fitting == given).all())
         except (ValueError, TypeError, OverflowError) as error:
             raise type(error)(f"{name} cannot be set: {error}") from error
+        _check_shape(name, given.shape, len(array))
+        if not fits:
+            changed = given[fitting != given].flat[0]
+            raise ValueError(f"{name} cannot be set: {changed} is no {_KINDS[array.dtype.kind]}")
+        array[:] = fitting
+
+
+_KINDS = {"b": "truth", "i": "whole number", "f": "number"}
+
+
+def _check_shape(name: str, shape: tuple[int, ...], size: int) -> None:
+    if shape not in ((), (1,), (size,)):
         given = " by ".join(map(str, shape))
-        raise ValueError(f"{name} wants one value for all, or an array of {len(array)}, not one of {given}")
+        raise ValueError(f"{name} wants one value for all, or an array of {size}, not one of {given}")
 
 
 class Batch:
     """So many running instances of a statechart. Subclasses are generated.
 
     `bb` has an array for each value of the plain blackboard, to be read and written between steps; whole
-    numbers have 64 bits. `now` is the time of all instances, in ns.
+    numbers have 64 bits. Nothing is active before `start`: until then there are no steps and nothing to ask.
     """
 
     ARRAYS: ClassVar[tuple[tuple[str, str, bool | int | float, bool], ...]] = ()
@@ -76,7 +90,8 @@ class Batch:
             raise BatchError(f"there is no engine {engine}; there are {', '.join(ENGINES)}")
         self.size = size
         self.engine = engine
-        self.now = 0
+        self._now = 0
+        self._is_started = False
         self.stuck: Any = None
         self._everybody = slice(None)
         self._leaves = tuple(map(leaves_of, self.LEAVES))
@@ -99,10 +114,23 @@ class Batch:
         self.bb: Any = BatchBoard(seen)
         self._compiled = _compiled(type(self)) if engine == "numba" else None
 
+    @property
+    def now(self) -> int:
+        """The time of all instances, in ns."""
+        return self._now
+
+    @now.setter
+    def now(self, value: int) -> None:
+        try:
+            self._now = operator.index(value)
+        except TypeError as error:
+            raise TypeError(f"now is one time for all instances, in whole ns, not {value!r}") from error
+
     # ---- steps -----------------------------------------------------------------------------
 
     def start(self) -> None:
         """Enter the root of every instance, and go on until nothing is enabled."""
+        self._is_started = True
         self._run("start")
 
     def send(self, event: str) -> Any:
@@ -114,12 +142,26 @@ class Batch:
         return self._run("step")
 
     def done(self, label: str, which: Any) -> Any:
-        """The activity of a BASIC state has returned in those instances (an array of truths), where it runs.
+        """One step, before which the activity of a BASIC state has returned in those instances where it runs.
+
+        `which` has a truth for each instance, or is one for all.
 
         Raises:
-            KeyError: there is no such state whose completion matters.
+            KeyError: the statechart has no such state, or can never be in it.
+            TypeError: `which` has no truths, but perhaps the numbers of instances.
+            ValueError: `which` has fewer or more of them.
         """
-        region, number = self.RUNNING[label]
+        np = _numpy()
+        self._check_started()
+        which = np.asarray(which)
+        if which.dtype != bool:
+            raise TypeError(f"which wants a truth for each instance, not values of type {which.dtype}")
+        _check_shape("which", which.shape, self.size)
+        found = self.RUNNING.get(label)
+        if found is None:
+            self.active(label)  # is it there?
+            return self.step()
+        region, number = found
         ended = which & self.active(label)
         if len(self._leaves[region]) > 1:
             slot = getattr(self, f"r{region}")
@@ -127,7 +169,12 @@ class Batch:
             slot[ended] = number + 1
         return self.step()
 
+    def _check_started(self) -> None:
+        if not self._is_started:
+            raise BatchError(f"{type(self).__name__} has not been started: call start() first")
+
     def _run(self, name: str) -> Any:
+        self._check_started()
         np = _numpy()
         if self._compiled is None:
             moved = getattr(type(self), f"do_{name}")(self, self._everybody)
@@ -163,6 +210,7 @@ class Batch:
         Raises:
             KeyError: no leaf has that label.
         """
+        self._check_started()
         np = _numpy()
         region = next((n for n, labels in enumerate(self._leaves) if label in labels), None)
         if region is None:
@@ -180,6 +228,7 @@ class Batch:
 
     def configuration(self, instance: int) -> tuple[str, ...]:
         """The labels of an instance's active leaves, region by region in document order."""
+        self._check_started()
         active: list[tuple[int, int]] = []
         stack = [0]
         while stack:
@@ -192,6 +241,7 @@ class Batch:
     @property
     def finished(self) -> Any:
         """For each instance, whether the root's END is active."""
+        self._check_started()
         np = _numpy()
         if len(self._leaves[0]) == 1:
             return np.full(self.size, self.END == 0)

@@ -6,6 +6,7 @@ import random
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from aseme_dsl.backends.backend import BackendOptions, Refused
@@ -125,6 +126,56 @@ def test_what_does_not_fit_on_the_blackboard_is_refused_by_its_name(tmp_path: Pa
         batch.bb.shots = "many"
 
 
+def test_what_a_value_would_become_another_for_is_refused(tmp_path: Path) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    batch = kind(3)
+    batch.bb.shots = [1.0, 2.0, 3.0]
+    batch.bb.seen = [0, 1, 1]
+    batch.bb.power = [True, 2, 0.5]
+    assert (batch.bb.shots.tolist(), batch.bb.seen.tolist()) == ([1, 2, 3], [False, True, True])
+    for name, values, text in (
+        ("shots", [1, 2.5, 3], "2.5 is no whole number"),
+        ("shots", float("nan"), "nan is no whole number"),
+        ("seen", [0, 1, 2], "2 is no truth"),
+    ):
+        with pytest.raises(ValueError, match=f"{name} cannot be set: {text}"):
+            setattr(batch.bb, name, values)
+    assert batch.bb.shots.tolist() == [1, 2, 3]
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_nothing_is_done_or_known_before_the_start(tmp_path: Path, engine: str) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    with without_compiling():
+        batch = kind(3, engine)
+        label = next(iter(kind.RUNNING), "0.2")
+        for ask in (
+            lambda: batch.send("tick"),
+            lambda: batch.step(),
+            lambda: batch.done(label, True),
+            lambda: batch.active(label),
+            lambda: batch.counts(),
+            lambda: batch.configuration(0),
+            lambda: batch.finished,
+        ):
+            with pytest.raises(BatchError, match=r"RobotBatch has not been started: call start\(\) first"):
+                ask()
+        batch.start()
+        assert batch.active(batch.configuration(0)[-1]).all()
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_there_is_one_time_for_all(tmp_path: Path, engine: str) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    with without_compiling():
+        batch = kind(3, engine)
+    for wrong in (np.arange(3), [1, 2, 3], 1.5):
+        with pytest.raises(TypeError, match="now is one time for all instances, in whole ns, not "):
+            batch.now = wrong
+    batch.now = np.int64(7)
+    assert batch.now == 7
+
+
 def test_the_end_of_an_activity_is_for_those_in_which_it_runs(tmp_path: Path) -> None:
     text = """
 system Doors
@@ -138,6 +189,14 @@ srm door {
     together = Together(plain, kind, 4, ("numpy", "numba"))
     together.start()
     first, second = kind.RUNNING
+    batch = together.batches["numpy"]
+    for numbers in ([0, 1, 2], np.array([0, 1, 1, 0])):
+        with pytest.raises(TypeError, match="which wants a truth for each instance, not values of type"):
+            batch.done(first, numbers)
+    with pytest.raises(ValueError, match="which wants one value for all, or an array of 4, not one of 3"):
+        batch.done(first, [True] * 3)
+    with pytest.raises(KeyError, match=r"DoorBatch has no leaf 9\.9"):
+        batch.done("9.9", True)
     together.done(first, [True, True, True, False])
     together.done(second, [True, False, True, True])
     together.set(0, "locked", True)
