@@ -14,7 +14,7 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path, PurePosixPath
 
@@ -76,25 +76,27 @@ def _compiled(file: Planned, others: dict[str, bytes]) -> list[Planned]:
             if PurePosixPath(name).parent == path.parent and name.endswith(".py"):
                 (folder / PurePosixPath(name).name).write_bytes(content)
         (folder / path.name).write_text(native_source(file.content.decode()), "utf-8")
-        configuration = Path(temporary) / "mypy.ini"
-        configuration.write_text(_CONFIGURATION, "utf-8")
-        done = subprocess.run(
-            [
-                *(sys.executable, "-c", _MYPYC, str(path), ".".join(path.with_suffix("").parts)),
-                str(configuration),
-            ],
-            cwd=temporary,
-            capture_output=True,
-            text=True,
-            errors="replace",
-            env={**os.environ, "CFLAGS": f"{os.environ.get('CFLAGS', '')} {_FLAGS}".strip()},
-        )
+        done = run_mypyc(Path(temporary), [file.path], ".".join(path.with_suffix("").parts))
         suffix = sysconfig.get_config_var("EXT_SUFFIX")
         # A module in a package is two files: what Python imports, and what is in it.
         made = [folder / f"{path.stem}{suffix}", folder / f"{path.stem}__mypyc{suffix}"]
         if done.returncode != 0 or not all(item.is_file() for item in made):
             raise NativeError(f"this cannot be compiled: {_reason(done)}", file.path)
         return [Planned(str(path.with_name(item.name)), item.read_bytes(), file.part) for item in made]
+
+
+def run_mypyc(folder: Path, modules: Sequence[str], group: str) -> subprocess.CompletedProcess[str]:
+    """Compile modules that `native_source` has made where they are; all their code goes into one `group`."""
+    configuration = folder / "mypy.ini"
+    configuration.write_text(_CONFIGURATION, "utf-8")
+    return subprocess.run(
+        [sys.executable, "-c", _MYPYC, str(configuration), group, *modules],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        env={**os.environ, "CFLAGS": f"{os.environ.get('CFLAGS', '')} {_FLAGS}".strip()},
+    )
 
 
 _MYPYC = """
@@ -105,8 +107,8 @@ from mypyc.build import mypycify
 setup(
     ext_modules=mypycify(
         [
-            "--config-file", sys.argv[3],
-            "--ignore-missing-imports", "--namespace-packages", "--explicit-package-bases", sys.argv[1],
+            "--config-file", sys.argv[1],
+            "--ignore-missing-imports", "--namespace-packages", "--explicit-package-bases", *sys.argv[3:],
         ],
         opt_level="2",
         debug_level="0",
@@ -161,4 +163,4 @@ def _is_left_out(node: ast.stmt, others: Iterable[str]) -> bool:
     return False
 
 
-__all__ = ["NativeError", "compiled", "native_source"]
+__all__ = ["NativeError", "compiled", "native_source", "run_mypyc"]

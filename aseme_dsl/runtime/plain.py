@@ -7,7 +7,7 @@ queue, no agent; `Machine` (`machine.py`) makes a complete runtime of it.
 from __future__ import annotations
 
 import logging
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from random import Random
 from typing import Any, ClassVar
@@ -104,7 +104,7 @@ class Plain:
         if found is not None:
             region, number = found
             setattr(self, f"r{region}", number + 1)
-            if outcome is not None:
+            if outcome is not None and hasattr(self, "outcomes"):  # somebody asks for one
                 self.outcomes.pop(label, None)
                 self.outcomes[label] = outcome
         return self.step()
@@ -143,14 +143,16 @@ class Plain:
         """Whether the root's END is active."""
         return self._number(0) == self.END
 
-    def _active(self) -> Iterator[tuple[int, int]]:
+    def _active(self) -> list[tuple[int, int]]:
         """The active regions with the numbers of their leaves."""
+        active: list[tuple[int, int]] = []
         stack = [0]
         while stack:
             region = stack.pop()
             found = region, self._number(region)
-            yield found
+            active.append(found)
             stack += self.INNER.get(found, ())
+        return active
 
     def _number(self, region: int) -> int:
         """The number of a region's leaf; one that has a single leaf has no slot."""

@@ -210,3 +210,11 @@ def test_formulas_may_be_nested_deep(written: str) -> None:
     chart.start()
     assert not chart.step()
     assert chart.done(chart.configuration()[-1])
+
+
+def test_it_may_be_said_how_an_activity_has_ended_though_nobody_asks() -> None:
+    text = "system S srm R { liveness { R = Grasp . Carry } activities { Grasp ends held, slipped } }"
+    chart = plain_class(generate(text), "R", PlainOptions())()
+    chart.start()
+    assert chart.done("0.2", "held")
+    assert chart.configuration() == ("0.3",)

@@ -2,33 +2,61 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
+from random import Random
 
 import pytest
 
+from aseme_dsl.backends.backend import BackendOptions
+from aseme_dsl.backends.plain.generate import module_text
+from aseme_dsl.build.native import native_source, run_mypyc
 from tests.cli.support import asemec
+from tests.oracle.charts import text
+from tests.oracle.choices import Choices
+from tests.oracle.plain import without_limits
+from tests.oracle.test_agreement import forget
+from tests.oracle.test_plain import Game
+from tests.support.generated import Generated, imported, system_of
+
+EXAMPLES = int(os.environ.get("NATIVE_EXAMPLES", "4"))
+"""So many random charts are compiled, which takes seconds."""
+GAMES = 20
 
 ROOM = """\
 system Room
 
 enum Colour { WHITE RED }
-message Light { bool on  double level }
+message Light { bool on  double level  repeated int spots }
 topic room { state Light }
+function dim(int n) : bool = "lamps:dim"
 
 srm lamp {
   var notes : int = 0
   var tired   : bool = false
   var colour  : Colour = Colour.WHITE
+  var held    : int = 0
   liveness {
-    lamp  = (shine || count)+
+    lamp  = (shine || count || fetch)+
     shine = Dark . (Bright | Dim)
     count = Wait . Note+
+    fetch = (Reach . Grasp . (Carry | Open | Report))~
   }
-  control lamp { repeat (shine || count) : reset / notes = 0 }
+  activities { Grasp ends held, slipped, broken }
+  control lamp { repeat (shine || count || fetch) : reset / notes = 0 }
+  control fetch {
+    enter Grasp  : [contains(room.state.Light.spots, 3) || notes > 2] / start_timer(patience, 40ms)
+    enter Carry  : [outcome(Grasp) == held] / held = held + 1
+    enter Open   : [outcome(Grasp) == slipped && !expired(patience)]
+    enter Report : [dim(held) || expired(patience)]
+    enter Report : error
+    leave Open   : error
+  }
   control shine {
     enter (Bright | Dim) : touch [room.state.Light.on]
     enter Bright : [room.state.Light.level > 0.5 && !tired] / colour = Colour.RED
@@ -44,20 +72,46 @@ srm lamp {
 team Room { one : lamp }
 """
 
+LAMPS = """\
+def dim(n):
+    if n % 4 == 3:
+        raise ValueError(n)
+    return n % 2 == 0
+"""
+
 GAME = """\
 import json, random, sys
+from aseme_dsl.runtime.plain import ActivityFailed
 from plain.Room import Lamp
 from plain.Room.messages import Light
 import plain.Room.lamp as module
 
 draw, lamp, seen = random.Random(5), Lamp(), []
+
+def move(kind):
+    active = draw.choice(lamp.configuration())
+    if kind == "done":
+        return lamp.done(active)
+    if kind == "ended":
+        return lamp.done(active, draw.choice(("held", "slipped", "broken")))
+    if kind == "failed":
+        try:
+            return lamp.failed(active, "no battery")
+        except ActivityFailed as error:
+            return str(error)
+    return lamp.send(kind) if kind else lamp.step()
+
 lamp.start()
-for step in range(400):
+for step in range(600):
     lamp.now = step * 10_000_000
     if draw.random() < 0.3:
-        lamp.bb.room_state_Light = Light(on=draw.random() < 0.8, level=draw.random())
-    taken = lamp.send(draw.choice(("touch", "touch", "reset", "other")))
-    seen.append([taken, lamp.configuration(), lamp.bb.notes, lamp.bb.tired, int(lamp.bb.colour)])
+        spots = tuple(draw.randrange(5) for _ in range(draw.randrange(4)))
+        lamp.bb.room_state_Light = Light(on=draw.random() < 0.8, level=draw.random(), spots=spots)
+    kinds = ("touch", "touch", "reset", "other", "", "done", "done", "done", "ended", "ended", "failed")
+    taken = move(draw.choice(kinds))
+    bb = lamp.bb
+    seen.append([taken, lamp.configuration(), bb.notes, bb.tired, int(bb.colour), bb.held])
+    seen.append([lamp.outcomes, lamp.failures, lamp.finished, lamp.due()])
 print(json.dumps([module.__file__, seen]))
 """
 
@@ -65,7 +119,10 @@ print(json.dumps([module.__file__, seen]))
 def play(folder: Path) -> tuple[str, object]:
     root = str(Path(__file__).parents[2])
     done = subprocess.run(
-        [sys.executable, "-c", GAME], cwd=folder, env={**os.environ, "PYTHONPATH": root}, capture_output=True
+        [sys.executable, "-c", GAME],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": root},
+        capture_output=True,
     )
     assert done.returncode == 0, done.stderr.decode()
     file, seen = json.loads(done.stdout)
@@ -74,8 +131,11 @@ def play(folder: Path) -> tuple[str, object]:
 
 def test_machine_code_does_the_same_and_goes_when_it_is_not_asked_for(tmp_path: Path) -> None:
     (tmp_path / "room.aseme").write_text(ROOM, "utf-8")
+    (tmp_path / "lamps.py").write_text(LAMPS, "utf-8")
     build = ("build", "room.aseme", "--only", "plain", "-o", "out")
     folder = tmp_path / "out"
+    folder.mkdir()
+    (folder / "lamps.py").write_text(LAMPS, "utf-8")
     done = asemec(*build, "--native", cwd=tmp_path)
     assert done.code == 0, done.err
     file, native = play(folder)
@@ -85,6 +145,49 @@ def test_machine_code_does_the_same_and_goes_when_it_is_not_asked_for(tmp_path: 
     file, plain = play(folder)
     assert file.endswith(".py")
     assert native == plain
+
+
+def random_charts(count: int) -> list[tuple[Generated, str]]:
+    """Random charts that are not refused, each with its text."""
+    made: list[tuple[Generated, str]] = []
+    seed = 0
+    while len(made) < count:
+        written = text(Choices(seed))
+        system = without_limits(system_of(written), simple=False)
+        if system is not None:
+            made.append((imported(system), written))
+        seed += 1
+    return made
+
+
+def test_machine_code_of_random_charts_agrees_with_the_interpreter(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    charts = random_charts(EXAMPLES)
+    modules: list[str] = []
+    for made, _ in charts:
+        package = tmp_path / made.package.__name__
+        package.mkdir()
+        shutil.copy(made.folder / package.name / "messages.py", package)
+        chart = made.system.iac("R")
+        assert chart is not None
+        source = native_source(module_text(made.system, chart, BackendOptions()))
+        (package / "native.py").write_text(source, "utf-8")
+        modules.append(f"{package.name}/native.py")
+    done = run_mypyc(tmp_path, modules, "charts")
+    assert done.returncode == 0, done.stdout + done.stderr
+    monkeypatch.syspath_prepend(str(tmp_path))
+    for seed, (made, written) in enumerate(charts):
+        made.package.__path__.append(str(tmp_path / made.package.__name__))
+        native = importlib.import_module(f"{made.package.__name__}.native")
+        assert not str(native.__file__).endswith(".py")
+        for turn in range(GAMES):
+            game = Game(made, written)
+            game.bare = native.R()
+            if hasattr(game.bare, "chance"):
+                game.bare.chance = Random("1/me")
+            game.play(Choices(GAMES * seed + turn))
+        forget(made)
 
 
 def test_only_what_is_plain_is_compiled(tmp_path: Path) -> None:
