@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import math
 import os
 import threading
 import time
@@ -50,6 +51,8 @@ SOON = 33_000_000
 """An acknowledgement is not put off where it would be by less than so many ns: the beat puts it off, too."""
 LAST_WORDS = 0.3
 """How long, in seconds, what is on its way may take to arrive when a robot ends; on slower links longer."""
+MOST_WORDS = 10
+"""So many times as long as that is waited at the most, as long as something still arrives."""
 SAMPLES = 4096
 """How much data of each channel is kept for those who ask for it."""
 QUESTIONS = 8
@@ -103,6 +106,8 @@ class _Other:
     life: int | None = None
     present: set[int] = field(default_factory=set)
     """The lives that say that they are there; there may be two for a while."""
+    gone_at: float = -math.inf
+    """When it was told last that it is not there any more, in seconds."""
     clock: int | None = None
     measured: deque[tuple[int, int]] = field(default_factory=lambda: deque(maxlen=QUESTIONS))
     """(round trip, difference) of the last measurements of its clock."""
@@ -182,20 +187,17 @@ class Post(Transport):
         if self._thread is None:
             return
         self._gate.set()
-        until = time.monotonic() + max(LAST_WORDS, self._delay / 1e9)
-        if self._delay:
-            with self._lock:
+        with self._lock:
+            self._acknowledge_all()
+            if self._delay:
                 for (mine, name), way in self._ways.items():
                     if way.out.flying and self._others[name].alive:  # the answer comes after acknowledgements
                         self._say(mine, name, "ping", self._envelope(envelopes.PING))
-        while time.monotonic() < until and self._has_unfinished():
-            time.sleep(0.005)
+        self._wait_for_last_words()
         with self._lock:
             self._closing = True
             self._rest.notify()
-            for (mine, name), way in self._ways.items():
-                if way.owed and self._others[name].alive:
-                    self._acknowledge(mine, name, way)
+            self._acknowledge_all()
         self._thread.join()
         self._link.close()
         with self._lock:
@@ -206,9 +208,37 @@ class Post(Transport):
                 if other.life is not None:
                     self._tell(other, "count", counts=dict(sorted(other.counts.items())) or None)
 
-    def _has_unfinished(self) -> bool:
+    def _acknowledge_all(self) -> None:
+        """Called with the lock."""
+        for (mine, name), way in self._ways.items():
+            if way.owed and self._others[name].alive:
+                self._acknowledge(mine, name, way)
+
+    def _wait_for_last_words(self) -> None:
+        """Wait until all has arrived that is on its way, as long as something still does."""
+        words = max(LAST_WORDS, self._delay / 1e9)
+        now = time.monotonic()
+        until, latest = now + words, now + MOST_WORDS * words
+        left = self._unfinished(now - words)
+        while left and now < min(until, latest):
+            time.sleep(0.005)
+            now = time.monotonic()
+            before, left = left, self._unfinished(now - words)
+            if left < before:
+                until = now + words
+
+    def _unfinished(self, recently: float) -> int:
+        """How many letters may still be acknowledged.
+
+        Who has gone since `recently` may have had them all: what says so may come after the news that it is
+        gone, by another connection.
+        """
         with self._lock:
-            return any(len(way.out) and self._others[name].alive for (_, name), way in self._ways.items())
+            return sum(
+                len(way.out) if other.alive else way.out.flying if other.gone_at > recently else 0
+                for (_, name), way in self._ways.items()
+                for other in (self._others[name],)
+            )
 
     def publish(
         self,
@@ -768,7 +798,7 @@ class Post(Transport):
             other.present.discard(incarnation)
             if other.life != incarnation or not other.alive:
                 return
-            other.alive = False
+            other.alive, other.gone_at = False, time.monotonic()
             self._tell(other, "gone")
         self._team.conversations.vanished(agent)
         with self._lock:

@@ -21,7 +21,7 @@ from aseme_dsl.runtime.transport.link import Link, Stamp
 from aseme_dsl.runtime.transport.over_platform import PlatformLink
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 from tests.runtime.playing import make
-from tests.runtime.transport.net import Air, Part, part, wait_until
+from tests.runtime.transport.net import Air, Part, _AirLink, part, wait_until
 from tests.runtime.transport.square import Square
 from tests.support.generated import Generated, generate
 
@@ -456,6 +456,55 @@ def test_a_line_may_wait_to_hear_that_a_participant_is_gone(box: Box) -> None:
     (gone,) = boss.of("conversation", what="gone")
     assert (gone["peer"], gone["played"]) == ("bob", "contractor")
     assert boss.result is not None and boss.result.reason == "finished"
+
+
+class LateLink(_AirLink):
+    """Brings what acknowledges only after it was told that who says so is gone, as two connections may."""
+
+    def __init__(self, air: Air) -> None:
+        super().__init__(air)
+        self.kept: list[Any] = []
+
+    def send(self, *arguments: Any) -> None:
+        if arguments[3].kind == envelopes.ACKNOWLEDGE:
+            self.kept.append(arguments)
+        else:
+            super().send(*arguments)
+
+    def close(self) -> None:
+        super().close()
+        threading.Timer(1.0, lambda: [super(LateLink, self).send(*item) for item in self.kept]).start()
+
+
+def test_what_was_taken_is_not_lost_though_its_receiver_has_ended_since(
+    talk: Generated, box: Box, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("aseme_dsl.runtime.transport.post.LAST_WORDS", 5.0)
+    air = Air()
+    ann = part(talk, ["ann"], box.activities, air.link()).start()
+    bob = part(talk, ["bob"], box.activities, LateLink(air)).start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    box.say += [("team.signal.M", 1, None)]
+    wait_until(lambda: arrived(bob, "bob", "team.signal.M") == [1])
+    bob.stop()
+    wait_until(lambda: "bob gone" in ann.news())
+    ann.stop()
+    assert not ann.of("lost", peer="bob")
+
+
+def test_what_was_not_taken_is_lost_soon_after_its_receiver_has_ended(talk: Generated, box: Box) -> None:
+    air = Air()
+    ann = part(talk, ["ann"], box.activities, air.link()).start()
+    bob = part(talk, ["bob"], box.activities, air.link()).start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    air.loss = 1.0
+    box.say += [("team.signal.M", 1, None)]
+    wait_until(lambda: ann.of("message", channel="team.signal.M"))
+    bob.stop()
+    wait_until(lambda: "bob gone" in ann.news())
+    ann.stop()
+    (lost,) = ann.of("lost", peer="bob")
+    assert lost["reason"] == "the run ended before it could be brought"
 
 
 def test_what_cannot_be(talk: Generated, box: Box) -> None:
