@@ -16,7 +16,7 @@ from __future__ import annotations
 import ast
 import operator
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from typing import Any
 
@@ -28,8 +28,12 @@ from aseme_dsl.runtime.plain import ROUNDS
 START, STEP = "start", "step"
 """The modes of a step that are no event."""
 
-ARGUMENTS = "i, truths, wholes, reals, now"
+TABLES_AND_TIME = ", ".join((*TABLES.values(), "now"))
+ARGUMENTS = f"i, {TABLES_AND_TIME}"
 """What a function for numba is given."""
+
+LONG = 1000
+"""A loop with more lines than this is with a call: numba would take very long to compile it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,14 +56,12 @@ class BatchCode:
     arrays: tuple[Array, ...]
     methods: Mapping[str, str]
     """The name of the step with each event that has one."""
-    modes: tuple[str, ...]
-    """The names of all steps, and of the start."""
     tables: tuple[str, ...]
     """What is said of the regions, as in the plain class."""
     for_numpy: tuple[str, ...]
     """Methods, indented as in a class."""
     for_numba: tuple[str, ...]
-    """Functions of an instance, each before those that call it."""
+    """Functions of an instance, each before those that call it; and the loops over all instances."""
 
 
 def generate_batch(code: PlainCode, variables: Sequence[Array], constants: Mapping[str, int]) -> BatchCode:
@@ -76,12 +78,16 @@ def generate_batch(code: PlainCode, variables: Sequence[Array], constants: Mappi
     events = {name.removeprefix(_ON): name for name in functions if name.startswith(_ON)}
     modes = (START, STEP, *events.values())
     for_numpy = [line for name, item in functions.items() for line in (*_ForNumpy(known, item).of(name), "")]
-    for_numba = [
-        line
-        for name in _callees_first(functions)
-        for line in (*_ForNumba(known, functions[name]).of(name), "", "")
-    ]
-    return BatchCode(tuple(arrays), events, modes, _tables(code), tuple(for_numpy), tuple(for_numba))
+    called = {other for item in functions.values() for other in _called(item, functions)}
+    loops = {name: _ForNumba(known, functions[name]).loop(name) for name in modes if name not in called}
+    loops = {name: lines for name, lines in loops.items() if len(lines) <= LONG}
+    for_numba: list[str] = []
+    for name in _callees_first(functions):
+        if name not in loops:
+            for_numba += [*_ForNumba(known, functions[name]).of(name), "", ""]
+    for name in modes:
+        for_numba += [*(loops.get(name) or _calling_loop(name)), "", ""]
+    return BatchCode(tuple(arrays), events, _tables(code), tuple(for_numpy), tuple(for_numba))
 
 
 def _place(array: Array, arrays: Sequence[Array]) -> str:
@@ -192,14 +198,19 @@ def _tables(code: PlainCode) -> tuple[str, ...]:
     return tuple(re.sub(r": ClassVar\[.*\] = ", " = ", line) for line in lines if "MESSAGES" not in line)
 
 
+def _called(function: _Function, functions: Iterable[str]) -> list[str]:
+    """Which of the functions a function calls."""
+    text = "\n".join(map(ast.unparse, function.body))
+    return [other for other in functions if f"self.{other}()" in text]
+
+
 def _callees_first(functions: Mapping[str, _Function]) -> list[str]:
     """The names of functions, each behind those that it calls. None calls itself."""
     found: list[str] = []
     waiting = list(functions)[::-1]
     while waiting:
         name = waiting[-1]
-        text = "\n".join(map(ast.unparse, functions[name].body))
-        called = [other for other in functions if other not in found and f"self.{other}()" in text]
+        called = [other for other in _called(functions[name], functions) if other not in found]
         if called:
             waiting += called
             continue
@@ -536,25 +547,45 @@ _BUILT_IN: Mapping[str, Callable[[Sequence[str]], str]] = {
 
 
 class _ForNumba(_Translation):
-    """A function of the instance `i`, given all arrays."""
+    """A function of the instance `i`, given all arrays, or the loop over all instances."""
 
     def of(self, name: str) -> list[str]:
         head = f"def do_{name}({ARGUMENTS}):"
-        rewriter = _Elements(self)
-        body = [line for node in self.function.body for line in rewriter.lines(node)]
+        body = _Elements(self).all(self.function.body)
         if (self.function.gives == "bool" or name == START) and not isinstance(
             self.function.body[-1], ast.Return
         ):
             body.append("return False")
         return ["@compiled", head, *(f"    {line}" for line in body or ["pass"])]
 
+    def loop(self, name: str) -> list[str]:
+        """All instances, without a call for each: with so many arrays that takes as long as a step."""
+        body = _Elements(self, in_loop=True).all(self.function.body)
+        if body and body[-1] == "continue":
+            del body[-1]
+        return [*_loop(name), *(f"        {line}" for line in body or ["pass"])]
+
+
+def _calling_loop(name: str) -> list[str]:
+    """The loop over all instances with a call, for what others call, too, or what is long."""
+    return [*_loop(name), f"        out[i] = do_{name}({ARGUMENTS})"]
+
+
+def _loop(name: str) -> list[str]:
+    """How a loop over all instances begins; `out` is false everywhere."""
+    return ["@compiled", f"def each_{name}(out, {TABLES_AND_TIME}):", "    for i in range(len(out)):"]
+
 
 class _Elements(ast.NodeTransformer):
     """Slots and values on the blackboard become elements of arrays."""
 
-    def __init__(self, translation: _ForNumba) -> None:
+    def __init__(self, translation: _ForNumba, *, in_loop: bool = False) -> None:
         self._translation = translation
         self._known = translation.known
+        self._in_loop = in_loop
+
+    def all(self, nodes: Iterable[ast.stmt]) -> list[str]:
+        return [line for node in nodes for line in self.lines(node)]
 
     def lines(self, node: ast.stmt) -> list[str]:
         if isinstance(node, ast.Assign) and ast.unparse(node) in ("bb = self.bb", "now = self.now"):
@@ -594,6 +625,18 @@ class _Elements(ast.NodeTransformer):
                 f"if {by} >= 0:\n    {self._known.places['bb', name]} = {what}\n    {by} = -1"
             ).body
         ]
+
+    def visit_While(self, node: ast.While) -> ast.AST:
+        if any(isinstance(item, ast.Return) for item in ast.walk(node)):
+            raise _unknown(node)
+        return self.generic_visit(node)
+
+    def visit_Return(self, node: ast.Return) -> ast.AST | list[ast.stmt]:
+        changed = self.generic_visit(node)
+        if not self._in_loop:
+            return changed
+        assert isinstance(changed, ast.Return) and changed.value is not None
+        return [*ast.parse(f"out[i] = {ast.unparse(changed.value)}").body, ast.Continue()]
 
     def visit_Raise(self, node: ast.Raise) -> list[ast.stmt]:
         return [*ast.parse(f"{self._known.places['self', 'stuck']} = True").body, ast.Break()]
