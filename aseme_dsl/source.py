@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from dataclasses import field
-
-from aseme_dsl.records import dataclass
+from dataclasses import dataclass, field
 
 _NEWLINE = re.compile("\n")
 

@@ -29,18 +29,17 @@ FLOORS = {
     "runtime": 1,
     "diagnostics": 1,
     "source": 0,
-    "records": -1,
     "standard_library": 0,
     "pygments_lexer": 0,
 }
 """Each room of the package and its floor; a new room is entered here."""
 
 KNOWS_ONLY = {
-    "amola": {"source", "records"},
-    "diagnostics": {"source", "records"},
+    "amola": {"source"},
+    "diagnostics": {"source"},
     "runtime": {"source"},
     "field": {"runtime"},
-    "proofs": {"amola", "source", "records"},
+    "proofs": {"amola", "source"},
 }
 """Rooms that may use less than all that is below them."""
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from aseme_dsl.amola.expression import Literal, value_text
 from aseme_dsl.amola.liveness import Formula
 from aseme_dsl.amola.messages import AGENT, Parameter, Type
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

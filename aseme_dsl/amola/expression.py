@@ -6,10 +6,9 @@ Nesting is bounded by the compiler (E103), so walking an expression may recurse.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.messages import AGENT, BOOL, DOUBLE, DURATION, INT, Channel, Function, Kind, Type
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 # ---- values ------------------------------------------------------------------------------------

@@ -7,9 +7,9 @@ spelling, never by `==`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from enum import StrEnum
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

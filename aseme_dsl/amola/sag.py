@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from aseme_dsl.records import dataclass
+from dataclasses import dataclass
+
 from aseme_dsl.source import Span
 
 

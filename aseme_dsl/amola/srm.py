@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from aseme_dsl.amola.aip import DeclaredVariable, NamedFormula
 from aseme_dsl.amola.messages import Channel, Parameter
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

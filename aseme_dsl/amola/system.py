@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.expression import Literal
@@ -11,7 +11,6 @@ from aseme_dsl.amola.sag import Sag
 from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

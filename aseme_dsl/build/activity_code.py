@@ -10,7 +10,7 @@ import ast
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -27,7 +27,6 @@ from aseme_dsl.build.activity_words import unknown_messages, unknown_methods
 from aseme_dsl.build.write import stamp_of
 from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.diagnostics import Diagnostic, Related, Suppressed, closest
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 
 from aseme_dsl.amola.aip import Aip, Participant
 from aseme_dsl.amola.expression import Received, Send
@@ -15,7 +16,6 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.builtins import NOT_UNDERSTOOD, PERFORMATIVES
 from aseme_dsl.compiler.library import is_of_library
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _TAKES = ("receive", "received")

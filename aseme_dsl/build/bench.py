@@ -12,7 +12,7 @@ import statistics
 import time
 import tracemalloc
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -22,7 +22,6 @@ from aseme_dsl.build.build import Choice, build
 from aseme_dsl.build.course import Course, begun, doings, plain_begun, plain_player, player
 from aseme_dsl.build.drawn import drawn
 from aseme_dsl.build.recorded import Recording, recorded
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.loading import importing, load_system
 from aseme_dsl.runtime.machine import Machine

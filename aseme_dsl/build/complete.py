@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.build.configuration import find_configuration
@@ -10,7 +11,6 @@ from aseme_dsl.build.scaffold import scaffold
 from aseme_dsl.build.write import DISK, Disk, write_file
 from aseme_dsl.compiler import Options, analyse
 from aseme_dsl.diagnostics import Diagnostic, has_errors, in_order
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,6 @@ from aseme_dsl.build.deployment import Deployment, TlsFiles
 from aseme_dsl.build.duration import duration
 from aseme_dsl.build.platforms import PLATFORMS, MangoConfiguration, SpadeConfiguration
 from aseme_dsl.diagnostics import CODES, NO_POLICY, Diagnostic, Policy, Setting, Severity, closest
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from importlib import import_module
 from random import Random
 from typing import Any, NamedTuple
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.convert import converted, like

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
-
-from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.transport import Network

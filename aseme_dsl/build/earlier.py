@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeVar
 
 from aseme_dsl.backends.backend import NOTHING_KNOWN, Known
 from aseme_dsl.build.write import Seen
 from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.grammar.parts import Layout, Lines, Numbers
-from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.diagrams import Drawing

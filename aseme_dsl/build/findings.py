@@ -5,10 +5,10 @@ from __future__ import annotations
 import random
 import statistics
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from aseme_dsl.build.study import Played, Run
 from aseme_dsl.build.variation import Variant
-from aseme_dsl.records import dataclass
 
 RESAMPLES = 2000
 """How often runs are drawn anew for an interval of 95 % (bootstrap by percentiles)."""

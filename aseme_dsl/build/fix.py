@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.build.difference import unified
@@ -11,7 +12,6 @@ from aseme_dsl.build.project import Checked, check
 from aseme_dsl.build.write import DISK, Disk, Written, write_over
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.changes import UNSURE, apply, by_file, choose
-from aseme_dsl.records import dataclass
 
 ROUNDS = 50
 """How often files are checked again, at most: each mended mistake may uncover others."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.build.configuration import find_configuration
@@ -12,7 +13,6 @@ from aseme_dsl.build.write import DISK, Disk, write_over
 from aseme_dsl.compiler.load import read_source
 from aseme_dsl.diagnostics import Diagnostic, has_errors
 from aseme_dsl.grammar.layout import format_source
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

@@ -6,10 +6,10 @@ import glob
 import os
 import re
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 STANDARD_INPUT = "<stdin>"

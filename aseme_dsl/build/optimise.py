@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,7 +13,6 @@ from aseme_dsl.build.findings import Row, best, rows, slowest, worth
 from aseme_dsl.build.study import TIME, Case, StudyError
 from aseme_dsl.build.study_report import Study
 from aseme_dsl.build.variation import Knob, Variant, instead, variants, varied
-from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System

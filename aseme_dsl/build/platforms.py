@@ -12,11 +12,9 @@ import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-
-from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     import subprocess

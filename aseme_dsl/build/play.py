@@ -5,13 +5,12 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import contextmanager, nullcontext, suppress
-from dataclasses import field, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.build.configuration import Configuration, RunConfiguration
 from aseme_dsl.diagnostics import closest
-from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

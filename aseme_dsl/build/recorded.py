@@ -8,12 +8,11 @@ not, or where the trace does not say enough, the course ends, and says why.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from aseme_dsl.build.course import Course, Given, Recorder, begun
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.as_json import from_json
 from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.chart import Chart

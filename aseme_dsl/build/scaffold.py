@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from aseme_dsl.compiler import Analysis, Options, analyse
 from aseme_dsl.compiler.missing import insertion
 from aseme_dsl.diagnostics import Diagnostic, has_errors
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 _ROUNDS = 10

@@ -6,14 +6,13 @@ import json
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 from datetime import datetime
 from fnmatch import fnmatchcase
 from typing import Any
 
 from aseme_dsl.build.duration import duration
 from aseme_dsl.diagrams.sequence import Arrow, Lifeline, Mark, Row, SequenceDiagram, seconds
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace_reading import Record
 
 _AFTER = re.compile(r"\bafter\(([^)]*)\)")

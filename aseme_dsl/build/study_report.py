@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from aseme_dsl.build.findings import Estimate, Row, Slower
 from aseme_dsl.build.study import TIME, Played
 from aseme_dsl.build.variation import Knob, Variant
-from aseme_dsl.records import dataclass
 
 _BUSIEST = 3
 

@@ -19,14 +19,13 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from types import FrameType
 from typing import IO, TYPE_CHECKING, Any
 
 from aseme_dsl.build.play import PlayError
-from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.build.configuration import Configuration

@@ -5,12 +5,11 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace_files import TraceError, format_for, part_of, reason_of
 from aseme_dsl.runtime.trace_reading import Line, Record
 

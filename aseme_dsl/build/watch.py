@@ -11,7 +11,7 @@ import glob
 import os
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from aseme_dsl.build.activity_code import code_files
@@ -20,7 +20,6 @@ from aseme_dsl.build.inputs import is_searched
 from aseme_dsl.build.manifest import NAME as MANIFEST
 from aseme_dsl.build.project import Compiled, code_folder, path_of
 from aseme_dsl.build.write import Stamp, stamp_of
-from aseme_dsl.records import dataclass
 
 _INTERVAL = 0.04
 """How long to wait at least between two looks, in s: nobody notices it."""

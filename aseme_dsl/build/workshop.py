@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from aseme_dsl.build.earlier import Earlier, KnownBuild
 from aseme_dsl.build.write import Seen
 from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.grammar.parts import InParts, Layout, Numbers, Parts
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

@@ -10,7 +10,7 @@ import stat
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType, MappingProxyType
 
@@ -25,7 +25,6 @@ from aseme_dsl.build.manifest import (
     read_manifest,
 )
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.records import dataclass
 
 STAGED = ".asemec-"
 """How the names of files begin that exist only while a build is being written."""

@@ -17,11 +17,10 @@ import ast
 import operator
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any
 
 from aseme_dsl.codegen.plain import PlainCode
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.batch import TABLES
 from aseme_dsl.runtime.plain import ROUNDS
 

@@ -7,7 +7,7 @@ condition under which it is true, its negation as the one under which it is fals
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from aseme_dsl.amola.expression import (
@@ -43,7 +43,6 @@ from aseme_dsl.amola.expression import (
     walk,
 )
 from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Type, list_of
-from aseme_dsl.records import dataclass
 
 Known = Mapping[str, str]
 """Slots that are known to hold a message at this point, with the local name of the message."""

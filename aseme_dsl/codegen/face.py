@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import partial
 
 from aseme_dsl.amola.expression import StateValue, Value
@@ -19,7 +19,6 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.expressions import NOTHING, Known, Names, Piece, enum_name, evaluate, holds
 from aseme_dsl.codegen.flat import FlatChart
 from aseme_dsl.codegen.place import place
-from aseme_dsl.records import dataclass
 
 _PYTHON = {
     Kind.BOOL: "bool",

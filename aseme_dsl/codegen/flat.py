@@ -7,6 +7,7 @@ is active. The leaves of a composite have consecutive numbers.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from functools import cached_property
 
 from aseme_dsl.amola.expression import (
@@ -40,7 +41,6 @@ from aseme_dsl.amola.statechart import (
     Transition,
     TransitionKind,
 )
-from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola.expression import (
     NEVER,
@@ -49,7 +49,6 @@ from aseme_dsl.codegen.expressions import (
 from aseme_dsl.codegen.face import Face, Identifiers, Method, docstring, natural
 from aseme_dsl.codegen.flat import FlatChart, Way
 from aseme_dsl.codegen.resting import is_open, resting
-from aseme_dsl.records import dataclass
 
 TABLE = 64
 """Regions with more numbers than this dispatch through a tuple of functions, others through comparisons."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
     Age,
@@ -28,7 +29,6 @@ from aseme_dsl.amola.messages import AGENT, Comm
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import OriginKind, Statechart, Transition, TransitionKind
 from aseme_dsl.codegen.expressions import may_fail
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 AGENT_MESSAGES = "the messages of agents"

@@ -8,10 +8,10 @@ one byte before it that says whether it is there; the members of a message insid
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from aseme_dsl.amola.messages import EnumType, Field, Kind, Message
 from aseme_dsl.amola.system import System
-from aseme_dsl.records import dataclass
 
 KIND_BYTES = 1
 SIZES = {Kind.BOOL: 1, Kind.ENUM: 1, Kind.INT: 4, Kind.DOUBLE: 4, Kind.DURATION: 4}

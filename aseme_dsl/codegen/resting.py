@@ -8,10 +8,10 @@ plain face takes such ways together with the one before them; where they do look
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import NEVER, Failed, Outcome, StateValue, TransitionExpression
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
-from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
     Action,
@@ -64,7 +65,6 @@ from aseme_dsl.codegen.expressions import (
 )
 from aseme_dsl.codegen.face import Face, Method, docstring, mail_name, natural
 from aseme_dsl.codegen.flat import FlatChart, Wait, Way, signals
-from aseme_dsl.records import dataclass
 
 TABLE = 64
 """Regions with more numbers than this dispatch through a tuple of functions, others through comparisons."""

@@ -10,12 +10,12 @@ control     expressions onto transitions             srm_to_iac   a role's, with
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl.compiler.formula_to_statechart import LARGEST
 from aseme_dsl.diagnostics.policy import NO_POLICY, Policy
-from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System

@@ -13,12 +13,11 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import fields, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass
 
 from aseme_dsl.diagnostics import CODES, Diagnostic, Edit, Severity, Suppressed, closest, has_errors, in_order
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import NO_PARTS, Layout
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 _ADDRESSED = re.compile(r"(?://|/\*)\s*asemec\s*:\s*(.*)", re.DOTALL)

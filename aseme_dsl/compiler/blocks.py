@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 from aseme_dsl.compiler.names import declared_twice
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.aip import DeclaredVariable
 from aseme_dsl.amola.liveness import Formula
@@ -22,7 +22,6 @@ from aseme_dsl.compiler.formula_to_statechart import Branch, Outline, Way
 from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.regions import regions_of
 from aseme_dsl.compiler.resolve import Symbols
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from aseme_dsl.amola.messages import DOUBLE, INT, Type
 from aseme_dsl.compiler.scope import Scope
 from aseme_dsl.diagnostics import Diagnostic, Related
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Expired, Not, TransitionExpression, operands
 from aseme_dsl.amola.liveness import Formula, Operator, ungrouped
@@ -15,7 +16,6 @@ from aseme_dsl.compiler.staying import STAYING
 from aseme_dsl.compiler.terms import Terms, listed, spelling, terms_of
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import TypeVar
 
 from aseme_dsl.amola.messages import BUILT_IN, Kind, Type
@@ -12,7 +12,6 @@ from aseme_dsl.compiler.library import providers
 from aseme_dsl.compiler.names import unknown
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 D = TypeVar("D", bound=tree.Declaration)

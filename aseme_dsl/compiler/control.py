@@ -7,7 +7,7 @@ lines go wherever the protocol is played.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola import expression
 from aseme_dsl.amola.expression import EMPTY, NEVER, TransitionExpression, substituted_expression
@@ -24,7 +24,6 @@ from aseme_dsl.compiler.terms import Played, terms_of, way
 from aseme_dsl.compiler.typecheck import type_expression
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from aseme_dsl.amola.aip import Aip, Participant
 from aseme_dsl.amola.expression import Event, Received, Send
@@ -14,7 +14,6 @@ from aseme_dsl.compiler.builtins import NOT_UNDERSTOOD
 from aseme_dsl.compiler.library import is_of_library
 from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.diagnostics import Diagnostic, Related
-from aseme_dsl.records import dataclass
 
 _SHOWN = 4
 """How many related places a problem shows at most."""

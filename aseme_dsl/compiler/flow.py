@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.expression import (
     NEVER,
@@ -25,7 +25,6 @@ from aseme_dsl.amola.messages import Comm
 from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition, TransitionKind
 from aseme_dsl.compiler.formulas import cut
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _POINTS = (NodeType.START, NodeType.CONDITION)

@@ -7,7 +7,7 @@ arrows into transitions. Formulas may be nested hundreds deep, so nothing here r
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 from aseme_dsl.amola.expression import INSTANCE, Literal, Value, substituted, value_text
@@ -16,7 +16,6 @@ from aseme_dsl.amola.messages import INT
 from aseme_dsl.amola.statechart import Argument, Node, NodeType, Origin, OriginKind
 from aseme_dsl.compiler.formulas import Formulas, dependencies_first, fold
 from aseme_dsl.diagnostics import Diagnostic, Related
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 LARGEST = 50_000

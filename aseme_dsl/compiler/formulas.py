@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
 from aseme_dsl.amola.aip import NamedFormula
@@ -12,7 +12,6 @@ from aseme_dsl.amola.messages import Parameter
 from aseme_dsl.amola.statechart import Argument
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 
 _T = TypeVar("_T")
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola.expression import Member, Value, walk
 from aseme_dsl.amola.liveness import Formula, names
@@ -16,7 +16,6 @@ from aseme_dsl.compiler.scope import Scope
 from aseme_dsl.compiler.typecheck import type_value
 from aseme_dsl.diagnostics import Diagnostic, Related, surely
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

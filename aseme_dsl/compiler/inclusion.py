@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
 from aseme_dsl.compiler.blocks import Blocks
@@ -12,7 +12,6 @@ from aseme_dsl.compiler.names import unknown
 from aseme_dsl.compiler.usecases import folded
 from aseme_dsl.diagnostics import Diagnostic, Related, Severity
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 _T = TypeVar("_T")

@@ -6,14 +6,13 @@ import os
 import re
 import stat
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, has_errors, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import NO_PARTS, InParts, Layout
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
 

@@ -9,10 +9,9 @@ changes what comes out.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from types import FunctionType
 from typing import Any, Protocol, TypeVar, cast
-
-from aseme_dsl.records import dataclass
 
 _T = TypeVar("_T")
 

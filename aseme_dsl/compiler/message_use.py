@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import (
     Assign,
@@ -23,7 +24,6 @@ from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
@@ -63,7 +63,6 @@ from aseme_dsl.compiler.usecases import use_cases
 from aseme_dsl.diagnostics import Diagnostic, has_errors
 from aseme_dsl.grammar import tree
 from aseme_dsl.proofs.prover import Prover
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 _T = TypeVar("_T")

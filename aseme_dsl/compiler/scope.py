@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from aseme_dsl.amola.aip import AgentMessage
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.messages import Type
 from aseme_dsl.compiler.symbols import Symbols
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

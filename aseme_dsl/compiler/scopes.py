@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.aip import AgentMessage, DeclaredVariable
 from aseme_dsl.amola.expression import Literal
@@ -16,7 +16,6 @@ from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.compiler.typecheck import constant, measure, paths_in, type_value
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from aseme_dsl.amola.liveness import called, names
 from aseme_dsl.amola.srm import Plays
@@ -23,7 +23,6 @@ from aseme_dsl.compiler.scopes import TypedRole
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import count
 
 from aseme_dsl.amola.liveness import called
@@ -26,7 +26,6 @@ from aseme_dsl.compiler.scopes import TypedRole
 from aseme_dsl.compiler.typecheck import type_expression
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 
 _COMPOSITE = (NodeType.OR, NodeType.AND)
 

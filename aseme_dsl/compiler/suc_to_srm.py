@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 from aseme_dsl.amola.srm import Capability, Functionality, Module, Srm
 from aseme_dsl.amola.statechart import NodeType, Statechart
@@ -14,7 +15,6 @@ from aseme_dsl.compiler.srm_to_iac import Role
 from aseme_dsl.compiler.usecases import UseCases, activity_name, folded, formula_line, helper_formulas
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 
 
 def read_srm(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from aseme_dsl.amola.messages import (
@@ -22,7 +22,6 @@ from aseme_dsl.amola.messages import (
 from aseme_dsl.amola.system import Team
 from aseme_dsl.compiler.builtins import FUNCTIONS, NOWHERE
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, term_key, ungrouped
 from aseme_dsl.compiler.formula_to_statechart import Way
@@ -12,7 +12,6 @@ from aseme_dsl.compiler.resuming import RESUME
 from aseme_dsl.compiler.staying import STAYING
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 
 _LISTED = 8
 """How many candidates a hint names at most."""

@@ -7,9 +7,9 @@ if the use case says that it `realises` them.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 from aseme_dsl.amola.suc import Suc, UseCase
-from aseme_dsl.records import dataclass
 
 
 def folded(name: str) -> str:

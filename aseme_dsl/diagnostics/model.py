@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from enum import StrEnum
 
 from aseme_dsl.diagnostics.codes import CODES, GROUPS, Code
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

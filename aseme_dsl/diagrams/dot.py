@@ -7,12 +7,11 @@ same data, so that nothing can be drawn which is not checked.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
 from aseme_dsl.diagrams.labels import Html, printable, short
-from aseme_dsl.records import dataclass
 
 _LONGEST = 3000
 """Characters of a tooltip, at most 15 000 when escaped: older versions read no string beyond 16 384."""

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import field
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 from aseme_dsl.diagrams import dot
 from aseme_dsl.diagrams.dot import Sheet, Shown
-from aseme_dsl.records import dataclass
 
 
 class Expressions(StrEnum):

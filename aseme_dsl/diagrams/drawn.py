@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 
 from aseme_dsl.diagrams.drawing import Drawing
 from aseme_dsl.diagrams.layout import TIME_LIMIT, DrawingFailed, GraphvizMissing, end_all, render
-from aseme_dsl.records import dataclass
 
 WHOLE = 1500
 """The most states that are tried in one picture: more take minutes, and nobody can read them."""

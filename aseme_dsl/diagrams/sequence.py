@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-
-from aseme_dsl.records import dataclass
+from dataclasses import dataclass
 
 PAGE = 60
 """So many rows are one page: more are not looked at together."""

@@ -7,12 +7,11 @@ import hashlib
 import os
 import tempfile
 from collections import OrderedDict
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from aseme_dsl.diagrams.drawing import Drawing
 from aseme_dsl.diagrams.layout import TIME_LIMIT, program, render
-from aseme_dsl.records import dataclass
 
 _REVISION = 1
 """To be raised when the same DOT text becomes another picture."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections import OrderedDict
 from collections.abc import Iterable
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from aseme_dsl.build.build import with_labels
@@ -17,7 +17,6 @@ from aseme_dsl.diagrams.drawn import WHOLE
 from aseme_dsl.diagrams.store import Store, key_of
 from aseme_dsl.diagrams.words import words
 from aseme_dsl.documents.request import Request
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 _MOST = 16

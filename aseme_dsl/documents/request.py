@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from aseme_dsl.diagnostics import closest
 from aseme_dsl.diagrams import Expressions, Layout, Options
-from aseme_dsl.records import dataclass
 
 BOTH = "both"
 """The layout that is both of them."""

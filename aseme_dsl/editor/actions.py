@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
+from dataclasses import dataclass
 from enum import StrEnum
 
 from aseme_dsl.amola.liveness import Operator, ungrouped
@@ -23,7 +24,6 @@ from aseme_dsl.editor.quick_fixes import Fix, fixes
 from aseme_dsl.editor.rewriting import Refused, differences, look, piece_at
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 
 CLASS = "class"
 """The refactoring that makes a new file: see `activities.activity_class`."""

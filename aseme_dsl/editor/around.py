@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 from aseme_dsl.compiler import formulas as formula_tables
@@ -19,7 +19,6 @@ from aseme_dsl.editor.known import Known, nodes, used_names
 from aseme_dsl.editor.place import Place, end_of_declaration
 from aseme_dsl.grammar import parse, tree
 from aseme_dsl.grammar.expected import Expected
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from aseme_dsl.compiler.scope import Scope
 from aseme_dsl.editor.around import Around, name_of
 from aseme_dsl.editor.known import Known
 from aseme_dsl.editor.place import Place
 from aseme_dsl.grammar.expected import Expected
 from aseme_dsl.grammar.token import Token
-from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ element of the picture stands for that place; `elements` lead from each element 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart
 from aseme_dsl.amola.system import System
@@ -20,7 +20,6 @@ from aseme_dsl.editor.index import Kind, Symbol
 from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 READABLE = 80

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 
 from aseme_dsl.amola.liveness import INFIX, Formula, Operator, names, ungrouped, walk
 from aseme_dsl.compiler.formula_to_statechart import Way
@@ -23,7 +24,6 @@ from aseme_dsl.editor.rewriting import (
 )
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 ALLOWED = frozenset(("N704",))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.statechart import NodeType
@@ -11,7 +11,6 @@ from aseme_dsl.editor.hover import type_of
 from aseme_dsl.editor.index import Kind, Symbol, name_of
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

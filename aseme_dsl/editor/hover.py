@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator
+from dataclasses import dataclass
 
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.messages import Comm
@@ -16,7 +17,6 @@ from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.lexer import clean
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 _MOST = 8

@@ -6,7 +6,7 @@ What a name in a node of the tree means is said in one line of `NAMES`; dotted n
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import field, fields, is_dataclass, replace
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from enum import StrEnum
 from typing import Any
 
@@ -16,7 +16,6 @@ from aseme_dsl.compiler.builtins import COMM_TYPES, PERFORMATIVES
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.compiler.usecases import folded
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

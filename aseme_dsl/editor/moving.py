@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Container, Mapping, Sequence
+from dataclasses import dataclass
 
 from aseme_dsl.amola.liveness import Formula, ungrouped
 from aseme_dsl.compiler.formula_to_statechart import Way
@@ -11,7 +12,6 @@ from aseme_dsl.compiler.terms import Terms, way, ways
 from aseme_dsl.editor.completion import spelled
 from aseme_dsl.editor.rewriting import Owner, Refused, Replaced
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 
 Translate = Callable[[str, Way], Sequence[tuple[str, Way]]]
 """From a formula and a way in it to the formulas and ways that it is now."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.editor.index import Kind, Occurrence, Symbol, Use
@@ -11,7 +12,6 @@ from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.python_places import activity_place, outcome_places, target_place
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from typing import Any
 
 from aseme_dsl.amola.liveness import Formula
@@ -13,7 +13,6 @@ from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.lexer import Tokens, clean
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

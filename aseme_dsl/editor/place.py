@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import lru_cache
 
 from aseme_dsl.grammar.expected import Expected, Step, expected_after
 from aseme_dsl.grammar.lexer import Tokens
 from aseme_dsl.grammar.recovery import declaration_begins
 from aseme_dsl.grammar.token import Token, token
-from aseme_dsl.records import dataclass
 
 _PIECE = re.compile(r'//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|"(?:[^"\\\n]|\\.)*"?|[{}]')
 _NAME_BEFORE = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z|[0-9]+(?:\.[0-9]*)*\Z")

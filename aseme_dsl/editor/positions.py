@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Callable
-
-from aseme_dsl.records import dataclass
+from dataclasses import dataclass
 
 _END_OF_LINE = re.compile(r"\r\n|\n|\r")
 

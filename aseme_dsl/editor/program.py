@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import cached_property
 
 from aseme_dsl.compiler.memory import Recall
@@ -13,7 +14,6 @@ from aseme_dsl.diagnostics import Diagnostic, Suppressed
 from aseme_dsl.editor.index import Index, Occurrence, World, occurrences, world_of
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import Layout
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 Indexer = Callable[[tree.Declaration, World], tuple[Occurrence, ...]]

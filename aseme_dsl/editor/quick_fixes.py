@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from aseme_dsl.compiler.allow import OWN
 from aseme_dsl.compiler.missing import Missing, insertion
 from aseme_dsl.diagnostics import CODES, Diagnostic, Edit, Severity
 from aseme_dsl.editor.declaring import declarations
 from aseme_dsl.editor.view import View
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from aseme_dsl.compiler.usecases import folded
@@ -15,7 +15,6 @@ from aseme_dsl.editor.renamed_code import Code, Unreadable, renamed_code
 from aseme_dsl.editor.view import View
 from aseme_dsl.editor.workspace import Workspace
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.naming import class_name, snake_case
 from aseme_dsl.source import Span
 from aseme_dsl.standard_library import standard_library

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import field, fields
+from dataclasses import dataclass, field, fields
 from difflib import SequenceMatcher
 
 from aseme_dsl.amola.expression import action_text, events_text, value_text
@@ -19,7 +19,6 @@ from aseme_dsl.editor.place import begin_of_declaration, end_of_declaration
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import parse, tree
 from aseme_dsl.grammar.layout import format_source
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from aseme_dsl.amola.messages import Function, Type
 from aseme_dsl.compiler.builtins import FORMS
@@ -14,7 +15,6 @@ from aseme_dsl.editor.known import Known
 from aseme_dsl.editor.place import place_at
 from aseme_dsl.editor.slots import Call
 from aseme_dsl.editor.values import form_parameters, signature, type_of
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

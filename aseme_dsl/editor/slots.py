@@ -7,13 +7,12 @@ so it is here, from the tokens before the cursor, which need not make sense yet.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import pairwise
 
 from aseme_dsl.compiler.builtins import PERFORMATIVES
 from aseme_dsl.grammar.token import Token, token
-from aseme_dsl.records import dataclass
 
 
 class SlotKind(StrEnum):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from aseme_dsl.diagnostics import Diagnostic
@@ -12,7 +12,6 @@ from aseme_dsl.editor.index import Occurrence
 from aseme_dsl.editor.positions import Lines
 from aseme_dsl.editor.program import Program
 from aseme_dsl.grammar import tree
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 _WORD = re.compile(r"\w*", re.ASCII)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TypeVar, cast
 
@@ -22,7 +22,6 @@ from aseme_dsl.editor.program import Indexer, Program
 from aseme_dsl.editor.view import View, carried
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import InParts, Parts
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 from aseme_dsl.standard_library import standard_library
 

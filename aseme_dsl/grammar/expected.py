@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
@@ -17,7 +17,6 @@ from arpeggio import Match, NoMatch, OneOrMore, Optional, OrderedChoice, RegExMa
 
 from aseme_dsl.grammar.recovery import BLOCKS
 from aseme_dsl.grammar.terminals import AsemeParser, Progress, all_rules, make_parser_model, skip_blanks
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

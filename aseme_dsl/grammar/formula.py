@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from aseme_dsl.amola.liveness import Formula, Operator
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar.lexer import shown
 from aseme_dsl.grammar.token import Token
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 DEEPEST = 1000

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from functools import cached_property
 
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar.tree import Comment
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 UNITS = {"ms": 1_000_000, "s": 1_000_000_000, "min": 60_000_000_000}

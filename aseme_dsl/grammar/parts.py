@@ -9,14 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from itertools import count, pairwise
 
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parse import MOST_MISTAKES, parse
 from aseme_dsl.grammar.recovery import BLOCKS, CLOSED_DECLARATION
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
@@ -27,7 +27,6 @@ from aseme_dsl.grammar.parser import RulesParser, objects, parsing_expressions
 from aseme_dsl.grammar.recovery import BLOCKS, end_of_header, end_of_junk, is_outside, is_stray_brace
 from aseme_dsl.grammar.rules import rules, textx_metamodel
 from aseme_dsl.grammar.token import token
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
 
 

@@ -12,12 +12,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import field
+from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)

@@ -7,6 +7,7 @@ values the first of a list (0, what the conditions mention, its neighbours) are 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from itertools import pairwise
@@ -33,7 +34,6 @@ from aseme_dsl.proofs.unknowns import (
     presences,
     unknowns_of,
 )
-from aseme_dsl.records import dataclass
 
 BUDGET = 400_000
 """What z3 may spend on one question, in its own units: an ordinary one needs a few thousand."""

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Mapping
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import AGENT, BOOL, Comm, EnumType, Function, Kind, Message, Type
-from aseme_dsl.records import dataclass
 
 Key = tuple[Any, ...]
 """Which unknown it is: two places that read the same in one snapshot have the same key."""

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
-from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.amola.expression import (
@@ -27,7 +28,6 @@ from aseme_dsl.codegen.expressions import enum_name
 from aseme_dsl.codegen.plain import PlainOptions, generate_plain
 from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.batch import COMPILED
 from aseme_dsl.runtime.naming import class_name
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.amola.aip import Participant
@@ -22,7 +23,6 @@ from aseme_dsl.backends.shared.generate import (
     system_file,
 )
 from aseme_dsl.codegen.place import place
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.acl import JSON
 from aseme_dsl.runtime.directory import service_of
 from aseme_dsl.runtime.naming import class_name, module_name, usable

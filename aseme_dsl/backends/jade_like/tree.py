@@ -20,13 +20,13 @@ import keyword
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from enum import StrEnum
 
 from aseme_dsl.amola.expression import After, duration_text
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, label_key
 from aseme_dsl.amola.system import System
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.naming import class_name
 
 POINTS = {NodeType.START: "START", NodeType.CONDITION: "CHOICE", NodeType.END: "END"}

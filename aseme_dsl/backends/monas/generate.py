@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions
 from aseme_dsl.backends.shared.generate import (
@@ -13,7 +15,6 @@ from aseme_dsl.backends.shared.generate import (
     source_of,
     system_file,
 )
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.naming import usable
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl.amola.statechart import Statechart
@@ -12,7 +13,6 @@ from aseme_dsl.backends.shared.generate import environment, messages_file, rende
 from aseme_dsl.codegen.plain import PlainOptions, generate_plain
 from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic, Related
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.naming import class_name, usable
 
 WATCHED = "_watched"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any
@@ -21,7 +21,6 @@ from aseme_dsl.codegen.place import in_docstring
 from aseme_dsl.codegen.plan import Sections, branch_texts, plan_sections, protocol_versions
 from aseme_dsl.codegen.seen import seen_by_roles
 from aseme_dsl.codegen.step import StepCode, generate_step
-from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.naming import class_name, module_name, usable
 
 if TYPE_CHECKING:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import field
-
-from aseme_dsl.records import dataclass
+from dataclasses import dataclass, field
 
 GLUED = 1 << 30
 """The level of a place at which no line is broken."""

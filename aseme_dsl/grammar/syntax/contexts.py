@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum, auto
 
 from aseme_dsl.grammar.formula import BUILT_IN_TYPES
@@ -29,7 +29,6 @@ from aseme_dsl.grammar.syntax.shape import (
     grammar,
     may_be_empty,
 )
-from aseme_dsl.records import dataclass
 
 
 class Kind(Enum):

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from aseme_dsl.grammar.syntax.contexts import KEYWORDS, TOKENS, Context, Kind, Phrase, Piece, either
 from aseme_dsl.grammar.syntax.patterns import compact
-from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

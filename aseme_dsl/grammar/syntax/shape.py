@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 from arpeggio import Match, OneOrMore, OrderedChoice, RegExMatch, Repetition, ZeroOrMore
 from arpeggio import Optional as Perhaps
 
 from aseme_dsl.grammar.terminals import metamodel
-from aseme_dsl.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)
