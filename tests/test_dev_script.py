@@ -215,3 +215,14 @@ def test_what_is_started_works_from_the_root_with_the_environments_tools(
     assert dev.in_environment(["-c", question]) == 0
     venv = checkout / ".venv"
     assert json.loads(capfd.readouterr().out) == [str(checkout), str(venv), str(venv / "bin" / "python")]
+
+
+def test_what_is_started_keeps_its_bytecode(
+    checkout: Path,
+    installed: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
+    assert dev.in_environment(["-c", "import sys; print(sys.dont_write_bytecode)"]) == 0
+    assert capfd.readouterr().out == "False\n"

@@ -129,15 +129,12 @@ def view(
 
 def _ways(chart: Statechart, drawn: set[str]) -> tuple[Way, ...]:
     """The transitions with an end among the drawn states, but for those hidden inside a closed one."""
+    shown_at: dict[str | None, str | None] = {None: None}
+    for node in chart.nodes:  # each after its parent
+        shown_at[node.label] = node.label if node.label in drawn else shown_at[node.parent]
     found: list[Way] = []
     for place, transition in enumerate(chart.transitions):
-        ends = []
-        for label in (transition.source, transition.target):
-            shown_at: str | None = label
-            while shown_at is not None and shown_at not in drawn:
-                shown_at = chart.node(shown_at).parent
-            ends.append(shown_at)
-        source, target = ends
+        source, target = shown_at[transition.source], shown_at[transition.target]
         if source is None and target is None:
             continue
         if source is None or target is None:

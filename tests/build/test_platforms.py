@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -19,7 +20,7 @@ from aseme_dsl.build.platforms import (
 )
 from aseme_dsl.runtime.transport import TransportError
 from aseme_dsl.runtime.transport.settings import Xmpp
-from tests.cli.support import asemec
+from tests.cli.support import Here, asemec
 
 TEAM = """
 system Walk
@@ -105,18 +106,20 @@ def test_what_a_project_does_not_say_is_asked_for(monkeypatch: pytest.MonkeyPatc
 
 
 @pytest.mark.parametrize("platform", ["spade", "mango"])
-def test_a_platform_that_is_not_installed_is_said_with_how_to_get_it(tmp_path: Path, platform: str) -> None:
-    (tmp_path / f"{platform}.py").write_text("raise ImportError('there is none')\n")
-    (tmp_path / "greenlet.py").write_text("")
+def test_a_platform_that_is_not_installed_is_said_with_how_to_get_it(
+    tmp_path: Path, platform: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, platform, None)  # so that its import fails
+    monkeypatch.setitem(sys.modules, "greenlet", ModuleType("greenlet"))
+    monkeypatch.setenv(GIVEN, '{"spade": [1, "x"], "mango": {"one": "h:1", "two": "h:2"}}')
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "walk.aseme").write_text(TEAM)
-    paths = {"PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])}
     for words in (
         ("run", "walk.aseme"),
         ("run", "walk.aseme", "--process-per-robot"),
         ("node", "one", "walk.aseme"),
     ):
-        environment = {**paths, GIVEN: '{"spade": [1, "x"], "mango": {"one": "h:1", "two": "h:2"}}'}
-        done = asemec(*words, "--platform", platform, cwd=tmp_path, **environment)
+        done = Here(capsys)(*words, "--platform", platform)
         assert done.code == 1
         assert f'pip install "aseme-dsl[{platform}]"' in done.err and "Traceback" not in done.err
 

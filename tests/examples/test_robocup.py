@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -22,6 +23,8 @@ from aseme_dsl.runtime import Loaded, Team, activities_in, load_system, make_tea
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "robocup"
 SECOND = 1_000_000_000
+SEEDS = [int(word) for word in os.environ.get("MATCH_SEEDS", "11").split()]
+"""The whole matches: one takes as long as a thousand small tests."""
 
 
 @pytest.fixture(scope="module")
@@ -101,8 +104,9 @@ def test_nothing_is_done_that_is_not_declared(twenty_seconds: Played) -> None:
 def test_one_seed_is_one_match(twenty_seconds: Played, project: Path) -> None:
     again = play(project, "--for", "20s", "--seed", "1", "--trace", str(project / "again.jsonl"))
     assert again.trace == twenty_seconds.trace
-    other = play(project, "--for", "20s", "--seed", "2", "--trace", str(project / "other.jsonl"))
-    assert other.trace != twenty_seconds.trace
+    other = play(project, "--for", "5s", "--seed", "2", "--trace", str(project / "other.jsonl"))
+    begun = other.trace.splitlines()[1:-1]  # the first line names the seed
+    assert begun != twenty_seconds.trace.splitlines()[1 : 1 + len(begun)]
 
 
 # ---- whole matches ------------------------------------------------------------------------------
@@ -206,7 +210,7 @@ def watch(system: Loaded, seed: int) -> Watched:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [3, 11])
+@pytest.mark.parametrize("seed", SEEDS)
 def test_it_keeps_the_clauses_of_its_protocol(matches: Mapping[int, Watched], seed: int) -> None:
     """clause at most one center; clause PassBall@center before KickBall@center_for."""
     match = matches[seed]
@@ -223,9 +227,9 @@ def test_the_attack_of_the_papers_is_seen(matches: Mapping[int, Watched]) -> Non
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [3, 11])
+@pytest.mark.parametrize("seed", SEEDS)
 def test_it_plays_well(matches: Mapping[int, Watched], seed: int) -> None:
-    """The match is the same to the bit everywhere; that the team wins it is what a visitor should see."""
+    """A match is the same to the bit everywhere; that the team wins it is what a visitor should see."""
     match = matches[seed]
     assert match.failures == [None] * 4
     assert match.score[0] > match.score[1]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from datetime import UTC, datetime, timedelta, timezone
 from typing import Any
 
@@ -11,6 +12,8 @@ from hypothesis import strategies as st
 
 from aseme_dsl.runtime.acl import AgentIdentifier, FipaMessage, Span, Word
 from aseme_dsl.runtime.acl_text import AclTextError, read, written
+
+EXAMPLES = int(os.environ.get("ACL_EXAMPLES", "100"))
 
 ALICE = AgentIdentifier("alice@host:1099/JADE", ("http://host:7778/acc",))
 CAROL = b"(agent-identifier :name carol :resolvers (sequence (agent-identifier :name df)) :X-age 3)"
@@ -295,7 +298,7 @@ messages = st.builds(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=EXAMPLES, deadline=None)
 @given(messages)
 def test_what_is_written_is_read(message: FipaMessage) -> None:
     assert read(written(message)) == message
@@ -315,7 +318,7 @@ def test_whatever_comes_is_a_message_or_told(data: bytes | str) -> None:
         assert read(written(message)) == message
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=EXAMPLES, deadline=None)
 @given(
     messages,
     st.lists(
