@@ -50,6 +50,10 @@ Known = Mapping[str, str]
 NOTHING: Known = MappingProxyType({})
 
 
+LOCAL = "\x01"
+"""May stand before the name of a local until its method is written: nothing of a document looks like that."""
+
+
 @dataclass(frozen=True, slots=True)
 class Piece:
     """Python code of a value; `needs` must hold before it may be evaluated, in this order."""
@@ -97,6 +101,8 @@ class Names:
     prefix: str = ""
     mail: str = ""
     """The local name of the agent message that the transition takes."""
+    now: str = "now"
+    """The code for the time of the step."""
     locals: int = 0
     may_raise: bool = False
 
@@ -163,7 +169,7 @@ def _negated(value: Value, code: str) -> str:
 
 
 def _wrapped(code: str) -> str:
-    plain = code.replace(".", "").replace("_", "").isalnum()
+    plain = code.replace(".", "").replace("_", "").removeprefix(LOCAL).isalnum()
     return code if plain or (code.startswith("self.call(") and code.count("(") == 1) else f"({code})"
 
 
@@ -214,17 +220,17 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
         case Age(message=message):
             slot = _slot(message, names)
             _, needs, known = _present(message, names, known)
-            return Piece(f"(now - {slot}_time)", needs, known)
+            return Piece(f"({names.now} - {slot}_time)", needs, known)
         case At(message=message, offset=offset):
             return _at(message, offset, names, known)
         case Mean(message=message, window=window):
             extent = evaluate(window, names, known)
             local = names.local()
             channel, member = str(message.channel), ".".join(message.path)
-            call = f"b.mean({channel!r}, {message.host!r}, now - {_wrapped(extent.code)}, {member!r})"
+            call = f"b.mean({channel!r}, {message.host!r}, {names.now} - {_wrapped(extent.code)}, {member!r})"
             return Piece(local, (*extent.needs, f"({local} := {call}) is not None"), extent.known)
         case Expired(timer=timer):
-            return Piece(f"{names.timer(timer)} <= now", known=known)
+            return Piece(f"{names.timer(timer)} <= {names.now}", known=known)
         case Outcome(activity=activity):
             return _outcome(activity, names, known)
         case Index():
@@ -321,7 +327,7 @@ def _path(
 def _at(message: Member, offset: Value, names: Names, known: Known) -> Piece:
     extent = evaluate(offset, names, known)
     local = names.local()
-    call = f"b.at({str(message.channel)!r}, {message.host!r}, now + {_wrapped(extent.code)})"
+    call = f"b.at({str(message.channel)!r}, {message.host!r}, {names.now} + {_wrapped(extent.code)})"
     needs = (*extent.needs, f"({local} := {call}) is not None")
     return _path(local, message.channel.message, message.path, needs, names, extent.known)
 

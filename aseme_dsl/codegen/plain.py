@@ -38,6 +38,7 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, TransitionKind
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.expressions import (
+    LOCAL,
     Names,
     Piece,
     converted,
@@ -73,6 +74,10 @@ NESTED = 6
 
 DEEP = 24
 """Code that is indented further moves into a method (CPython refuses more than 100 levels)."""
+
+_BB = f"{LOCAL}bb"
+_NOW = f"{LOCAL}now"
+"""The locals that a method has if its lines use them."""
 
 STEP = ""
 """The mode of a step without an event."""
@@ -235,7 +240,7 @@ class _Generator(Face):
         return self.board_names.name(("variable", name), name)
 
     def _place_on_board(self, name: str) -> str:
-        return f"bb[{name!r}]" if self.options.mapping else f"bb.{name}"
+        return f"{_BB}[{name!r}]" if self.options.mapping else f"{_BB}.{name}"
 
     def _message_slots(self) -> dict[tuple[str, str | None], tuple[str, str]]:
         """The places of the messages that conditions read, by channel and host, with their types."""
@@ -261,6 +266,7 @@ class _Generator(Face):
     def _names(self, region: int, prefix: str = "") -> Names:
         variables = self.names[region]
         names = Names(self.seen, variables, self.fields, self.enums, called=self._called_by, prefix=prefix)
+        names.now = _NOW
         names.timer = lambda timer: f"self.timers.get({(region, timer)!r}, NEVER)"
         return names
 
@@ -272,7 +278,7 @@ class _Generator(Face):
         return f"{name}({', '.join(arguments)})"
 
     def _held(self, region: int) -> tuple[str, str]:
-        return f"bb: {self._board_type()}", "bb"
+        return f"bb: {self._board_type()}", _BB
 
     def _board_type(self) -> str:
         return "dict[str, Any]" if self.options.mapping else self.board_name
@@ -322,11 +328,10 @@ class _Generator(Face):
         return [*head, *self._locals(lines, 2, signature), *lines]
 
     def _locals(self, lines: Sequence[str], depth: int, signature: str = "") -> list[str]:
-        text = "\n".join(line for line in lines if not line.lstrip().startswith("#"))
         found = []
-        if re.search(r"\bbb\b", text) and "bb:" not in signature:
+        if any(_BB in line for line in lines) and "bb:" not in signature:
             found.append("    " * depth + "bb = self.bb")
-        if re.search(r"\bnow\b(?! =)", text):
+        if any(_NOW in line for line in lines):
             found.append("    " * depth + "now = self.now")
         return found
 
@@ -569,10 +574,10 @@ class _Generator(Face):
         for line in method:
             text = line.lstrip()
             if not text.startswith(_WROTE):
-                lines.append(line)
+                lines.append(line.replace(LOCAL, ""))
                 continue
             gates = [gate for gate, read in self.gates.items() if text.removeprefix(_WROTE) in read]
-            again = f"{line[: len(line) - len(text)]}{' = '.join(gates)} = False"
+            again = f"{line[: len(line) - len(text)]}{' = '.join(gates)} = False".replace(LOCAL, "")
             if gates and lines[-2:-1] != [again]:
                 lines.append(again)
         return lines
@@ -594,7 +599,7 @@ class _Generator(Face):
                 f"    return {{{entries}}}",
             ]
         lines = [f"class {self.board_name}:", f"    {document}", ""]
-        gates = [gate.removeprefix("bb.") for gate in self.gates]
+        gates = [gate.removeprefix(f"{_BB}.") for gate in self.gates]
         names = [name for name, _, _ in values]
         lines.append(f"    __slots__ = {_tuple([*names, *gates, *(['tracked'] if gates else [])])}")
         if gates:
@@ -1131,7 +1136,7 @@ class _Generator(Face):
             lines += [*notes, f"{word} {test}:", *_indented(taken, 1)]
             word = "elif"
         if gate:
-            lines += ["else:", f"    {gate} = bb.tracked"]
+            lines += ["else:", f"    {gate} = {_BB}.tracked"]
             return [f"if not {gate}:  # something has changed", *_indented(lines, 1)]
         if otherwise:
             return [*lines, "else:", *_indented(otherwise, 1)] if lines else list(otherwise)
@@ -1142,15 +1147,17 @@ class _Generator(Face):
         tests = [test for candidate in candidates for test in candidate.tests]
         if len(candidates) < GUARDS or self.options.mapping or not self.options.gates:
             return ""
-        if any(not item.tests or re.search(r"\bself\b|\bnow\b", " ".join(item.tests)) for item in candidates):
+        if not all(item.tests for item in candidates):
             return ""
-        read = frozenset(re.findall(r"\bbb\.\w+", " ".join(tests)))
+        if any(_NOW in test or re.search(r"\bself\b", test) for test in tests):
+            return ""
+        read = frozenset(re.findall(rf"{_BB}\.\w+", " ".join(tests)))
         found = next(
             (name for name, reads in self.gates.items() if (name, reads, tuple(tests)) in self.gated), ""
         )
         if not found:
             number = len(self.gates) + 1
-            found = "bb." + self.board_names.name(("gate", number), f"still_{number}")
+            found = f"{_BB}." + self.board_names.name(("gate", number), f"still_{number}")
             self.gates[found] = read
             self.gated.add((found, read, tuple(tests)))
         return found
@@ -1183,7 +1190,7 @@ class _Generator(Face):
                 tests = (*tests, complete)
         spends = self._spending(mode, source, expression.events) or spends
         if expression.every is not None:
-            tests = (*tests, f"now - self.{self._time(source)} >= {expression.every}")
+            tests = (*tests, f"{_NOW} - self.{self._time(source)} >= {expression.every}")
         if expression.condition is not None:
             prefix = f"{region}_{way.number}_"
             method = Method(self._names(region, prefix))
@@ -1204,7 +1211,7 @@ class _Generator(Face):
         tests: list[str] = []
         for event in events:
             if isinstance(event, After):
-                tests.append(f"now - self.{self._time(source)} >= {event.duration}")
+                tests.append(f"{_NOW} - self.{self._time(source)} >= {event.duration}")
             elif isinstance(event, Failed) and mode.event == STEP:
                 tests.append(f"self.failed_inside({source!r})")
             elif isinstance(event, Raised) and event.name == mode.event:
@@ -1222,7 +1229,7 @@ class _Generator(Face):
             if isinstance(event, Raised) and event.name == mode.event:
                 return f"not ({' or '.join(before)})" if before else "yes"
             if isinstance(event, After):
-                before.append(f"now - self.{self._time(source)} >= {event.duration}")
+                before.append(f"{_NOW} - self.{self._time(source)} >= {event.duration}")
         return ""
 
     # ---- taking a transition ---------------------------------------------------------------
@@ -1380,7 +1387,7 @@ class _Generator(Face):
     def _on_entry(self, region: int, node: Node) -> list[str]:
         lines = []
         if node.label in self.flat.timed:
-            lines.append(f"self.{self._time(node.label)} = now")
+            lines.append(f"self.{self._time(node.label)} = {_NOW}")
         for label, loop in self.flat.counted.items():
             if loop == node.label:
                 lines.append(f"self.{self._count(label)} = 0")
@@ -1460,7 +1467,7 @@ class _Generator(Face):
             case StartTimer(timer=timer, duration=duration):
                 place = f"self.timers[{(region, timer)!r}]"
                 self._computed(
-                    method, 0, number, (duration,), lambda piece: [f"{place} = now + {piece.code}"]
+                    method, 0, number, (duration,), lambda piece: [f"{place} = {_NOW} + {piece.code}"]
                 )
             case _:
                 raise AssertionError(f"{action} is refused")
@@ -1480,13 +1487,13 @@ class _Generator(Face):
 _MOVED = "moved"
 """The local that says whether anything has moved."""
 
-_UNLESS = "if not bb.still_"
+_UNLESS = f"if not {_BB}.still_"
 """How the test begins whether many conditions have to be looked at."""
 
 _WROTE = "@wrote "
 """Stands where something on the blackboard was written, until it is known which conditions read it."""
 _NOTHING = ["        return False"]
-_EPILOGUE_OF_COPIES = ["if self.writes:", "    self.spread(bb)"]
+_EPILOGUE_OF_COPIES = ["if self.writes:", f"    self.spread({_BB})"]
 
 
 def _only(test: str, body: _Body) -> list[str]:

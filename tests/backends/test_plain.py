@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -218,3 +219,46 @@ def test_it_may_be_said_how_an_activity_has_ended_though_nobody_asks() -> None:
     chart.start()
     assert chart.done("0.2", "held")
     assert chart.configuration() == ("0.3",)
+
+
+WORDS = """
+system S
+message Now {{ int now }}
+topic news {{ state Now }}
+srm R {{
+  var n : int = 0
+  var now : int = 2
+  var said : string = "bb now, self moved"
+  liveness {{ R = now  now = A . B . C . D }}
+  control now {{
+    enter B : go [said == "go now" || said == "self"] / said = "bb"; n = n + 1
+    enter C : go [now > 1] / now = 1
+    enter D : go{more} [news.state.Now.now > 3] / said = "moved now"
+  }}
+}}
+"""
+
+
+@pytest.mark.parametrize("more", ["", " or after(1s)"])
+@pytest.mark.parametrize("mapping", [False, True])
+def test_words_of_the_document_are_no_locals(more: str, mapping: bool) -> None:
+    made = generate(WORDS.format(more=more))
+    chart = plain_class(made, "R", PlainOptions(mapping=mapping))()
+    put = chart.bb.__setitem__ if mapping else partial(setattr, chart.bb)
+    chart.start()
+    put("said", "go now")
+    assert chart.send("go")
+    put("news_state_Now", made.message("Now", now=4))
+    assert chart.send("go")
+    assert chart.send("go")
+    assert chart.configuration() == ("0.5",)
+    said, now = (chart.bb["said"], chart.bb["now"]) if mapping else (chart.bb.said, chart.bb.now)
+    assert (said, now) == ("moved now", 1)
+
+
+def test_a_local_is_only_there_where_it_is_used() -> None:
+    made = system_of(WORDS.format(more=" or after(1s)"))
+    texts = {artefact.path: artefact.text for artefact in BACKEND.generate(made, BackendOptions())}
+    start = texts["S/R.py"].partition("def start(self)")[2].partition("    def ")[0]
+    assert "now = self.now" not in start
+    assert "\x01" not in "".join(texts.values())
