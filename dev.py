@@ -163,6 +163,8 @@ def set_up(extra: str) -> None:
     say("Installing aseme-dsl and what it needs into .venv (the first time takes a minute or two) ...")
     began = time.monotonic()
     install(f"{ROOT}[{extra}]" if extra else str(ROOT))
+    # What pip installs in editable form is compiled when it is first used, and in some environments never.
+    subprocess.run([str(PYTHON), "-m", "compileall", "-q", str(ROOT / "aseme_dsl")], check=False)
     # `dev` brings all that the plain package needs.
     stamp = {"fingerprint": wanted, "extras": ["", extra]}
     STAMP.write_text(json.dumps(stamp), encoding="utf-8")
