@@ -135,7 +135,7 @@ def bench(
     wanted = [chart for chart in system.iacs if not roles or chart.name in roles]
     kinds = {chart.name: loaded.charts[chart.name] for chart in wanted}
     recordings = [recorded(trace, system.name, kinds, messages, steps) for trace in traces]
-    plain, refused = _plain(system, folder, path)
+    plain, refused = plain_classes(system, folder, path)
     found: list[Measured] = []
     for chart in wanted:
         kind = kinds[chart.name]
@@ -170,7 +170,7 @@ def _courses(recordings: Sequence[Recording], role: str) -> tuple[list[Course], 
     return [course for _, course in found if len(course.steps) > 1], played
 
 
-def _plain(
+def plain_classes(
     system: System, folder: Path, path: Sequence[Path]
 ) -> tuple[dict[str, type[Plain]], dict[str, tuple[str, ...]]]:
     """The plain class of each role that has one; of the others, what they do that plain ones cannot."""
@@ -207,7 +207,7 @@ def _measured(
     instances: dict[str, Callable[[], object]] = {"agent": lambda: kind("one")}
     if plain is not None and courses:
         try:
-            one_by_one = sum(_compare(plain, kind, course) for course in courses)
+            one_by_one = sum(compare(plain, kind, course) for course in courses)
         except Different as different:
             if not recorded:
                 raise
@@ -215,9 +215,9 @@ def _measured(
         else:
             queued = partial(_queued, plain)
             makers |= {
-                "plain": lambda: _plain_pass(plain, kind, courses, lambda made: made),
-                "Machine.send": lambda: _plain_pass(plain, kind, courses, Machine),
-                "Machine.post": lambda: _plain_pass(plain, kind, courses, Machine, "post"),
+                "plain": lambda: plain_pass(plain, kind, courses, lambda made: made),
+                "Machine.send": lambda: plain_pass(plain, kind, courses, Machine),
+                "Machine.post": lambda: plain_pass(plain, kind, courses, Machine, "post"),
             }
             instances |= {"plain": plain, "Machine.send": queued, "Machine.post": queued}
     return Measured(
@@ -236,7 +236,7 @@ def _measured(
     )
 
 
-def _compare(plain: type[Plain], kind: type[Chart], course: Course) -> int:
+def compare(plain: type[Plain], kind: type[Chart], course: Course) -> int:
     """Play a course to a plain chart; how many steps it makes of it, the start aside.
 
     Raises:
@@ -283,13 +283,14 @@ def _agent_pass(kind: type[Chart], courses: Sequence[Course]) -> _Pass:
     return _one_by_one(plays), partial(chart.step, course.steps[-1].now, ()), _number(courses)
 
 
-def _plain_pass(
+def plain_pass(
     plain: type[Plain],
     kind: type[Chart],
     courses: Sequence[Course],
     made: Callable[[Plain], Any],
     send: str = "send",
 ) -> _Pass:
+    """What plays courses to fresh plain charts, each run by what is `made` of it: itself, or a `Machine`."""
     plays: list[Callable[[], None]] = []
     for course in _often(courses):
         chart = plain_begun(plain, course, _fresh(kind, course))
@@ -380,4 +381,15 @@ def _memory(make: Callable[[], object]) -> float:
         tracemalloc.stop()
 
 
-__all__ = ["STEPS", "Bench", "Different", "Measured", "Played", "Timed", "bench"]
+__all__ = [
+    "STEPS",
+    "Bench",
+    "Different",
+    "Measured",
+    "Played",
+    "Timed",
+    "bench",
+    "compare",
+    "plain_classes",
+    "plain_pass",
+]

@@ -188,10 +188,10 @@ def doings(chart: Plain, runner: Any, course: Course, reference: Chart, send: st
                         puts.append((place, like(value, getattr(board, place), messages)))
                 case Happened(name):
                     calls.append((getattr(runner, send), (name,)))
-                case Completed(label, token, outcome) if _runs(reference, label, token):
+                case Completed(label, token, outcome) if runs(reference, label, token):
                     done = runner.done if outcome is None else chart.done
                     calls.append((done, (label,) if outcome is None else (label, outcome)))
-                case Crashed(label, token, reason) if _runs(reference, label, token):
+                case Crashed(label, token, reason) if runs(reference, label, token):
                     calls.append((chart.failed, (label, reason)))
         if not found:
             calls = [(runner.start, ()), *calls]
@@ -205,7 +205,7 @@ def _slot(board: Any, variable: str) -> str | None:
     return next((name for name in (variable, f"{variable}_") if hasattr(board, name)), None)
 
 
-def _runs(chart: Chart, label: str, token: int) -> bool:
+def runs(chart: Chart, label: str, token: int) -> bool:
     """Whether the activity that was started with this token still runs."""
     leaf, owner, number = chart.RUNNING[label]
     return bool(getattr(chart, leaf) == number and getattr(chart, owner) == token)
@@ -258,4 +258,5 @@ __all__ = [
     "plain_begun",
     "plain_player",
     "player",
+    "runs",
 ]

@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     short_help="Measure what a step of each role costs.",
     help="Generate the code of a system, play inputs to its roles, and say what a step costs: as agents run"
     " it, and as a plain statechart where a role is one. The inputs are what agents got in a recorded run, or"
-    " what the roles can take, drawn by a seed.",
+    " what the roles can take, drawn by a seed. Beside other statechart libraries, a clone of the repository"
+    " measures the same roles: python -m benchmarks.peers --file FILE.",
     epilog="Example: asemec bench team.aseme   ·   asemec bench team.aseme --role player --steps 9000 --json"
     "   ·   asemec bench team.aseme --inputs out/trace.jsonl -o bench.md --plot bench.svg",
 )

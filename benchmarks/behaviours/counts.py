@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from aseme_dsl.build import course as recorded
 from aseme_dsl.runtime.inputs import Happened, Written
+from aseme_dsl.runtime.plan import Plan
 from benchmarks.behaviours.aseme import labels, text_of
 from benchmarks.behaviours.description import Behaviour
 from tests.oracle.interpreter import Reference
@@ -39,6 +42,18 @@ class Counting(Reference):
     def leave(self, label: str) -> None:
         self.exits_of[label] = self.exits_of.get(label, 0) + 1
         super().leave(label)
+
+
+def counts_of(
+    plan: Plan, course: recorded.Course, messages: Mapping[str, Any]
+) -> tuple[dict[str, int], dict[str, int], list[tuple[str, ...]]]:
+    """The entries and exits of each label, and the configuration after each step of a recorded course."""
+    reference = Counting(plan, course.agent, messages)
+    trail = []
+    for given in course.steps:
+        reference.step(given.now, list(given.inputs))
+        trail.append(reference.configuration())
+    return reference.entries_of, reference.exits_of, trail
 
 
 def course_of(behaviour: Behaviour, steps: int) -> Course:

@@ -14,22 +14,27 @@ from typing import Any, Literal
 Kind = Literal["basic", "or", "and"]
 
 Action = tuple[str, ...] | tuple[str, str, bool]
-"""`("count", counter)` adds 1 to a counter, `("set", flag, value)` sets a flag."""
+"""`("count", counter)` adds 1 to a counter, `("set", flag, value)` sets a flag, `("python", text)` is code
+over the dictionary `bb`."""
 
-Guard = tuple[tuple[str, bool], ...]
-"""The flags that must have these values."""
+Guard = tuple[tuple[str, bool | str], ...]
+"""The flags that must have these values; with the name "", a condition in Python over the dictionary `bb`."""
 
-Change = tuple[tuple[str, bool], ...]
-"""The flags that the program around the statechart sets before an event."""
+Change = tuple[tuple[str, bool | str], ...]
+"""The flags that the program around the statechart sets before an event; a value may be one in Python."""
 
 
 @dataclass(frozen=True, slots=True)
 class Transition:
-    """From the state that has it to `target`; of one state the first that is enabled is taken."""
+    """From the state that has it to `target`; of one state the first that is enabled is taken.
+
+    Without an event it is taken as soon as its guard holds.
+    """
 
     event: str
     target: str
     guard: Guard = ()
+    actions: tuple[Action, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +58,8 @@ class Behaviour:
     root: State
     flags: tuple[str, ...]
     steps: tuple[tuple[str, Change], ...]
+    values: tuple[tuple[str, str], ...] = ()
+    """What else is on the blackboard at first, in Python."""
 
     @property
     def counters(self) -> tuple[str, ...]:
@@ -132,7 +139,12 @@ def as_json(behaviour: Behaviour) -> dict[str, Any]:
             "entry": [list(action) for action in item.entry],
             "exit": [list(action) for action in item.exit],
             "transitions": [
-                {"event": way.event, "target": way.target, "guard": [list(part) for part in way.guard]}
+                {
+                    "event": way.event,
+                    "target": way.target,
+                    "guard": [list(part) for part in way.guard],
+                    "actions": [list(action) for action in way.actions],
+                }
                 for way in item.transitions
             ],
         }
@@ -143,6 +155,7 @@ def as_json(behaviour: Behaviour) -> dict[str, Any]:
         "flags": list(behaviour.flags),
         "counters": list(behaviour.counters),
         "steps": [[event, [list(part) for part in change]] for event, change in behaviour.steps],
+        "values": [list(item) for item in behaviour.values],
     }
 
 
@@ -157,10 +170,16 @@ def from_json(data: dict[str, Any]) -> Behaviour:
             tuple(tuple(action) for action in item["entry"]),
             tuple(tuple(action) for action in item["exit"]),
             tuple(
-                Transition(way["event"], way["target"], tuple((flag, value) for flag, value in way["guard"]))
+                Transition(
+                    way["event"],
+                    way["target"],
+                    tuple((flag, value) for flag, value in way["guard"]),
+                    tuple(tuple(action) for action in way["actions"]),
+                )
                 for way in item["transitions"]
             ),
         )
 
     steps = tuple((event, tuple((flag, value) for flag, value in change)) for event, change in data["steps"])
-    return Behaviour(data["name"], "", state(data["root"]), tuple(data["flags"]), steps)
+    values = tuple((name, value) for name, value in data["values"])
+    return Behaviour(data["name"], "", state(data["root"]), tuple(data["flags"]), steps, values)

@@ -6,6 +6,7 @@ peers are installed into an environment of their own below `build/peers`, where 
     python -m benchmarks.peers                  all that is measured (about six minutes)
     python -m benchmarks.peers --without-peers  ours and the code by hand
     python -m benchmarks.peers --only player idle
+    python -m benchmarks.peers --file FILE [--role ROLE] [--inputs TRACE]   the roles of anybody's file
 """
 
 from __future__ import annotations
@@ -55,8 +56,17 @@ def main(arguments: Sequence[str]) -> int:
     )
     parser.add_argument("--peer-rounds", type=int, default=7, help="rounds with the peers")
     parser.add_argument("--write", type=Path, metavar="PAGE", help="put the figures into a page, too")
+    parser.add_argument("--file", type=Path, help="the roles of this .aseme file, instead of the behaviours")
+    parser.add_argument("--role", action="append", default=[], help="of the file only this role")
+    parser.add_argument(
+        "--inputs", action="append", default=[], type=Path, metavar="TRACE", help="what an agent got in a run"
+    )
     parser.add_argument("--into", type=Path, default=CACHE, help="the folder of the report")
     options = parser.parse_args(arguments)
+    if options.file is not None:
+        return of_file(options)
+    if options.role or options.inputs:
+        parser.error("--role and --inputs go with --file")
 
     chosen = [behaviour for name, behaviour in BEHAVIOURS.items() if not options.only or name in options.only]
     results = Results()
@@ -94,6 +104,21 @@ def main(arguments: Sequence[str]) -> int:
     for line in wrong:
         say(f"wrong: {line}")
     return 1 if wrong else 0
+
+
+def of_file(options: argparse.Namespace) -> int:
+    """Compare the roles of a file; 1 if it cannot be done."""
+    from benchmarks.peers import own, own_report
+
+    try:
+        found = own.measured(options.file, options.role, options.inputs, options.peer_rounds, say)
+    except ValueError as problem:
+        say(str(problem).rstrip())
+        return 1
+    report = own_report.written(found, options.into)
+    say(report.read_text("utf-8"))
+    say(f"report: {report}")
+    return 0
 
 
 def steps_checked(behaviour: Behaviour) -> int:

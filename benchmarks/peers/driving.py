@@ -56,12 +56,13 @@ def with_attributes(
 
 
 def blackboard(behaviour: Behaviour) -> dict[str, Any]:
-    """A dictionary with all flags false and all counters 0.
+    """A dictionary with all flags false, all counters 0, and what else there is at first.
 
     It is made by a literal, as a person would write it: where the keys lie in it depends on how it is made.
     """
-    first = dict.fromkeys(behaviour.flags, False) | dict.fromkeys(behaviour.counters, 0)
-    found: dict[str, Any] = function("", [f"return {first!r}"], {})()
+    first = dict.fromkeys(behaviour.flags, "False") | dict.fromkeys(behaviour.counters, "0")
+    entries = ", ".join(f"{name!r}: {value}" for name, value in (first | dict(behaviour.values)).items())
+    found: dict[str, Any] = function("", [f"return {{{entries}}}"], {})()
     return found
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from html import escape
 
 from benchmarks.behaviours.catalogue import BEHAVIOURS
@@ -20,6 +20,7 @@ SHOWN: tuple[tuple[Run, Contender], ...] = (
     ("ours", NATIVE),
     *(("peers", peer) for peer in PEERS),
 )
+TITLES = {name: BEHAVIOURS[name].title for name in (*MEASURED, "ring_100", "ring_1000")}
 SHORT = {
     CORE_TYPED.key: "core, typed blackboard",
     CORE_DICT.key: "core, dictionary",
@@ -34,19 +35,18 @@ WIDTH, LABELS, BAR, ROW, HEAD, GAP = 470, 150, 215, 17, 30, 24
 """Pixels: a field, what stands left of the points, the axis, a row, the head, between fields."""
 
 
-def plot_of(results: Results) -> str:
-    """The picture as SVG."""
-    behaviours = [
-        name for name in (*MEASURED, "ring_100", "ring_1000") if any(b == name for _, b, _ in results.series)
-    ]
+def plot_of(results: Results, titles: Mapping[str, str] = TITLES, beside: str = "by hand") -> str:
+    """The picture as SVG: a field for each of the behaviours that have a title; ratios are to `beside`."""
+    behaviours = [name for name in titles if any(b == name for _, b, _ in results.series)]
     timed = {(run, key) for run, _, key in results.series}
     shown = [(run, item) for run, item in SHOWN if (run, item.key) in timed]
     largest = max((series.nanoseconds for series in results.series.values()), default=1.0)
     least = min((series.nanoseconds for series in results.series.values()), default=1.0)
     low, high = math.floor(math.log10(least)), math.ceil(math.log10(largest))
     height = HEAD + ROW * len(shown) + 22
-    total_width = COLUMNS * WIDTH + (COLUMNS - 1) * GAP + 20
-    field_rows = math.ceil(len(behaviours) / COLUMNS)
+    columns = min(COLUMNS, max(1, len(behaviours)))
+    total_width = max(WIDTH + 200, columns * WIDTH + (columns - 1) * GAP + 20)
+    field_rows = math.ceil(len(behaviours) / columns)
     total_height = 40 + field_rows * (height + GAP)
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{total_width}" height="{total_height}" '
@@ -54,19 +54,19 @@ def plot_of(results: Results) -> str:
         "<title>Time of a step, by behaviour and contender</title>",
         f'<rect width="{total_width}" height="{total_height}" fill="#ffffff"/>',
         '<text x="10" y="22" font-size="14" font-weight="bold">CPU time of a step (logarithmic), '
-        "and how many times as long as by hand</text>",
+        f"and how many times as long as {escape(beside)}</text>",
     ]
     for place, name in enumerate(behaviours):
-        row, column = divmod(place, COLUMNS)
+        row, column = divmod(place, columns)
         x, y = 10 + column * (WIDTH + GAP), 40 + row * (height + GAP)
         parts.append(f'<g transform="translate({x},{y})">')
-        parts += field(results, name, shown, low, high)
+        parts += field(results, name, titles[name], shown, low, high)
         parts.append("</g>")
     return "\n".join([*parts, "</svg>", ""])
 
 
 def field(
-    results: Results, behaviour: str, shown: list[tuple[Run, Contender]], low: int, high: int
+    results: Results, behaviour: str, title: str, shown: list[tuple[Run, Contender]], low: int, high: int
 ) -> Iterator[str]:
     """The points of one behaviour."""
 
@@ -74,7 +74,7 @@ def field(
         return BAR * (math.log10(nanoseconds) - low) / (high - low)
 
     bottom = HEAD + ROW * len(shown)
-    yield f'<text x="0" y="14" font-size="12" font-weight="bold">{escape(BEHAVIOURS[behaviour].title)}</text>'
+    yield f'<text x="0" y="14" font-size="12" font-weight="bold">{escape(title)}</text>'
     for power in range(low, high + 1):
         x = LABELS + length(10.0**power)
         yield f'<line x1="{x:.1f}" y1="{HEAD - 6}" x2="{x:.1f}" y2="{bottom}" stroke="#dddddd"/>'
@@ -83,8 +83,8 @@ def field(
     for place, (run, contender) in enumerate(shown):
         y = HEAD + place * ROW
         series = results.series.get((run, behaviour, contender.key))
-        title = SHORT.get(contender.key, contender.title)
-        yield f'<text x="{LABELS - 6}" y="{y + 10}" text-anchor="end">{escape(title)}</text>'
+        name = SHORT.get(contender.key, contender.title)
+        yield f'<text x="{LABELS - 6}" y="{y + 10}" text-anchor="end">{escape(name)}</text>'
         if series is None:
             yield f'<text x="{LABELS + 4}" y="{y + 10}" fill="#999999">–</text>'
             continue

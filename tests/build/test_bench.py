@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.build.bench import Bench, Different, _compare, _plain, bench
+from aseme_dsl.build.bench import Bench, Different, bench, compare, plain_classes
 from aseme_dsl.build.bench_report import markdown
 from aseme_dsl.build.build import Choice, build
 from aseme_dsl.build.drawn import drawn
@@ -86,10 +86,10 @@ def test_nothing_is_timed_where_the_ways_to_run_a_role_disagree(tmp_path: Path) 
     messages = vars(loaded.modules["monas.Lamp.messages"])
     kind = loaded.charts["lamp"]
     course = drawn(system, system.iacs[0], kind, messages, 50, 1)
-    plain = _plain(system, tmp_path, ())[0]["lamp"]
-    assert _compare(plain, kind, course) == 50
+    plain = plain_classes(system, tmp_path, ())[0]["lamp"]
+    assert compare(plain, kind, course) == 50
     with pytest.raises(Different, match="after step 50"):
-        _compare(plain, kind, replace(course, trail=(*course.trail[:-1], ("0.9",))))
+        compare(plain, kind, replace(course, trail=(*course.trail[:-1], ("0.9",))))
 
 
 def test_the_command(tmp_path: Path) -> None:

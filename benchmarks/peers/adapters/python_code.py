@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from types import SimpleNamespace
 from typing import Any
 
 from benchmarks.behaviours.description import Action, Guard
@@ -15,7 +16,8 @@ Send = Callable[[str], object]
 def condition(guard: Guard, blackboard: str = "bb") -> str:
     """A guard as an expression over a blackboard that is a dictionary."""
     return " and ".join(
-        f"{blackboard}[{flag!r}]" if wanted else f"not {blackboard}[{flag!r}]" for flag, wanted in guard
+        f"({wanted})" if not flag else f"{'' if wanted else 'not '}{blackboard}[{flag!r}]"
+        for flag, wanted in guard
     )
 
 
@@ -28,6 +30,8 @@ def statements(actions: Iterable[Action], blackboard: str = "bb") -> list[str]:
                 found.append(f"{blackboard}[{counter!r}] += 1")
             case ("set", flag, value):
                 found.append(f"{blackboard}[{flag!r}] = {value}")
+            case ("python", text):
+                found.append(text)
     return found
 
 
@@ -35,7 +39,7 @@ def function(parameters: str, lines: list[str], bb: Blackboard) -> Callable[...,
     """A function with these statements, that knows the blackboard as `bb`."""
     body = "".join(f"        {line}\n" for line in lines or ["pass"])
     code = f"def outer(bb):\n    def inner({parameters}):\n{body}    return inner\n"
-    namespace: dict[str, Any] = {}
+    namespace: dict[str, Any] = {"Message": SimpleNamespace}
     exec(code, namespace)
     made: Callable[..., Any] = namespace["outer"](bb)
     return made

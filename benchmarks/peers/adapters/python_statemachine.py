@@ -36,7 +36,9 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
             item: dict[str, Any] = {"target": way.target}
             if way.guard:
                 item["cond"] = guard_function("", way.guard, bb)
-            on.setdefault(way.event, []).append(item)
+            if way.actions:
+                item["on"] = function("", statements(way.actions), bb)
+            on.setdefault(way.event or None, []).append(item)
         if on:
             found["on"] = on
         return found

@@ -43,7 +43,9 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
         # Two that are enabled at once are an error unless their priorities differ.
         for priority, way in enumerate(reversed(state.transitions)):
             guard = condition(way.guard) or None
-            chart.add_transition(Transition(state.name, way.target, way.event, guard, priority=priority))
+            action = "\n".join(statements(way.actions)) or None
+            event = way.event or None
+            chart.add_transition(Transition(state.name, way.target, event, guard, action, priority=priority))
     events = {event: Event(event) for event, _ in behaviour.steps}
 
     def start() -> Send:

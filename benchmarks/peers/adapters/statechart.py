@@ -11,6 +11,9 @@ from benchmarks.peers.adapters.python_code import Blackboard, Send, function, gu
 
 DISTRIBUTION = "statechart"
 
+AT_ONCE = "at_once"
+"""The event of transitions that wait for none."""
+
 
 def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
     """What makes a running statechart; nothing of it can be made once for all."""
@@ -38,10 +41,25 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
             # One with a guard is put before those that are there: the last one is tried first.
             for way in reversed(state.transitions):
                 guard = guard_function("event", way.guard, bb) if way.guard else None
-                library.Transition(made[state.name], made[way.target], event=way.event, guard=guard)
+                action = function("event", statements(way.actions), bb) if way.actions else None
+                ends = made[state.name], made[way.target]
+                library.Transition(*ends, event=way.event or AT_ONCE, guard=guard, action=action)
         chart.start()
         events = {event: library.Event(event) for event, _ in behaviour.steps}
         dispatch = chart.dispatch
+        if any(not way.event for state in behaviour.states for way in state.transitions):
+            # Its transitions without an event are for states that have ended: so a program asks, as long as
+            # something moves.
+            go_on = library.Event(AT_ONCE)
+
+            def send(event: str) -> None:
+                dispatch(events[event])
+                while dispatch(go_on):
+                    pass
+
+            while dispatch(go_on):
+                pass
+            return send
         return lambda event: dispatch(events[event])
 
     return start

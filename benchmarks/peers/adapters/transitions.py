@@ -17,6 +17,10 @@ DISTRIBUTION = "transitions"
 NestedState.separator = "."
 
 
+AT_ONCE = "at_once"
+"""The trigger of transitions that wait for no event."""
+
+
 class Model:
     """What the machine is about: it gets the state and the triggers."""
 
@@ -47,17 +51,20 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
     for state in behaviour.states[1:]:
         for way in state.transitions:
             item: dict[str, Any] = {
-                "trigger": way.event,
+                "trigger": way.event or AT_ONCE,
                 "source": path[state.name],
                 "dest": path[way.target],
             }
             if way.guard:
                 item["conditions"] = [guard_function("*_", way.guard, bb)]
+            if way.actions:
+                item["before"] = [function("*_", statements(way.actions), bb)]
             ways.append(item)
+    at_once = {AT_ONCE} if any(way["trigger"] == AT_ONCE for way in ways) else set()
     # An event that no active state waits for is an error in a nested parallel state, even if it is to be
     # ignored: so there is a way for it that is never open.
     for child in root.children if any(state.kind == "and" for state in behaviour.states) else ():
-        for event in sorted({event for event, _ in behaviour.steps} - always_awaited(child)):
+        for event in sorted({*(event for event, _ in behaviour.steps), *at_once} - always_awaited(child)):
             never = {"trigger": event, "source": child.name, "dest": child.name}
             ways.append(never | {"conditions": [lambda *_: False]})
     # The initial state is entered with its actions only by a transition: from a state before all others.
@@ -77,13 +84,30 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
         model = Model()
         machine.add_model(model)
         model.begin()  # type: ignore[attr-defined]
-        triggers = {event: getattr(model, event) for event in events}
+        triggers = {event: getattr(model, event, nothing) for event in events}
+        if at_once:
+            # It has no transitions without an event: a program asks again until there is none left.
+            go_on = getattr(model, AT_ONCE)
+
+            def send(event: str) -> None:
+                triggers[event]()
+                while go_on():
+                    pass
+
+            while go_on():
+                pass
+            return send
         if len(triggers) == 1:
             (trigger,) = triggers.values()
             return lambda event: trigger()
         return lambda event: triggers[event]()
 
     return make
+
+
+def nothing() -> bool:
+    """What an event does that no transition waits for."""
+    return False
 
 
 def always_awaited(state: State) -> set[str]:

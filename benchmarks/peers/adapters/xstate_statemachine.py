@@ -39,7 +39,14 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
                 name = f"guard_{state.name}_{number}"
                 guards[name] = guard_function("context, event", way.guard, bb)
                 item["guard"] = name
+            if way.actions:
+                name = f"do_{state.name}_{number}"
+                actions[name] = function("interpreter, context, event, action", statements(way.actions), bb)
+                item["actions"] = [name]
             on.setdefault(way.event, []).append(item)
+        at_once = on.pop("", None)
+        if at_once:
+            found["always"] = at_once
         if on:
             found["on"] = on
         return found
