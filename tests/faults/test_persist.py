@@ -5,10 +5,8 @@ from __future__ import annotations
 import json
 import os
 import random
-import shutil
 import signal
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,9 +14,11 @@ import pytest
 
 from aseme_dsl.runtime.context import Context
 from aseme_dsl.runtime.persist import Kept
-from tests.faults.test_operate import Here, until
+from tests.faults.test_operate import Here, here, until
 from tests.runtime.playing import MS, make, play
 from tests.support.generated import generate
+
+__all__ = ["here"]
 
 COUNTING = """\
 system Memory
@@ -40,17 +40,6 @@ class Add:
         count = context.state("count.state.Count")
         context.publish("count.state.Count", Count((count.n if count else 0) + 1))
 """
-
-
-@pytest.fixture
-def here(tmp_path: Path) -> Iterator[Here]:
-    made = Here(tmp_path)
-    yield made
-    for process in made.running:
-        if process.poll() is None:
-            process.kill()
-        process.communicate()
-    shutil.rmtree(made.runtime)
 
 
 def kept(path: Path) -> int:
@@ -82,18 +71,8 @@ def test_kill_at_any_moment(here: Here) -> None:
         before = now
     process = here.start(
         "memory.aseme",
-        *(
-            "-o",
-            "out",
-            "--state",
-            "kept",
-            "--activities",
-            "activities",
-            "--trace",
-            "last.jsonl",
-            "--for",
-            "1s",
-        ),
+        *("-o", "out", "--state", "kept", "--activities", "activities", "--trace", "last.jsonl"),
+        *("--for", "1s"),
     )
     assert process.wait(60) == 0
     lines = [json.loads(line) for line in (here.folder / "last.jsonl").read_text("utf-8").splitlines()]
