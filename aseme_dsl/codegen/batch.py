@@ -127,7 +127,9 @@ class _Known:
 
 def _functions(code: PlainCode, constants: Mapping[str, int]) -> dict[str, _Function]:
     """The step of each mode (`start`, `step`, `on_EVENT`) and the methods that they call, by name."""
-    tree = _Constants({**constants, "ROUNDS": ROUNDS}).visit(ast.parse("\n".join(code.body)))
+    tree = _WithoutFaults().visit(
+        _Constants({**constants, "ROUNDS": ROUNDS}).visit(ast.parse("\n".join(code.body)))
+    )
     (written,) = (node for node in tree.body if isinstance(node, ast.ClassDef))
     methods = {node.name: node for node in written.body if isinstance(node, ast.FunctionDef)}
     found: dict[str, _Function] = {}
@@ -149,6 +151,21 @@ class _Constants(ast.NodeTransformer):
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
         return ast.Constant(self._constants[node.id]) if node.id in self._constants else node
+
+
+class _WithoutFaults(ast.NodeTransformer):
+    """What may fail is refused: so what is tried is simply done, and a condition has no arguments."""
+
+    def visit_Try(self, node: ast.Try) -> list[ast.stmt]:
+        return [self.visit(item) for item in node.body]
+
+    def visit_If(self, node: ast.If) -> ast.AST | None:
+        return None if ast.unparse(node.test) == "self.faulty" else self.generic_visit(node)
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        if re.fullmatch(r"self\._holds_\d+", ast.unparse(node.func)):
+            node.args.clear()
+        return self.generic_visit(node)
 
 
 def _by_event(
@@ -182,7 +199,7 @@ def _slots(code: PlainCode, variables: Sequence[Array]) -> Iterator[Array]:
         copy = re.fullmatch(r"v\d+_(\w+)", name)
         if copy is not None:
             yield Array(name, by_name[copy[1]].dtype)
-        elif name not in ("bb", "writes", "now"):
+        elif name not in ("bb", "writes", "now", "faulty"):
             yield Array(name, "i8")
     for name in sorted(set(re.findall(r"self\.writes\.append\(\(\d+, '(\w+)'", "\n".join(code.body)))):
         yield Array(f"w_{name}", by_name[name].dtype)
@@ -431,7 +448,7 @@ class _ForNumpy(_Translation):
         raise _unknown(target)
 
     def truth(self, node: ast.expr, sel: str) -> str:
-        if not any(isinstance(item, ast.Name | ast.Attribute | ast.Call) for item in ast.walk(node)):
+        if _is_constant(node):
             return f"self.everywhere({bool(_folded(node))})[{sel}]"
         code = self.value(node, sel)
         return code if self.kind(node) == "?" else f"({code} != 0)"
@@ -478,6 +495,9 @@ _SIGNS: Mapping[type[ast.AST], str] = {
     ast.Add: "+",
     ast.Sub: "-",
     ast.Mult: "*",
+    ast.Div: "/",
+    ast.FloorDiv: "//",
+    ast.Mod: "%",
     ast.BitAnd: "&",
     ast.BitOr: "|",
     ast.Eq: "==",
@@ -495,6 +515,9 @@ _OPERATIONS: Mapping[type[ast.AST], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.FloorDiv: operator.floordiv,
+    ast.Mod: operator.mod,
     ast.Eq: operator.eq,
     ast.NotEq: operator.ne,
     ast.Lt: operator.lt,
@@ -504,6 +527,14 @@ _OPERATIONS: Mapping[type[ast.AST], Callable[[Any, Any], Any]] = {
     ast.Is: operator.is_,
     ast.IsNot: operator.is_not,
 }
+
+
+def _is_constant(node: ast.expr) -> bool:
+    """Whether nothing in an expression differs from instance to instance."""
+    return all(
+        not isinstance(item, ast.Name | ast.Attribute) or (isinstance(item, ast.Name) and item.id in _FOLDED)
+        for item in ast.walk(node)
+    )
 
 
 def _folded(node: ast.expr) -> Any:
@@ -524,24 +555,30 @@ def _folded(node: ast.expr) -> Any:
             sides = [_folded(side) for side in (left, *rest)]
             pairs = zip(signs, sides, sides[1:], strict=False)
             return all(_OPERATIONS[type(sign)](one, other) for sign, one, other in pairs)
+        case ast.Call(func=ast.Name(id=name), args=values) if name in _FOLDED:
+            return _FOLDED[name](*map(_folded, values))
     raise _unknown(node)
+
+
+_FOLDED: Mapping[str, Callable[..., Any]] = {"abs": abs, "float": float, "int": int, "max": max, "min": min}
 
 
 def _nested(function: str) -> Callable[[Sequence[str]], str]:
     def write(values: Sequence[str]) -> str:
         code = values[0]
         for value in values[1:]:
-            code = f"np.{function}({code}, {value})"
+            code = f"{function}({code}, {value})"
         return code
 
     return write
 
 
 _BUILT_IN: Mapping[str, Callable[[Sequence[str]], str]] = {
-    "abs": lambda values: f"np.abs({values[0]})",
+    "abs": lambda values: f"abs({values[0]})",
     "float": lambda values: f"({values[0]} * 1.0)",
-    "max": _nested("maximum"),
-    "min": _nested("minimum"),
+    "int": lambda values: f"whole({values[0]})",
+    "max": _nested("larger"),
+    "min": _nested("smaller"),
 }
 
 

@@ -278,6 +278,21 @@ def pick(sel: Selection, found: Any) -> Any:
     return found.nonzero()[0] if isinstance(sel, slice) else sel[found]
 
 
+def larger(one: Any, other: Any) -> Any:
+    """Element by element what `max` gives."""
+    return _numpy().where(other > one, other, one)
+
+
+def smaller(one: Any, other: Any) -> Any:
+    """Element by element what `min` gives."""
+    return _numpy().where(other < one, other, one)
+
+
+def whole(value: Any) -> Any:
+    """Element by element what `int` gives."""
+    return _numpy().asarray(value).astype(int)
+
+
 def _numpy() -> Any:
     try:
         import numpy as np

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import random
+import subprocess
 import sys
 from pathlib import Path
 
@@ -263,10 +265,14 @@ function even(int n) : bool = "tests.support.functions:even"
 srm lamp {
   var level : int = 0
   var name : string = "lamp"
+  var share : double = 0.5
+  var pause : duration = 2s
+  var pace : duration = 2s
   liveness { lamp = (Dark . Shine)~ }
   control lamp {
-    enter Shine : touched [panel.state.Touch.x > 2 && even(level)] / level = level % 3
-    repeat (Dark . Shine) : [name == "lamp"] / level = level % 4
+    enter Shine : touched [panel.state.Touch.x > 2 && even(level)] / level = level % level
+    repeat (Dark . Shine) : [name == "lamp" && pace / pause > 1] / level = level % (level - 4)
+    leave Shine : off / pause = pause * share
   }
 }
 """
@@ -277,11 +283,78 @@ srm lamp {
     assert {message.removeprefix(start) for message in messages} == {
         "messages (what it sees are variables)",
         "functions that are written in Python",
-        "division, which may fail",
+        "division by what may be zero (by a number that is written there it can)",
+        "a duration times what may be no number (times one that is written there it can)",
         "values that are no truths and no numbers",
     }
     shown = render_text(refused.value.diagnostics)
     assert shown.count("level % ") >= 2
+    hints = {problem.hint for problem in refused.value.diagnostics}
+    assert hints == {"`--backend plain` can, one instance at a time"}
+
+
+def test_what_is_refused_for_one_reason_is_said_once() -> None:
+    text = """
+system Patrol
+topic hw { signal Hit }
+message Hit { int x }
+srm robot {
+  var level : int = 0
+  liveness { robot = Try . Report . Rest+ }
+  control robot {
+    enter Report : error
+    enter Report : [hw.signal.Hit.x > level]
+    repeat Rest every 200ms : [level < 2]
+    leave Rest : after(3s)
+  }
+  activities { Try takes 1s within 2s }
+}
+"""
+    with pytest.raises(Refused) as refused:
+        BACKEND.generate(system_of(text), BackendOptions())
+    start = "a batch of `robot` cannot do this: "
+    agents = "`--backend monas` makes agents of the roles, which can"
+    plain = "`--backend plain` can, one instance at a time"
+    found = [(problem.message.removeprefix(start), problem.hint) for problem in refused.value.diagnostics]
+    assert sorted(found) == [
+        ("signals (a program sends events)", agents),
+        ("the deadline of an activity", agents),
+        ("the outcome or the failure of an activity", plain),
+        ("timers and `every` (there is `after`)", plain),
+    ]
+
+
+def test_what_cannot_fail_is_computed_as_by_the_plain_class(tmp_path: Path) -> None:
+    text = """
+system Sums
+srm adder {
+  var level : int = 7
+  var real : double = 1.5
+  var pause : duration = 2s
+  var near : bool = false
+  liveness { adder = (A . B)~ }
+  control adder {
+    enter B : go [level % 3 != 0 && !(real / -2 > 3)] / level = level % -4; pause = pause + 1s
+    enter B : back [pause / 2 > 1s || near] / real = level / 3; pause = pause * 0.3
+    enter B : less [min(level, 3) < max(real, level) && abs(real) < 9] / real = min(real, level) - abs(real)
+    enter B : same [min(1, 2) == 1 && 7 % -4 == -1 && abs(-2) == 2] / pause = 1s / 3 + 2s * 0.25
+    leave B : go [pause - 1s < 5s] / pause = pause * 2 / -3
+    leave B :
+    repeat (A . B) : / real = real % -0.7; level = level - 3
+  }
+}
+"""
+    plain, kind = made(system_of(text), tmp_path, "adder")
+    together = Together(plain, kind, 8, ("numpy", "numba"))  # numba compiles
+    together.start()
+    draw = random.Random(3)
+    for _ in range(40):
+        for instance in range(8):
+            together.set(instance, "level", draw.randrange(-9, 9))
+            together.set(instance, "real", draw.uniform(-5, 5))
+            together.set(instance, "pause", draw.randrange(-4 * 10**9, 4 * 10**9))
+        together.send(draw.choice(("go", "back", "less", "same")))
+    assert len(set(together.batches["numpy"].bb.real)) > 4
 
 
 def test_an_engine_that_is_not_there_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -291,3 +364,33 @@ def test_an_engine_that_is_not_there_is_said(tmp_path: Path, monkeypatch: pytest
     monkeypatch.setitem(sys.modules, "numba", None)
     with pytest.raises(BatchError, match=r"pip install 'aseme-dsl\[numba\]'"):
         kind(2, "numba")
+
+
+def test_without_numpy_it_is_said_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = ROBOT.replace("[!seen || shots > 2]", "[!seen || min(abs(shots), 9) > 2]")
+    monkeypatch.setitem(sys.modules, "numpy", None)
+    _, kind = made(system_of(text), tmp_path, "robot")
+    with pytest.raises(BatchError, match=r"batches need NumPy: pip install 'aseme-dsl\[batch\]'"):
+        kind(2)
+
+
+def test_a_project_that_is_checked_by_mypy_may_have_batches_in_it(tmp_path: Path) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    package = kind.__module__.rpartition(".")[0]
+    user = tmp_path / "user.py"
+    user.write_text(
+        f"from {kind.__module__} import {kind.__name__}\n\n"
+        f"batch = {kind.__name__}(3)\nbatch.now = 5\nbatch.now = 'soon'\n",
+        "utf-8",
+    )
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "-p", package, "-m", "user"],
+        cwd=tmp_path,
+        env=dict(os.environ, MYPYPATH=str(Path(__file__).parents[2])),
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+    assert "Found 1 error in 1 file (checked 4 source files)" in done.stdout, done.stdout + done.stderr
+    assert 'user.py:5: error: Incompatible types in assignment (expression has type "str"' in done.stdout

@@ -78,9 +78,11 @@ def _speaks(expression: TransitionExpression) -> bool:
 
 def _number(value: Value) -> Value:
     match value:
-        case Member() | Call() | Arithmetic(operator="/" | "%"):
+        case Member() | Call():
             return _constant(value)
-        case Arithmetic(type=kind) if kind == DURATION:
+        case Arithmetic(operator="/" | "%", right=by):
+            return replace(value, right=Literal(by.span.start % 5 - 2 or 3, by.type, by.span))
+        case Arithmetic(operator="*", type=kind) if kind == DURATION:
             return _constant(value)
     return value
 

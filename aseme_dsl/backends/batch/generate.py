@@ -4,26 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from math import isfinite
 from pathlib import Path
+from typing import TypeGuard
 
 from aseme_dsl.amola.expression import (
     Arithmetic,
     Call,
     Expired,
     Failed,
+    Literal,
     Member,
     Outcome,
     Random,
     StartTimer,
     Value,
 )
-from aseme_dsl.amola.messages import DURATION, Kind, Type
+from aseme_dsl.amola.messages import DOUBLE, DURATION, Kind, Type
 from aseme_dsl.amola.statechart import Statechart, Transition, Variable
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions, Refused
 from aseme_dsl.backends.plain.generate import module_of, refusals
 from aseme_dsl.backends.shared.generate import environment, rendered, source_of, tidy
-from aseme_dsl.codegen.batch import Array, generate_batch
+from aseme_dsl.codegen.batch import Array, BatchCode, generate_batch
 from aseme_dsl.codegen.expressions import enum_name
 from aseme_dsl.codegen.plain import PlainOptions, generate_plain
 from aseme_dsl.codegen.plain_limits import Limit, limits
@@ -36,15 +39,11 @@ _TYPES = {Kind.BOOL: "?", Kind.INT: "i8", Kind.DOUBLE: "f8", Kind.DURATION: "i8"
 
 MESSAGES = "messages (what it sees are variables)"
 FUNCTIONS = "functions that are written in Python"
-DIVISION = "division, which may fail"
-TIMERS = "timers (there is `after`)"
-PACES = "`every`"
-FAILURES = "the failure of an activity"
-OUTCOMES = "the outcome of an activity"
-CHANCE = "chance (draw outside, into a variable)"
-CHANCE = "chance (draw the values of variables for all at once)"
-OUTCOMES = "the outcome or the failure of an activity"
+DIVISION = "division by what may be zero (by a number that is written there it can)"
+SCALING = "a duration times what may be no number (times one that is written there it can)"
 TIMERS = "timers and `every` (there is `after`)"
+OUTCOMES = "the outcome or the failure of an activity"
+CHANCE = "chance (draw the values of variables for all at once)"
 TYPES = "values that are no truths and no numbers"
 
 
@@ -68,14 +67,24 @@ class BatchBackend:
         artefacts = [rendered(templates, "batch_system.py.j2", f"{system.name}/__init__.py", known)]
         for chart in system.iacs:
             name = f"{system.name}/{module_of(chart.name)}"
-            written = {**known, "chart": chart, "code": _code(system, chart), "role": class_name(chart.name)}
+            code = _code(system, chart)
+            used = ["Batch", "Selection", *(name for name in _CALLED if _uses(code, name))]
+            written = {**known, "chart": chart, "code": code, "role": class_name(chart.name), "used": used}
             for template, path in (("batch", name), ("compiled", f"{name}{COMPILED}")):
                 file = rendered(templates, f"{template}.py.j2", f"{path}.py", written)
                 artefacts.append(Artefact(file.path, tidy(file.text)))
         return tuple(artefacts)
 
 
-def _code(system: System, chart: Statechart) -> object:
+_CALLED = ("larger", "pick", "smaller", "whole")
+"""What a module imports where it calls it."""
+
+
+def _uses(code: BatchCode, name: str) -> bool:
+    return any(f"{name}(" in line for line in code.for_numpy)
+
+
+def _code(system: System, chart: Statechart) -> BatchCode:
     code = generate_plain(system, chart, class_name(chart.name), PlainOptions(tables=False, gates=False))
     constants = {
         enum_name(enum.name, constant): number for enum in system.enums for constant, number in enum.constants
@@ -93,27 +102,27 @@ def _array(system: System, variable: Variable) -> Array:
 
 def problems_of(chart: Statechart, system: System) -> Iterator[Diagnostic]:
     """One problem for each thing that a batch of a statechart cannot do, with all its places."""
-    found = {
-        (limit.what, limit.span.start): limit
-        for limit in (*limits(chart, system.activities), *_limits(chart))
-    }
-    hint = "`--backend plain` does one instance at a time, and more"
-    yield from refusals(found.values(), "E321", f"a batch of `{chart.name}` cannot do this", hint)
+    what = f"a batch of `{chart.name}` cannot do this"
+    known = limits(chart, system.activities)
+    yield from refusals(known, "E321", what, "`--backend monas` makes agents of the roles, which can")
+    told = {_place(limit) for limit in known}
+    own: list[Limit] = []
+    for limit in _limits(chart):
+        if _place(limit) not in told:
+            told.add(_place(limit))
+            own.append(limit)
+    yield from refusals(own, "E321", what, "`--backend plain` can, one instance at a time")
+
+
+def _place(limit: Limit) -> tuple[str, int, int]:
+    """What is told once: of one place there is one cause."""
+    return limit.span.source.path, limit.span.start, limit.span.end
 
 
 def _limits(chart: Statechart) -> Iterator[Limit]:
     for variable in chart.variables:
         if not _is_number(variable.type):
             yield Limit(TYPES, variable.span)
-    for transition in chart.transitions:
-        if transition.expression.every is not None:
-            yield Limit(PACES, transition.span)
-        for event in transition.expression.events:
-            if isinstance(event, Failed):
-                yield Limit(FAILURES, event.span)
-        for action in transition.expression.actions:
-            if isinstance(action, StartTimer):
-                yield Limit(TIMERS, action.span)
     for transition in chart.transitions:
         yield from _of_expression(transition)
     for _, value in chart.values():
@@ -150,17 +159,17 @@ def _of_value(value: Value) -> str | None:
             return CHANCE
         case Call(function=function) if not function.target.startswith("builtin:"):
             return FUNCTIONS
-        case Arithmetic(operator="/" | "%"):
+        case Arithmetic(operator="/" | "%", right=by) if not (_is_written(by) and by.value):
             return DIVISION
-        case Arithmetic(type=kind) if kind == DURATION:
-            return DIVISION
-        case Random():
-            return CHANCE
-        case Outcome():
-            return OUTCOMES
-        case Expired():
-            return TIMERS
+        case Arithmetic(operator="*", left=one, right=other, type=kind) if kind == DURATION:
+            doubles = [side for side in (one, other) if side.type == DOUBLE]
+            return None if all(map(_is_written, doubles)) else SCALING
     return None
+
+
+def _is_written(value: Value) -> TypeGuard[Literal]:
+    """Whether it is a number that stands there, and no infinite one."""
+    return isinstance(value, Literal) and isinstance(value.value, int | float) and isfinite(value.value)
 
 
 BACKEND = BatchBackend()
