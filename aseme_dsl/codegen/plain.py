@@ -670,6 +670,7 @@ class _Generator(Face):
             "",
             f"    __slots__ = {_tuple(slots)}",
             "",
+            f"    EVENTS = {_tuple(sorted(event for event in self.modes if event != STEP))}",
             "    LEAVES = (",
             *(f"        {labels!r}," for labels in self._leaf_labels()),
             "    )",

@@ -19,6 +19,7 @@ Waiting = list[tuple[Call, str]]
 """The steps that are to be made, in order, each with what it is given."""
 
 C = TypeVar("C", bound=Plain)
+T = TypeVar("T")
 
 
 class Machine(Generic[C]):
@@ -37,7 +38,8 @@ class Machine(Generic[C]):
     post: Callable[[str], None]
     """One step with an event, after what is queued: now, or by whoever makes a step at the moment."""
 
-    def __init__(self, chart: C, trace: Trace | None = None) -> None:
+    def __init__(self, chart: C, trace: Trace | None = None, *, strict: bool = False) -> None:
+        """`strict`: to send an event that no transition waits for is a mistake, a ValueError."""
         self.chart = chart
         self._trace = trace
         core = chart.send if trace is None else _traced(chart.send, trace, "send")
@@ -69,8 +71,8 @@ class Machine(Generic[C]):
             else:
                 send(event)
 
-        self.send = send
-        self.post = post
+        self.send = _known(send, chart) if strict else send
+        self.post = _known(post, chart) if strict else post
 
     def start(self) -> bool:
         """Enter the root, and go on until nothing is enabled."""
@@ -105,6 +107,23 @@ class Machine(Generic[C]):
         if queue:
             _drain(queue, token)
         return bool(taken)
+
+
+def _known(call: Callable[[str], T], chart: Plain) -> Callable[[str], T]:
+    """The same for the events of the chart only."""
+    events = frozenset(chart.EVENTS)
+
+    def checked(event: str) -> T:
+        if event not in events:
+            from difflib import get_close_matches
+
+            near = get_close_matches(event, chart.EVENTS, 1)
+            known = "there is none" if not events else f"it waits for {', '.join(chart.EVENTS)}"
+            hint = f"did you mean {near[0]!r}?" if near else known
+            raise ValueError(f"{type(chart).__name__} waits for no event {event!r}; {hint}")
+        return call(event)
+
+    return checked
 
 
 def _drain(queue: Waiting, token: list[None]) -> None:

@@ -62,6 +62,8 @@ class Plain:
     chance: Random
     """What `random()` draws from."""
 
+    EVENTS: ClassVar[tuple[str, ...]] = ()
+    """The events that transitions wait for. Another one is no mistake: it is a step without an event."""
     LEAVES: ClassVar[tuple[str, ...]] = ()
     """The labels of each region's leaves by their numbers, in one text: that is loaded faster than many."""
     INNER: ClassVar[Mapping[tuple[int, int], tuple[int, ...]]] = {}

@@ -37,6 +37,24 @@ def test_it_does_what_the_chart_does() -> None:
     assert machine.chart.bb.n == 1
 
 
+def test_a_strict_one_takes_a_word_that_is_no_event_for_a_mistake() -> None:
+    kind = chart(COUNTER)
+    assert kind.EVENTS == ("hop",)
+    machine = Machine(kind(), strict=True)
+    machine.start()
+    for call in (machine.send, machine.post):
+        with pytest.raises(ValueError, match=r"^R waits for no event 'hopp'; did you mean 'hop'\?$"):
+            call("hopp")
+        with pytest.raises(ValueError, match=r"no event 'other'; it waits for hop$"):
+            call("other")
+    assert machine.send("hop")
+    machine.post("hop")
+    assert machine.chart.bb.n == 1
+    none = chart("system S srm R { liveness { R = A } }")
+    with pytest.raises(ValueError, match="there is none"):
+        Machine(none(), strict=True).send("hop")
+
+
 def test_what_comes_during_a_step_is_taken_after_it() -> None:
     """An activity's method sends an event, and says that it has returned, while its state is entered."""
     order: list[str] = []
