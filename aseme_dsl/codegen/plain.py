@@ -212,6 +212,7 @@ class _Generator(Face):
         """What says of many conditions that they still do not hold, with what on the blackboard they read."""
         self.modes = self._modes()
         self.timed_regions = self._timed_regions()
+        self.times = frozenset(map(self._entered_now, self.flat.timed))
         self.is_timed = bool(self.flat.timed or self.timed_regions)
         self.may_fail = options.watched or any(
             isinstance(event, Failed) for item in chart.transitions for event in item.expression.events
@@ -1315,7 +1316,12 @@ class _Generator(Face):
         return [*lines, *self._enter_inside(region, target, number)]
 
     def _enter_inside(self, region: int, target: str, number: int | None = None) -> list[str]:
-        """Make the leaf of a state active that has been entered, and the leaves of what is inside it."""
+        """Make the leaf of a state active that has been entered, and the leaves of what is inside it.
+
+        What says where the regions stand comes before all that may raise (`took`, the methods of activities):
+        whatever these do, no region is without a leaf.
+        """
+        stands: list[str] = []
         lines: list[str] = []
         stack = [(region, target, number)]
         while stack:
@@ -1332,7 +1338,7 @@ class _Generator(Face):
                 lines += self._pass(region, node)
                 stack.append((region, self.rests.passed[target].target, number))
             else:
-                lines += self._stand(region, node, number)
+                stands += self._stand(region, node, number)
                 if target in self.flat.ending and self.has_outcomes:
                     lines.append(f"self.await_outcome({target!r})")
                 if node.type is NodeType.BASIC and self.options.watched:
@@ -1340,7 +1346,8 @@ class _Generator(Face):
                 elif node.type is NodeType.AND:
                     inner = [(item.number, item.label, None) for item in self.flat.regions_of(target)]
                     stack += reversed(inner)
-        return lines
+        times = [line for line in lines if line in self.times]
+        return [*stands, *dict.fromkeys(times), *(line for line in lines if line not in self.times)]
 
     def _stand(self, region: int, leaf: Node, number: int | None) -> list[str]:
         """Note which leaf is active, where that is not known."""
@@ -1388,13 +1395,17 @@ class _Generator(Face):
     def _on_entry(self, region: int, node: Node) -> list[str]:
         lines = []
         if node.label in self.flat.timed:
-            lines.append(f"self.{self._time(node.label)} = {_NOW}")
+            lines.append(self._entered_now(node.label))
         for label, loop in self.flat.counted.items():
             if loop == node.label:
                 lines.append(f"self.{self._count(label)} = 0")
         if node.label in self.flat.counted:
             lines.append(f"self.{self._count(node.label)} += 1")
         return lines
+
+    def _entered_now(self, label: str) -> str:
+        """What notes when a state was entered."""
+        return f"self.{self._time(label)} = {_NOW}"
 
     def _begin(self, region: int, node: Node) -> list[str]:
         """The call that starts the activity of a state, with what it is given."""

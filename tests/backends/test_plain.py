@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from functools import partial
+from itertools import cycle
 from pathlib import Path
 
 import pytest
@@ -262,3 +263,48 @@ def test_a_local_is_only_there_where_it_is_used() -> None:
     start = texts["S/R.py"].partition("def start(self)")[2].partition("    def ")[0]
     assert "now = self.now" not in start
     assert "\x01" not in "".join(texts.values())
+
+
+HOOKS = """
+system S
+srm R {
+  liveness { R = (work [> Off)~  work = A . all  all = B . (H | I) || C . (D | E) || F }
+  control R { enter Off : over }
+  control work { enter all : go }
+  control all { enter H : tick  enter I : tock  enter D : tick  enter E : tock or after(1s) }
+}
+"""
+
+
+@pytest.mark.parametrize(
+    "wrong", ["start_B", "start_C", "start_F", "start_D", "start_H", "stop_B", "stop_F", "took"]
+)
+def test_a_method_that_raises_leaves_every_region_somewhere(wrong: str) -> None:
+    """`start_…` raises after a transition is taken, `stop_…` and `took` before."""
+    kind = plain_class(generate(HOOKS), "R", PlainOptions(watched=True))
+    armed: list[str] = []
+
+    def raises(self: object, *arguments: object) -> None:
+        if armed:
+            raise OSError(armed.pop())
+
+    chart = type("Raising", (kind,), {wrong: raises})()
+    plays = cycle(("go", "tick", "over", "go", "tock", "go", "over"))
+    chart.start()
+    seen = 0
+    for turn in range(300):
+        before = chart.configuration()
+        armed[:] = [wrong]
+        try:
+            chart.send(next(plays))
+        except OSError:
+            seen += 1
+            after = chart.configuration()
+            assert (after == before) is not wrong.startswith("start"), (before, after)
+        armed.clear()
+        chart.step()
+        for label in chart.configuration() if turn % 3 == 0 else ():
+            chart.done(label)
+        if chart.finished:
+            chart.start()
+    assert seen
