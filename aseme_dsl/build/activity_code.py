@@ -9,22 +9,21 @@ from __future__ import annotations
 import ast
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl.amola.expression import Raised
-from aseme_dsl.amola.messages import Channel, Comm
+from aseme_dsl.amola.messages import Channel, Comm, Topic
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.build.activity_ends import wrong_outcomes
 from aseme_dsl.build.activity_given import wrong_parameters
 from aseme_dsl.build.activity_messages import unfit_messages
-from aseme_dsl.build.activity_talk import Talk, talk_in, unfit_talk, unsaid
+from aseme_dsl.build.activity_talk import Talk, parts_of, talk_in, unfit_talk, unsaid
 from aseme_dsl.build.activity_words import unknown_messages, unknown_methods
-from aseme_dsl.build.write import stamp_of
+from aseme_dsl.build.write import Look, Stamp, stamp_of
 from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.diagnostics import Diagnostic, Related, Suppressed, closest
 from aseme_dsl.runtime.naming import class_name, module_name
@@ -49,6 +48,7 @@ def check_code(
     alone: bool = True,
     project: Path | None = None,
     memory: Memory | None = None,
+    look: Look = stamp_of,
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """What the Python in `folder` gets wrong of the system: W530 to W533, W540, W555, W556, N726.
 
@@ -56,108 +56,111 @@ def check_code(
     `# asemec: allow(CODE) reason`.
     `alone`: the folder belongs to this system only. If other systems share it, a name that nothing here is
     like may be one of theirs. `project` is the folder from which the code of modules is imported that is not
-    found by their names. With a `memory`, what has not changed since is not looked at again.
+    found by their names. With a `memory`, what has not changed since is not looked at again: a file as long
+    as `look` says the same of it.
     """
     if not folder.is_dir():
         return (), ()
     memory = memory or Memory()
     world = _World.of(system, alone, memory)
     types = memory.same("types", System(system.name, enums=system.enums, messages=system.messages))
+    no_types = memory.same("no types", System(system.name))
+    pieces = _pieces(system, folder, project, memory)
+    paths = code_paths(pieces, folder)
+    codes = _codes(paths, memory, look)
     found: list[Diagnostic] = []
-    known: set[str] = set()
-    modules: list[_Module] = []
-    talks: dict[str, tuple[Talk, ...]] = {}
-    by_others: list[Talk] = []
     complete = True
-    for piece in _pieces(system, folder, project):
-        if piece.path is None:
+    described: list[tuple[_Code, Activity, str, str]] = []
+    worded: list[tuple[_Code, System]] = []
+    talks: dict[str, tuple[Talk, ...]] = {}
+    for piece in pieces:
+        code = codes.get(piece.path) if piece.path is not None else None
+        if code is None or code.module is None:
             complete = False
+            found += code.problems if code is not None else ()
+            if piece.is_missing and code is None:
+                message = f"the code of the module `{piece.said.name}` cannot be found"
+                message += f": there is no `{piece.target.partition(':')[0]}`"
+                found.append(Diagnostic("W533", message, piece.said.span))
             continue
-        known.add(str(piece.path))
-        module, problems = _module(piece.path, memory)
-        found += problems
-        if module is not None:
-            modules.append(module)
-            is_written = piece.said.takes is not None or not memory.recall(_is_empty, module, piece.wanted)
-            complete = complete and is_written
-            if piece.what == "activity" and is_written:
-                talks[piece.said.name] = memory.recall(_talk_in, module)
-            said = memory.same((piece.what, piece.said.name), piece.said)
-            seen = types if module.imports_messages else memory.same("no types", System(system.name))
-            calls = memory.recall(_calls, module)
-            found += memory.recall(_problems_of, module, calls, said, piece.wanted, piece.what, *world.inputs)
-            found += memory.recall(_problems_of_words, module, calls, seen, *world.inputs)
-            continue
-        complete = False
-        if piece.is_missing:
-            message = f"the code of the module `{piece.said.name}` cannot be found"
-            message += f": there is no `{piece.target.partition(':')[0]}`"
-            found.append(Diagnostic("W533", message, piece.said.span))
-    for name in sorted(item.name for item in os.scandir(folder) if item.name.endswith(".py")):
-        path = folder / name
-        if str(path) not in known:
-            helper, _ = _module(path, memory)
-            if helper is not None:
-                modules.append(helper)
-                by_others += memory.recall(_talk_in, helper)
-                calls = memory.recall(_calls, helper)
-                found += memory.recall(_problems_of_helper, helper, calls, types, *world.inputs)
+        is_written = piece.said.takes is not None or piece.wanted not in code.empty
+        complete = complete and is_written
+        if is_written and piece.what == "activity":
+            talks[piece.said.name] = code.talk
+        described.append((code, piece.said, piece.wanted, piece.what))
+        worded.append((code, types if code.module.imports_messages else no_types))
+    known = {piece.path for piece in pieces}
+    helpers = [code for path, code in codes.items() if path not in known and code.module is not None]
+    checked = (
+        memory.each(_problems_of, described, *world.inputs),
+        memory.each(_problems_of_words, worded, *world.inputs),
+        memory.each(_problems_of_helper, [(code,) for code in helpers], types, *world.inputs),
+    )
+    found += (problem for results in checked for problems in results for problem in problems)
     if alone and system.aips:
-        found += unfit_talk(system, talks)
-        found += unsaid(system, talks, by_others)
+        parts = parts_of(system, memory)
+        found += unfit_talk(parts, talks)
+        found += unsaid(system, parts, talks, [talk for code in helpers for talk in code.talk])
     if complete and world.events:
-        found += _never_raised(modules, world, memory)
+        found += _never_raised([code for code in codes.values() if code.module is not None], world, memory)
     memory.end()
     kept = [item for item in found if _allowed(item) is None]
     return tuple(kept), tuple(allowed for item in found if (allowed := _allowed(item)) is not None)
 
 
 def variables_read(
-    system: System, folder: Path, project: Path | None = None, memory: Memory | None = None
+    system: System,
+    folder: Path,
+    project: Path | None = None,
+    memory: Memory | None = None,
+    look: Look = stamp_of,
 ) -> frozenset[str]:
     """The variables that the Python in `folder` reads with `context.variable("name")`."""
     memory = memory or Memory()
-    modules = (_module(path, memory)[0] for path in code_files(system, folder, project))
-    return frozenset(
-        name for module in modules if module is not None for name in memory.recall(_variables_in, module)
-    )
+    codes = _codes(code_files(system, folder, project, memory), memory, look)
+    return frozenset(call.name for code in codes.values() for call in code.calls if call.method == "variable")
 
 
-def code_files(system: System, folder: Path, project: Path | None = None) -> list[Path]:
-    """The files, there or not, that `check_code` looks at."""
-    places = {piece.path for piece in _pieces(system, folder, project) if piece.path is not None}
-    return sorted({*places, *folder.glob("*.py")})
+def code_files(
+    system: System, folder: Path, project: Path | None = None, memory: Memory | None = None
+) -> list[str]:
+    """The paths of the files, there or not, that `check_code` looks at."""
+    return code_paths(_pieces(system, folder, project, memory or Memory()), folder)
 
 
-def _variables_in(module: _Module) -> frozenset[str]:
-    return frozenset(call.name for call in _calls(module) if call.method == "variable")
+def code_paths(pieces: Iterable[_Piece], folder: Path) -> list[str]:
+    """The paths of the files of `pieces`, there or not, and of all that is beside them."""
+    paths = dict.fromkeys(piece.path for piece in pieces if piece.path is not None)
+    try:
+        names = os.listdir(folder)  # noqa: PTH208 (many names, of which only the texts are wanted)
+    except OSError:
+        names = []
+    beside = {os.path.join(folder, name) for name in names if name.endswith(".py")}  # noqa: PTH118
+    return [*paths, *sorted(beside.difference(paths))]
 
 
 def _problems_of(
-    module: _Module, calls: _Calls, said: Activity, wanted: str, what: str, *world: *_WorldInputs
+    code: _Code, said: Activity, wanted: str, what: str, *world: *_WorldInputs
 ) -> tuple[Diagnostic, ...]:
     """What is wrong with the code of one activity or module, as it is described."""
-    return tuple(_of_piece(module, calls, said, wanted, what, _World(*world)))
+    return tuple(_of_piece(code.read, code.calls, said, wanted, what, _World(*world)))
 
 
-def _problems_of_words(
-    module: _Module, calls: _Calls, types: System, *world: *_WorldInputs
-) -> tuple[Diagnostic, ...]:
+def _problems_of_words(code: _Code, types: System, *world: *_WorldInputs) -> tuple[Diagnostic, ...]:
     """What is wrong with the code whatever is said of its activity."""
+    module = code.read
     return (
         *unknown_methods(module.tree, module.span),
         *unknown_messages(module.tree, types, module.span),
-        *unfit_messages(module.tree, types, _published(calls, _World(*world)), module.span),
+        *unfit_messages(module.tree, types, _published(code.calls, _World(*world)), module.span),
     )
 
 
-def _problems_of_helper(
-    module: _Module, calls: _Calls, types: System, *world: *_WorldInputs
-) -> tuple[Diagnostic, ...]:
-    known = _World(*world)
+def _problems_of_helper(code: _Code, types: System, *world: *_WorldInputs) -> tuple[Diagnostic, ...]:
+    known, module = _World(*world), code.read
     return (
-        *(problem for call in calls for problem in _unknown(call, None, known)),
-        *unfit_messages(module.tree, types, _published(calls, known), module.span),
+        *(problem for call in code.calls for problem in _unknown(call, None, known)),
+        *unfit_messages(module.tree, types, _published(code.calls, known), module.span),
     )
 
 
@@ -178,7 +181,7 @@ class _Piece:
     """An activity or a module: what is said of it, the file of its code (None: somewhere else), its class."""
 
     said: Activity
-    path: Path | None
+    path: str | None
     wanted: str
     what: str = "activity"
     target: str = ""
@@ -186,15 +189,13 @@ class _Piece:
     """Whether its file should be there: the folder around it is one of the project."""
 
 
-@lru_cache(20_000)
-def _place_of(folder: Path, name: str) -> tuple[Path, str]:
-    """The file and the class of an activity."""
-    return folder / f"{module_name(name)}.py", class_name(name)
+def _of_activity(said: Activity, folder: str) -> _Piece:
+    return _Piece(said, os.path.join(folder, f"{module_name(said.name)}.py"), class_name(said.name))  # noqa: PTH118
 
 
-def _pieces(system: System, folder: Path, project: Path | None) -> list[_Piece]:
+def _pieces(system: System, folder: Path, project: Path | None, memory: Memory) -> list[_Piece]:
     """What there may be code of: the activities, then the modules, one that several roles have once."""
-    pieces = [_Piece(item, *_place_of(folder, item.name)) for item in system.activities]
+    pieces = list(memory.each(_of_activity, [(item,) for item in system.activities], str(folder)))
     modules: dict[tuple[str, str], Activity] = {}
     for chart in system.iacs:
         for module in chart.modules:
@@ -210,15 +211,15 @@ def _pieces(system: System, folder: Path, project: Path | None) -> list[_Piece]:
             modules[key] = said
     for (name, target), said in modules.items():
         if not target:
-            path: Path | None = folder / f"{module_name(name)}.py"
-            pieces.append(_Piece(said, path, class_name(name), "module"))
+            pieces.append(_Piece(said, str(folder / f"{module_name(name)}.py"), class_name(name), "module"))
             continue
         place, _, wanted = target.partition(":")
         path = None if project is None else project.joinpath(*place.split(".")).with_suffix(".py")
         if path is not None and not path.is_file() and (path.with_suffix("") / "__init__.py").is_file():
             path = path.with_suffix("") / "__init__.py"
         missing = path is not None and path.parent != project and path.parent.is_dir() and not path.is_file()
-        pieces.append(_Piece(said, path, wanted, "module", target, missing))
+        where = None if path is None else str(path)
+        pieces.append(_Piece(said, where, wanted, "module", target, missing))
     return pieces
 
 
@@ -250,20 +251,10 @@ class _World:
 
     @classmethod
     def of(cls, system: System, alone: bool, memory: Memory) -> _World:
-        channels = [rules.channel for topic in system.topics for rules in topic.channels]
-        variables: dict[str, frozenset[str]] = {}
-        of_participants: dict[str, frozenset[str]] = {}
-        events: dict[str, Span] = {}
-        for chart in system.iacs:
-            own, inside, waited = memory.recall(_names_in, memory.same(("chart", chart.name), chart))
-            for name, known in own.items():
-                variables[name] = variables.get(name, frozenset()) | known
-            for name, known in inside.items():
-                of_participants[name] = of_participants.get(name, frozenset()) | known
-            for name, span in waited.items():
-                events.setdefault(name, span)
+        names = memory.each(_names_in, [(chart,) for chart in system.iacs])
+        variables, of_participants, events = memory.recall(_all_names, names)
         return cls(
-            {str(channel): channel for channel in channels},
+            memory.recall(_channels, memory.same("topics", system.topics)),
             frozenset(topic.name for topic in system.topics),
             frozenset(agent.name for team in system.teams for agent in team.agents),
             variables,
@@ -285,6 +276,27 @@ _WorldInputs = tuple[
 
 
 _Names = dict[str, frozenset[str]]
+
+
+def _channels(topics: Iterable[Topic]) -> dict[str, Channel]:
+    return {str(rules.channel): rules.channel for topic in topics for rules in topic.channels}
+
+
+def _all_names(
+    charts: Iterable[tuple[_Names, _Names, dict[str, Span]]],
+) -> tuple[_Names, _Names, dict[str, Span]]:
+    """What `_names_in` has found in each role, for all of them."""
+    variables: _Names = {}
+    of_participants: _Names = {}
+    events: dict[str, Span] = {}
+    for own, inside, waited in charts:
+        for all_names, names in ((variables, own), (of_participants, inside)):
+            for name, known in names.items():
+                before = all_names.get(name)
+                all_names[name] = known if before is None else before | known
+        for name, span in waited.items():
+            events.setdefault(name, span)
+    return variables, of_participants, events
 
 
 def _names_in(chart: Statechart) -> tuple[_Names, _Names, dict[str, Span]]:
@@ -346,22 +358,40 @@ class _Call:
     value: ast.expr | None = None
 
 
-_Read = tuple["_Module | None", tuple[Diagnostic, ...]]
+@dataclass(frozen=True, slots=True)
+class _Code:
+    """A file: the module, if it is Python, or else what is wrong with it; and what is to be found in it.
+
+    `empty` are the classes that are as a build starts them.
+    """
+
+    module: _Module | None
+    problems: tuple[Diagnostic, ...] = ()
+    calls: tuple[_Call, ...] = ()
+    talk: tuple[Talk, ...] = ()
+    empty: frozenset[str] = frozenset()
+
+    @property
+    def read(self) -> _Module:
+        """The module of a file that is Python."""
+        assert self.module is not None
+        return self.module
 
 
-def _module(path: Path, memory: Memory) -> _Read:
-    """A module, or None; what is no Python is W533."""
-    stamp = stamp_of(path)
-    return memory.recall(_parsed, str(path), repr(stamp)) if stamp is not None else (None, ())
+def _codes(paths: Iterable[str], memory: Memory, look: Look) -> dict[str, _Code]:
+    """Every file that is there, by its path."""
+    found = {path: stamp for path in paths if (stamp := look(path)) is not None}
+    stamps = memory.same_values("stamps", found)
+    return dict(zip(stamps, memory.each(_code, stamps.items()), strict=True))
 
 
-def _parsed(name: str, stamp: str) -> _Read:
-    path = Path(name)
+def _code(name: str, stamp: Stamp) -> _Code:
+    """What is in a file; what is no Python is W533."""
     try:
-        text = path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
+        text = Path(name).read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
     except (OSError, UnicodeDecodeError):
-        return None, ()
-    source = Source(str(path), text)
+        return _Code(None)
+    source = Source(name, text)
     try:
         tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as problem:
@@ -369,7 +399,7 @@ def _parsed(name: str, stamp: str) -> _Read:
         start = source.line_start(line)
         span = Span(source, start, start + len(source.line(line)))
         reason = problem.msg if isinstance(problem, SyntaxError) else str(problem)
-        return None, (Diagnostic("W533", f"this is no Python: {reason}", span),)
+        return _Code(None, (Diagnostic("W533", f"this is no Python: {reason}", span),))
     constants = {
         target.id: node.value
         for node in tree.body
@@ -377,7 +407,8 @@ def _parsed(name: str, stamp: str) -> _Read:
         for target in node.targets
         if isinstance(target, ast.Name)
     }
-    return _Module(source, tree, constants), ()
+    module = _Module(source, tree, constants)
+    return _Code(module, (), _calls(module), _talk_in(module), _empty(module))
 
 
 _Calls = tuple[_Call, ...]
@@ -410,18 +441,15 @@ def _calls(module: _Module) -> _Calls:
     return tuple(sorted(found, key=lambda call: call.span.start))
 
 
-def _is_empty(module: _Module, wanted: str) -> bool:
-    """Whether the class is as a build starts it: its `execute` is a docstring. `pass` is somebody's word."""
-    methods = [
-        item
+def _empty(module: _Module) -> frozenset[str]:
+    """The classes whose `execute` is a docstring. `pass` is somebody's word."""
+    return frozenset(
+        node.name
         for node in module.tree.body
-        if isinstance(node, ast.ClassDef) and node.name == wanted
+        if isinstance(node, ast.ClassDef)
         for item in node.body
         if isinstance(item, (ast.FunctionDef, ast.AsyncFunctionDef)) and item.name == "execute"
-    ]
-    return any(
-        all(isinstance(item, ast.Expr) and isinstance(item.value, ast.Constant) for item in method.body)
-        for method in methods
+        if all(isinstance(part, ast.Expr) and isinstance(part.value, ast.Constant) for part in item.body)
     )
 
 
@@ -580,14 +608,13 @@ def _unknown(call: _Call, activity: Activity | None, world: _World) -> Iterator[
         yield Diagnostic("W530", message, call.span)
 
 
-def _never_raised(modules: Sequence[_Module], world: _World, memory: Memory) -> Iterator[Diagnostic]:
+def _never_raised(codes: Sequence[_Code], world: _World, memory: Memory) -> Iterator[Diagnostic]:
     """N726 for an event that a transition waits for and no code raises, as far as all of the code is there.
 
     An event whose name is computed may be any of them; one that is almost raised is W532 there.
     """
     raised: set[str] = set()
-    for module in modules:
-        names = memory.recall(_raised_by, module)
+    for names in memory.each(_raised_by, [(code,) for code in codes]):
         if names is None:
             return
         raised |= names
@@ -598,14 +625,15 @@ def _never_raised(modules: Sequence[_Module], world: _World, memory: Memory) -> 
             yield Diagnostic("N726", f"no activity raises the event `{name}`", span, hint=hint)
 
 
-def _raised_by(module: _Module) -> frozenset[str] | None:
+def _raised_by(code: _Code) -> frozenset[str] | None:
     """The events that the code raises; None if it computes the name of one."""
+    module = code.read
     for node in ast.walk(module.tree):
         if isinstance(node, ast.Call) and _last(node.func) == "raise_event":
             first = node.args[0] if node.args else next((item.value for item in node.keywords), None)
             if _text(module, first) is None:
                 return None
-    return frozenset(call.name for call in _calls(module) if call.method == "raise_event")
+    return frozenset(call.name for call in code.calls if call.method == "raise_event")
 
 
 def _channel_hint(name: str, world: _World) -> str:

@@ -15,6 +15,7 @@ from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.builtins import NOT_UNDERSTOOD, PERFORMATIVES
 from aseme_dsl.compiler.library import is_of_library
+from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.source import Span
 
@@ -66,14 +67,17 @@ def _made(node: ast.expr | None) -> str | None:
 # ---- what one activity says ------------------------------------------------------------------------
 
 
-def unfit_talk(system: System, talks: Mapping[str, tuple[Talk, ...]]) -> Iterator[Diagnostic]:
+Parts = Mapping[str, tuple[Participant, ...]]
+"""Of each activity: the participants in whose branches it stands."""
+
+
+def unfit_talk(parts: Parts, talks: Mapping[str, tuple[Talk, ...]]) -> Iterator[Diagnostic]:
     """W555 for what an activity sends or takes and no participant does in which it stands.
 
     `talks` are those of the activities of which there is code.
     """
-    parts = _parts_of(system)
     for name, said in talks.items():
-        mine = parts.get(name, ())
+        mine = parts.get(name, ()) if said else ()
         for talk in said if mine else ():
             yield from _unfit(name, talk, mine)
 
@@ -104,40 +108,52 @@ def _unfit(name: str, talk: Talk, parts: Iterable[Participant]) -> Iterator[Diag
     )
 
 
-def _parts_of(system: System) -> dict[str, tuple[Participant, ...]]:
-    """Of each activity: the participants in whose branches it stands."""
+def parts_of(system: System, memory: Memory) -> Parts:
+    """Of each activity of a system: the participants in whose branches it stands."""
     named = {(aip.name, part.name): part for aip in system.aips for part in aip.participants}
-    found: dict[str, dict[str, Participant]] = {}
-    for chart in system.iacs:
-        for node in chart.nodes:
-            if node.type is not NodeType.BASIC or node.activity is None:
-                continue
-            branch = chart.branch_of(node.label)
-            origin = None if branch is None else chart.node(branch).origin
-            part = None if origin is None else named.get((origin.owner, origin.name))
-            if part is not None and origin is not None:
-                found.setdefault(node.activity, {}).setdefault(str(origin), part)
+    found: dict[str, dict[tuple[str, str], Participant]] = {}
+    for placed in memory.each(_placed_in, [(chart,) for chart in system.iacs]):
+        for activity, origin in placed:
+            part = named.get(origin)
+            if part is not None:
+                found.setdefault(activity, {}).setdefault(origin, part)
     return {name: tuple(parts.values()) for name, parts in found.items()}
+
+
+def _placed_in(chart: Statechart) -> tuple[tuple[str, tuple[str, str]], ...]:
+    """Which activities of a role stand in the branch of which protocol's participant."""
+    found: list[tuple[str, tuple[str, str]]] = []
+    for node in chart.nodes:
+        if node.type is not NodeType.BASIC or node.activity is None:
+            continue
+        branch = chart.branch_of(node.label)
+        origin = None if branch is None else chart.node(branch).origin
+        if origin is not None:
+            found.append((node.activity, (origin.owner, origin.name)))
+    return tuple(dict.fromkeys(found))
 
 
 # ---- what nobody says ------------------------------------------------------------------------------
 
 
 def unsaid(
-    system: System, talks: Mapping[str, tuple[Talk, ...]], helpers: Iterable[Talk]
+    system: System, parts: Parts, talks: Mapping[str, tuple[Talk, ...]], helpers: Iterable[Talk]
 ) -> Iterator[Diagnostic]:
     """W556 for what a participant lists and neither a line of it nor one of its activities sends or takes.
 
     Only where there is code of all activities of the participant: else it may still be written.
     """
-    parts = _parts_of(system)
+    activities: dict[int, list[str]] = {}
+    for name, mine in parts.items():
+        for part in mine:
+            activities.setdefault(id(part), []).append(name)
     shared = tuple(helpers)
     for aip in system.aips:
         chart = system.eac(aip.name)
         if chart is None or is_of_library(aip.span.source):
             continue
         for part in aip.participants:
-            names = [name for name, mine in parts.items() if part in mine]
+            names = activities.get(id(part), [])
             if not names or not all(name in talks for name in names):
                 continue
             said = [*shared, *(talk for name in names for talk in talks[name])]
@@ -192,4 +208,4 @@ def _by_lines(chart: Statechart, part: Participant) -> tuple[set[tuple[str, str]
     return sent, taken
 
 
-__all__ = ["Talk", "talk_in", "unfit_talk", "unsaid"]
+__all__ = ["Parts", "Talk", "parts_of", "talk_in", "unfit_talk", "unsaid"]

@@ -148,7 +148,7 @@ def watched(
         if code is not None:
             folders.add(str(code))
             if item.system is not None:
-                found |= {str(path) for path in code_files(item.system, code, item.configuration.folder)}
+                found |= set(code_files(item.system, code, item.configuration.folder))
             else:
                 found |= {str(path) for path in code.glob("*.py")}
         own = templates or item.configuration.templates

@@ -71,6 +71,8 @@ class Seen:
 
 
 Stamp = tuple[int, int, int]
+Look = Callable[[str], Stamp | None]
+"""What a file is, by its path: `stamp_of`, or what somebody has just been told by it."""
 
 
 def stamp_of(path: Path | str) -> Stamp | None:

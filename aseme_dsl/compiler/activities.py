@@ -170,23 +170,20 @@ _NOTHING = (None, "", ())
 """What a clause has that is not there."""
 
 
-def merge_activities(
-    statements: Iterable[Activity],
-) -> tuple[tuple[Activity, ...], tuple[Diagnostic, ...]]:
-    """One activity for each name, in order: same or disjoint clauses join, different ones are E203.
-
-    `kind` is "thread" where no role says otherwise. Variables belong to the roles, so each role's are added.
-    """
+def by_name(statements: Iterable[Activity]) -> dict[str, tuple[Activity, ...]]:
+    """What is said of each activity, in order."""
     of_name: dict[str, list[Activity]] = {}
     for item in statements:
         of_name.setdefault(item.name, []).append(item)
+    return {name: tuple(items) for name, items in of_name.items()}
+
+
+def merge_activity(statements: Sequence[Activity]) -> tuple[Activity, tuple[Diagnostic, ...]]:
+    """All that is said of one activity: same or disjoint clauses join, different ones are E203.
+
+    `kind` is "thread" where no role says otherwise. Variables belong to the roles, so each role's are added.
+    """
     diagnostics: list[Diagnostic] = []
-    merged = [_merged(items, diagnostics) for items in of_name.values()]
-    return tuple(merged), tuple(diagnostics)
-
-
-def _merged(statements: Sequence[Activity], diagnostics: list[Diagnostic]) -> Activity:
-    """What is said of one activity; the diagnostics are added."""
     first, *others = statements
     variables = tuple(dict.fromkeys(first.writes_variables))
     clauses: dict[str, object] = (
@@ -216,7 +213,8 @@ def _merged(statements: Sequence[Activity], diagnostics: list[Diagnostic]) -> Ac
                 )
     if not clauses.get("kind", first.kind):
         clauses["kind"] = "thread"
-    return replace(first, **clauses) if clauses else first  # type: ignore[arg-type]
+    merged = replace(first, **clauses) if clauses else first  # type: ignore[arg-type]
+    return merged, tuple(diagnostics)
 
 
 def _different(first: object, second: object) -> bool:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from itertools import chain
 
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
 from aseme_dsl.compiler.builtins import NOWHERE
 from aseme_dsl.compiler.flow import Contradict
 from aseme_dsl.compiler.formulas import cut
-from aseme_dsl.compiler.memory import Recall
+from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -52,23 +53,22 @@ def vocabulary_of(symbols: Symbols) -> Vocabulary:
 
 
 def check_conditions(
-    charts: Iterable[Statechart], prover: Prover, recall: Recall
+    charts: Iterable[Statechart], prover: Prover, memory: Memory
 ) -> InPieces[tuple[tuple[Diagnostic, ...], int]]:
     """What cannot be right in the conditions; and how many choices went unchecked, without z3."""
-    found: list[Diagnostic] = []
-    unchecked = 0
-    seen: set[object] = set()
-    for chart in charts:
-        for situation in recall(situations, chart, prover.vocabulary):
-            if situation.key in seen:
-                continue  # the same text, expanded in several places
-            seen.add(situation.key)
-            if prover.is_there:
-                found += recall(_said, situation, prover)
-                yield
-            else:
-                unchecked += 1
-    return tuple(found), unchecked
+    once: dict[object, Situation] = {}  # the same text may be expanded in several places
+    for found in (yield from memory.each_in_pieces(_situations, zip(charts), prover.vocabulary)):
+        for key, situation in found:
+            once.setdefault(key, situation)
+    if not prover.is_there:
+        return (), len(once)
+    said = yield from memory.each_in_pieces(_said, zip(once.values()), prover)
+    return tuple(chain.from_iterable(said)), 0
+
+
+def _situations(chart: Statechart, vocabulary: Vocabulary) -> tuple[tuple[object, Situation], ...]:
+    """The situations of a chart, each with what it is by."""
+    return tuple((item.key, item) for item in situations(chart, vocabulary))
 
 
 def _said(situation: Situation, prover: Prover) -> tuple[Diagnostic, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 
 from aseme_dsl.amola.aip import Aip, Participant
 from aseme_dsl.amola.expression import Event, Received, Send
@@ -12,7 +13,8 @@ from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
 from aseme_dsl.amola.system import Team
 from aseme_dsl.compiler.builtins import NOT_UNDERSTOOD
 from aseme_dsl.compiler.library import is_of_library
-from aseme_dsl.compiler.memory import Recall
+from aseme_dsl.compiler.memory import Memory
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related
 
 _SHOWN = 4
@@ -41,8 +43,8 @@ class _Known:
 
 
 def check_waits(
-    aips: Iterable[Aip], eacs: Mapping[str, Statechart | None], srms: Sequence[Srm], recall: Recall
-) -> Iterator[Diagnostic]:
+    aips: Iterable[Aip], eacs: Mapping[str, Statechart | None], srms: Sequence[Srm], memory: Memory
+) -> InPieces[list[Diagnostic]]:
     """W553 for a state that only messages can end which nobody can have sent by then.
 
     All else is taken for possible: conditions hold, deadlines pass, agents are lost, activities send what
@@ -50,10 +52,13 @@ def check_waits(
     the standard library count if somebody plays them.
     """
     played = {item.protocol for srm in srms for item in srm.plays}
-    for aip in aips:
-        chart = eacs.get(aip.name)
-        if chart is not None and (aip.name in played or not is_of_library(aip.span.source)):
-            yield from recall(_waits, aip, chart)
+    looked_at = [
+        (aip, chart)
+        for aip in aips
+        if (chart := eacs.get(aip.name)) is not None
+        and (aip.name in played or not is_of_library(aip.span.source))
+    ]
+    return list(chain.from_iterable((yield from memory.each_in_pieces(_waits, looked_at))))
 
 
 def _waits(aip: Aip, chart: Statechart) -> tuple[Diagnostic, ...]:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import NodeType
 from aseme_dsl.amola.suc import RoleType
 from aseme_dsl.compiler.blocks import participants_of
-from aseme_dsl.compiler.memory import Recall
+from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.names import first_of, listed
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.compiler.srm_to_iac import Role
 from aseme_dsl.compiler.usecases import UseCases, folded
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
@@ -26,6 +28,8 @@ def out_of_reach(
 
     Use cases of people, of other systems and of roles that are no `srm` are not looked into, nor protocols.
     """
+    if not cases.suc.usecases:
+        return
     own_types = (RoleType.SYSTEM, RoleType.ABSTRACT)
     elsewhere = {item.name for item in cases.suc.roles if item.type not in own_types}
     reached = {name: _reached(role) for name, role in roles.items()}
@@ -113,17 +117,17 @@ def not_played(
 
 
 def without_functionality(
-    roles: Sequence[Role], activities: Mapping[str, Activity], recall: Recall
-) -> Iterator[Diagnostic]:
+    roles: Sequence[Role], activities: Mapping[str, Activity], memory: Memory
+) -> InPieces[list[Diagnostic]]:
     """N707: activities without functionality, in a role that describes some; W230: a name close to one's."""
     known: dict[str, Span] = {}
     for role in roles:
         for item in role.written.functionalities:
             known.setdefault(item.name.text, item.name.span)
     if not known:
-        return
-    for role in roles:
-        yield from recall(_without_functionality, role, known, activities)
+        return []
+    found = yield from memory.each_in_pieces(_without_functionality, zip(roles), known, activities)
+    return list(chain.from_iterable(found))
 
 
 def _without_functionality(

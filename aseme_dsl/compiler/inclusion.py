@@ -38,6 +38,8 @@ class Inclusion:
 
     def damaged(self, is_damaged: Damaged) -> Damaged:
         """`is_damaged` for roles as they are now: also by what is wrong in the text that they take over."""
+        if not self.included and not self.incomplete:
+            return is_damaged
         others = {
             item.span: tuple(other.span for other in self.included.get(item.name.text, ()))
             for item in self.blocks.srms

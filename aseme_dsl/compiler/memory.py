@@ -3,17 +3,22 @@
 A phase is a function. Its result is taken again if its inputs are the same objects, or equal where they are
 plain values. Of mappings, of functions among the inputs, and of what is `shared` by all phases, only those
 answers count that the phase has asked for. So nobody has to say on what a phase depends, and a memory never
-changes what comes out.
+changes what comes out. What is done for each of many things alike (`each`) costs next to nothing for those
+of which nothing has changed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from operator import is_
 from types import FunctionType
 from typing import Any, Protocol, TypeVar, cast
 
+from aseme_dsl.compiler.pieces import InPieces, finished
+
 _T = TypeVar("_T")
+_K = TypeVar("_K", bound=Hashable)
 
 _PLAIN = (str, int, float, bool, frozenset, type(None))
 _ABSENT = object()
@@ -45,6 +50,19 @@ class _Entry:
     age: int
 
 
+@dataclass(slots=True)
+class _Batch:
+    """What a function was done for the last time: the entries by the identities of what each was of.
+
+    The `items` are kept because no others have their identities then.
+    """
+
+    items: tuple[tuple[Any, ...], ...]
+    common: tuple[Any, ...]
+    entries: dict[tuple[int, ...], _Entry]
+    results: tuple[Any, ...]
+
+
 class Recall(Protocol):
     """`Memory.recall`: a function's result, from memory if it can be."""
 
@@ -58,11 +76,14 @@ class Memory:
         self._kept = kept
         self._entries: dict[tuple[Any, ...], list[_Entry]] = {}
         self._values: dict[object, list[Any]] = {}
+        self._mappings: dict[object, dict[Any, Any]] = {}
+        self._batches: dict[object, _Batch] = {}
         self._shared: dict[object, _Shared] = {}
         self.protos: dict[str, Any] = {}
         """What was read of .proto files (see `load`), by where they are."""
         self._asked: dict[_Question, Any] | None = None  # by the phase that runs now
         self._number = 0
+        self._runs = 0  # how often something was found out
         self._age = 0
         self._is_older = False  # something shared is another one than when it was asked last
         self._answers: dict[_Question, Any] = {}  # all that was asked of what is shared, as it was then
@@ -73,13 +94,67 @@ class Memory:
 
         The function must not recall anything itself.
         """
+        return cast(_T, self._entry(function, inputs).result)
+
+    def each(
+        self, function: Callable[..., _T], inputs: Iterable[tuple[Any, ...]], *common: Any
+    ) -> tuple[_T, ...]:
+        """`recall(function, *item, *common)` for each of the inputs; see `each_in_pieces`."""
+        return finished(self.each_in_pieces(function, inputs, *common))
+
+    def each_in_pieces(
+        self, function: Callable[..., _T], inputs: Iterable[tuple[Any, ...]], *common: Any
+    ) -> InPieces[tuple[_T, ...]]:
+        """`recall(function, *item, *common)` for each of the inputs, all as long; a piece is one that is done.
+
+        If all results are those of the last time, it is the same tuple. Nobody may change a mapping that is
+        given here: the same object means that its answers are the same, and of two, their difference is
+        looked for once.
+        """
+        if self._is_older:
+            self._ask_again()
+        items = tuple(inputs)
+        before = self._batches.get(function)
+        changed: set[_Question] | None = None
+        if before is not None and items:
+            changed = _difference(before.common, common, len(items[0]))
+        known = {} if before is None or changed is None else before.entries
+        entries: dict[tuple[int, ...], _Entry] = {}
+        for item in items:
+            key = tuple(map(id, item))
+            entry = known.get(key)
+            if entry is None or not self._holds(entry, changed):
+                number = self._runs
+                entry = self._entry(function, (*item, *common))
+                if self._runs != number:
+                    yield
+            entry.used, entry.age = self._number, self._age
+            entries[key] = entry
+        results = tuple(entries[tuple(map(id, item))].result for item in items)
+        if (
+            before is not None
+            and len(results) == len(before.results)
+            and all(map(is_, results, before.results))
+        ):
+            results = before.results
+        self._batches[function] = _Batch(items, common, entries, results)
+        return results
+
+    def _holds(self, entry: _Entry, changed: set[_Question] | None) -> bool:
+        """Whether an entry of the last time still does, but for what was `changed` of what all have."""
+        if entry.age < self._age - 1 or (changed and not changed.isdisjoint(entry.asked)):
+            return False
+        return entry.age == self._age or self._changed.isdisjoint(entry.shared)
+
+    def _entry(self, function: Callable[..., Any], inputs: tuple[Any, ...]) -> _Entry:
         if self._is_older:
             self._ask_again()
         entries = self._entries.setdefault((function, *map(_key, inputs)), [])
         for entry in entries:
             if self._is_same(entry, inputs):
                 entry.used = self._number
-                return cast(_T, entry.result)
+                return entry
+        self._runs += 1
         assert self._asked is None
         asked: dict[_Question, Any] = {}
         self._asked = asked
@@ -88,12 +163,12 @@ class Memory:
         finally:
             self._asked = None
         # What is equal to a result before is that result, so that what depends on it stays as it is.
-        result = next((cast(_T, item.result) for item in entries if item.result == result), result)
+        result = next((item.result for item in entries if item.result == result), result)
         shared = {question: answer for question, answer in asked.items() if isinstance(question[0], _Shared)}
         own = {question: answer for question, answer in asked.items() if question not in shared}
         self._answers.update(shared)
         entries.append(_Entry(inputs, own, shared, result, self._number, self._age))
-        return result
+        return entries[-1]
 
     def _ask_again(self) -> None:
         """Find out which answers of what is shared have changed."""
@@ -115,6 +190,19 @@ class Memory:
         if not values or values[0] is not found:
             values[:] = [found, *(item for item in values if item is not found)][:_REMEMBERED]
         return found
+
+    def same_values(self, name: object, values: dict[_K, _T]) -> dict[_K, _T]:
+        """The values as the equal ones that the keys had the last time; that very mapping if all are so."""
+        before = self._mappings.get(name)
+        if before is not None:
+            if before == values and list(before) == list(values):
+                return before
+            values = {
+                key: known if (known := before.get(key, value)) is value or known == value else value
+                for key, value in values.items()
+            }
+        self._mappings[name] = values
+        return values
 
     def shared(self, name: object, value: _T) -> _T:
         """Something that answers as `value` does, and remains the same object in later analyses.
@@ -188,6 +276,25 @@ def _kind(item: Any) -> int:
 def _key(item: Any) -> object:
     kind = _kind(item)
     return id(item) if kind is _OTHER else item if kind is _IS_PLAIN else None
+
+
+def _difference(before: tuple[Any, ...], now: tuple[Any, ...], first: int) -> set[_Question] | None:
+    """What has another answer than before, of inputs that have numbers from `first` on; None if that cannot
+    be said, since there is something else altogether."""
+    found: set[_Question] = set()
+    for number, (old, new) in enumerate(zip(before, now, strict=True), first):
+        if old is new or (_kind(new) is _IS_PLAIN and type(old) is type(new) and old == new):
+            continue
+        if not isinstance(new, Mapping) or not isinstance(old, Mapping):
+            return None
+        for key, value in new.items():
+            known = old.get(key, _ABSENT)
+            if known is not value and known != value:
+                found.add((number, key))
+        found |= {(number, key) for key in old if key not in new}
+        if tuple(old) != tuple(new):
+            found.add((number, _KEYS))
+    return found
 
 
 def _answer(inputs: tuple[Any, ...], question: _Question) -> Any:

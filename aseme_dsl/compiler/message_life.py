@@ -9,9 +9,10 @@ from aseme_dsl.amola.messages import Channel, ChannelRules, Comm, Topic
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import Team
-from aseme_dsl.compiler.memory import Recall
+from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.message_use import MessageUse, Use
 from aseme_dsl.compiler.names import first_of, listed
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.source import Source, Span
@@ -29,8 +30,8 @@ def check_life(
     use: MessageUse,
     activities: Mapping[str, Activity],
     symbols: Symbols,
-    recall: Recall,
-) -> Iterator[Diagnostic]:
+    memory: Memory,
+) -> InPieces[list[Diagnostic]]:
     """Everything about messages between those who publish and those who read them.
 
     `use` is that of the roles and of the protocols; `activities` is what is said of those that the roles
@@ -40,12 +41,15 @@ def check_life(
     writers = _by_channel(use.writes)
     topics = {topic.name: topic for topic in symbols.topics}
     home = symbols.system.name.span.source if symbols.system is not None else None
-    yield from _unread(writers, readers, topics, home)
-    yield from _unwritten(roles, readers, writers, activities, topics, home)
+    found = [
+        *_unread(writers, readers, topics, home),
+        *_unwritten(roles, readers, writers, activities, topics, home),
+    ]
     for team in symbols.teams:
-        yield from _of_many(team, use, topics)
-    for chart in roles:
-        yield from recall(_windows, chart, writers, activities, symbols)
+        found += _of_many(team, use, topics)
+    for problems in (yield from memory.each_in_pieces(_windows, zip(roles), writers, activities, symbols)):
+        found += problems
+    return found
 
 
 def _is_in(span: Span, home: Source | None) -> bool:

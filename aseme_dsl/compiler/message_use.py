@@ -20,7 +20,7 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.messages import Channel
 from aseme_dsl.amola.srm import Activity, Subscription
 from aseme_dsl.amola.statechart import NodeType, Statechart
-from aseme_dsl.compiler.memory import Recall
+from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.grammar import tree
@@ -56,17 +56,14 @@ def message_use(
     activities: Mapping[str, Activity],
     written: Iterable[tree.Activity],
     symbols: Symbols,
-    recall: Recall,
+    memory: Memory,
 ) -> InPieces[MessageUse]:
     """What the charts' transitions, the activities in them and the modules beside them read and publish.
 
     `activities` is what is said of each, `written` where it is said.
     """
     places = _places(written)
-    found: list[MessageUse] = []
-    for chart in charts:
-        yield
-        found.append(recall(_use_in, chart, activities, places, symbols))
+    found = yield from memory.each_in_pieces(_use_in, zip(charts), activities, places, symbols)
     return MessageUse(
         tuple(item for use in found for item in use.reads),
         tuple(item for use in found for item in use.writes),

@@ -2,29 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from aseme_dsl.amola.expression import Compare, Failed, Literal, Outcome, Value, duration_text
 from aseme_dsl.amola.meant import performers
 from aseme_dsl.amola.messages import Kind
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import NodeType, Statechart
-from aseme_dsl.compiler.memory import Recall
+from aseme_dsl.compiler.memory import Memory
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.source import Span
 
 
 def check_outcomes(
-    charts: Iterable[Statechart], activities: Mapping[str, Activity], recall: Recall
-) -> Iterator[Diagnostic]:
+    charts: Sequence[Statechart], activities: Mapping[str, Activity], memory: Memory
+) -> InPieces[list[Diagnostic]]:
     """E520 for `outcome(A)` where no `A` is, or where the role's own activity for it has other outcomes."""
-    told: set[Span] = set()
-    for chart in charts:
-        for place, value in recall(_asked, chart):
+    found: dict[Span | None, Diagnostic] = {}
+    asked = yield from memory.each_in_pieces(_asked, zip(charts))
+    for chart, questions in zip(charts, asked, strict=True):
+        for place, value in questions:
             problem = _absent(chart, place, value) or _otherwise(chart, value, activities)
-            if problem is not None and problem.span is not None and problem.span not in told:
-                told.add(problem.span)
-                yield problem
+            if problem is not None:
+                found.setdefault(problem.span, problem)
+    return list(found.values())
 
 
 def _asked(chart: Statechart) -> tuple[tuple[str, Value], ...]:
@@ -79,11 +81,13 @@ def check_deadlines(charts: Iterable[Statechart], activities: Mapping[str, Activ
     for chart in charts:
         if chart.kind != "IAC":
             continue
-        caught = _where_errors_are_taken(chart)
+        caught: dict[str, Span | None] | None = None
         for node in chart.nodes:
             said = activities.get(node.activity) if node.activity is not None else None
             if said is None or said.within is None or said.name in told:
                 continue
+            if caught is None:
+                caught = _where_errors_are_taken(chart)
             taken = [
                 caught[label]
                 for label in (node.label, *(around.label for around in chart.ancestors(node.label)))

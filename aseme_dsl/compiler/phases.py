@@ -5,17 +5,18 @@ from __future__ import annotations
 import gc
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import chain
 from pathlib import Path
 from typing import TypeVar
 
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.sag import Sag
-from aseme_dsl.amola.srm import Activity, Module, Plays
+from aseme_dsl.amola.srm import Activity, Module, Plays, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import Analysis, Options
-from aseme_dsl.compiler.activities import merge_activities, type_activity
+from aseme_dsl.compiler.activities import by_name, merge_activity, type_activity
 from aseme_dsl.compiler.activity_use import (
     all_activities,
     check_described,
@@ -59,7 +60,7 @@ from aseme_dsl.compiler.suc_to_srm import read_srm, suc_to_srm
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.compiler.unused import check_agents, check_exchange, check_unused
 from aseme_dsl.compiler.use import check_use
-from aseme_dsl.compiler.usecases import use_cases
+from aseme_dsl.compiler.usecases import UseCases, use_cases
 from aseme_dsl.diagnostics import Diagnostic, has_errors
 from aseme_dsl.grammar import tree
 from aseme_dsl.proofs.prover import Prover
@@ -139,12 +140,15 @@ def _inspecting(
     memory: Memory,
     read: Read | None,
 ) -> InPieces[Inspection]:
-    recall = memory.recall
+    recall, each = memory.recall, memory.each_in_pieces
     found: list[Diagnostic] = []
 
     def keep(result: tuple[_T, tuple[Diagnostic, ...]]) -> _T:
         found.extend(result[1])
         return result[0]
+
+    def keep_all(results: Iterable[tuple[_T, tuple[Diagnostic, ...]]]) -> list[_T]:
+        return [keep(result) for result in results]
 
     # The files, and what their declarations mean.
     loaded = load(root, sources, read=read, protos=memory.protos)
@@ -167,25 +171,20 @@ def _inspecting(
 
     # Analysis: protocols and roles, with the activities that they describe.
     largest = options.largest
-    participants = {item.name.text: keep(recall(protocol_scopes, item, top)) for item in blocks.aips}
-    protocols: dict[str, Protocol] = {}
-    for aip in blocks.aips:
-        parties = participants[aip.name.text]
-        protocols[aip.name.text] = keep(recall(read_protocol, aip, parties, largest, is_damaged))
-        yield
-    yield
-    aips = [
-        keep(recall(read_aip, item, participants[name], protocols[name].parts, is_damaged))
-        for name, item in ((item.name.text, item) for item in blocks.aips)
-    ]
-    yield
-    scopes = {item.name.text: keep(recall(role_scope, item, top)) for item in blocks.roles}
+    parties = keep_all((yield from each(protocol_scopes, [(item,) for item in blocks.aips], top)))
+    participants = {item.name.text: scope for item, scope in zip(blocks.aips, parties, strict=True)}
+    in_protocols = [(item, participants[item.name.text]) for item in blocks.aips]
+    read_aips = keep_all((yield from each(read_protocol, in_protocols, largest, is_damaged)))
+    protocols = {item.name.text: protocol for item, protocol in zip(blocks.aips, read_aips, strict=True)}
+    in_parts = [(*both, protocols[both[0].name.text].parts) for both in in_protocols]
+    aips = keep_all((yield from each(read_aip, in_parts, is_damaged)))
+    typed = keep_all((yield from each(role_scope, [(item,) for item in blocks.roles], top)))
+    scopes = {item.name.text: scope for item, scope in zip(blocks.roles, typed, strict=True)}
     teams = keep(settle(symbols.teams, loaded.files, scopes, top))
-    roles: dict[str, Role] = {}
-    for item in blocks.srms:
-        role = keep(recall(read_role, item, scopes[item.name.text], protocols, largest, is_damaged))
-        roles[item.name.text] = role
-        yield
+    yield
+    in_roles = [(item, scopes[item.name.text]) for item in blocks.srms]
+    written = keep_all((yield from each(read_role, in_roles, protocols, largest, is_damaged)))
+    roles = {item.name.text: role for item, role in zip(blocks.srms, written, strict=True)}
     yield
     found += [
         problem
@@ -196,42 +195,30 @@ def _inspecting(
         keep(recall(read_statechart, item, scopes[item.name.text], is_damaged)) for item in blocks.statecharts
     ]
     yield
-    statements = [
-        statement
-        for block in blocks.roles
-        for statement in keep(
-            recall(_typed_activities, block, scopes[block.name.text].scope, _played_variables(roles, block))
-        )
-    ]
-    yield
-    modules = {
-        block.name.text: keep(
-            recall(read_modules, block.modules, scopes[block.name.text].scope, is_damaged(block.span))
-        )
-        for block in blocks.roles
-    }
-    described = {item.name: item for item in keep(merge_activities(statements))}
+    in_scopes = [(item, scopes[item.name.text], roles.get(item.name.text)) for item in blocks.roles]
+    stated = keep_all((yield from each(_typed_activities, in_scopes)))
+    of_roles = keep_all((yield from each(_read_modules, in_scopes, is_damaged)))
+    modules = {item.name.text: of_role for item, of_role in zip(blocks.roles, of_roles, strict=True)}
+    of_names = memory.same_values("statements", by_name(chain.from_iterable(stated)))
+    merged = keep_all((yield from each(merge_activity, zip(of_names.values()))))
+    described = memory.same_values("described", dict(zip(of_names, merged, strict=True)))
 
     # Design: the statecharts.
     name = symbols.system.name.text if symbols.system is not None else ""
     world = (name, symbols, described, modules)
     yield
-    eacs = {item.name: recall(_eac, item, *world) for item in protocols.values()}
-    yield
-    iacs: dict[str, Statechart | None] = {}
-    for role in roles.values():
-        iacs[role.name] = recall(_iac, role, *world)
-        yield
-    iacs |= {item.name: recall(_given_chart, item, *world) for item in given}
-    yield
+    built = yield from each(_eac, zip(protocols.values()), *world)
+    eacs = {item.name: chart for item, chart in zip(protocols.values(), built, strict=True)}
+    built = yield from each(_iac, zip(roles.values()), *world)
+    iacs = {item.name: chart for item, chart in zip(roles.values(), built, strict=True)}
+    built = yield from each(_given_chart, zip(given), *world)
+    iacs |= {item.name: chart for item, chart in zip(given, built, strict=True)}
     charts = [chart for chart in (*eacs.values(), *iacs.values()) if chart is not None]
     prover = recall(Prover, memory.same("vocabulary", vocabulary_of(resolved)))
-    for chart in charts:
-        found += recall(_flow, chart, prover)
-        yield
-    found += check_outcomes(charts, described, recall)
-    yield
-    found += check_states(charts, recall)
+    for problems in (yield from each(_flow, zip(charts), prover)):
+        found += problems
+    found += yield from check_outcomes(charts, described, memory)
+    found += yield from check_states(charts, memory)
     yield
 
     # What is used but not declared, described but not used, expected but not written.
@@ -245,12 +232,14 @@ def _inspecting(
     found += unplayed(_built(iacs), blocks.aips)
     yield
     capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
-    cases = use_cases(suc, [*protocols, *(item.name.text for item in formulas), *used, *capabilities])
+    names_written = (*protocols, *(item.name.text for item in formulas), *used, *capabilities)
+    cases = recall(use_cases, memory.same("use cases", suc), memory.same("written", names_written))
     missing = [*suc_to_aip(cases, blocks.aips)]
-    srms = [
-        keep(read_srm(role, iacs[role.name], modules[role.name], cases, inclusion.names(role.name)))
-        for role in roles.values()
+    in_charts = [
+        (role, iacs[role.name], modules[role.name], memory.same((name, "has"), tuple(inclusion.names(name))))
+        for name, role in roles.items()
     ]
+    srms = keep_all((yield from each(_srm, in_charts, cases)))
     missing += suc_to_srm(cases, roles, _not_looked_into(given, inclusion), blocks.aips)
     missing += [item for protocol in protocols.values() for item in protocol.missing]
     missing += [item for role in roles.values() for item in role.missing]
@@ -263,27 +252,28 @@ def _inspecting(
     elif not has_errors(found):
         found += out_of_reach(cases, roles, formulas)
         found += not_played(blocks.aips, roles.values(), symbols.system.span.source, found)
-        found += without_functionality(list(roles.values()), described, recall)
+        found += yield from without_functionality(list(roles.values()), described, memory)
 
     yield
     unchecked = 0
     if not has_errors(found):  # else the line that starts a timer may be what is missing
-        found += [problem for chart in charts for problem in recall(_timers, chart)]
+        for problems in (yield from each(_timers, zip(charts))):
+            found += problems
         found += check_deadlines(charts, described)
         yield
         if symbols.system is not None and len(charts) == len(eacs) + len(iacs):
             found += yield from check_use(
-                _built(iacs), _built(eacs), described, list(_statements(blocks)), symbols, recall
+                _built(iacs), _built(eacs), described, list(_statements(blocks)), symbols, memory
             )
         yield
         if symbols.system is not None:
-            found += check_unused(loaded.files, symbols)
+            found += check_unused(loaded.files, symbols, memory)
             found += check_agents(_alone(inclusion), symbols)
             found += check_exchange(blocks.aips)
-            found += check_waits(aips, eacs, srms, recall)
+            found += yield from check_waits(aips, eacs, srms, memory)
             found += check_multiplicity(aips, srms, teams)
         yield
-        compared, unchecked = yield from check_conditions(charts, prover, recall)
+        compared, unchecked = yield from check_conditions(charts, prover, memory)
         found += compared
 
     yield
@@ -374,10 +364,27 @@ def _timers(chart: Statechart) -> tuple[Diagnostic, ...]:
 
 
 def _typed_activities(
-    block: tree.Srm | tree.Statechart, scope: Scope, played: frozenset[str]
+    block: tree.Srm | tree.Statechart, typed_role: TypedRole, role: Role | None
 ) -> tuple[tuple[Activity, ...], tuple[Diagnostic, ...]]:
-    typed = [type_activity(item, scope, played) for item in block.activities]
+    played = _played_variables(role)
+    typed = [type_activity(item, typed_role.scope, played) for item in block.activities]
     return tuple(item for item, _ in typed), tuple(problem for _, found in typed for problem in found)
+
+
+def _read_modules(
+    block: tree.Srm | tree.Statechart, typed_role: TypedRole, role: Role | None, is_damaged: Damaged
+) -> tuple[tuple[Module, ...], tuple[Diagnostic, ...]]:
+    return read_modules(block.modules, typed_role.scope, is_damaged(block.span))
+
+
+def _srm(
+    role: Role,
+    chart: Statechart | None,
+    modules: tuple[Module, ...],
+    included: tuple[str, ...],
+    cases: UseCases,
+) -> tuple[Srm, tuple[Diagnostic, ...]]:
+    return read_srm(role, chart, modules, cases, included)
 
 
 def _places_of_roles(blocks: Blocks) -> dict[str, Span]:
@@ -415,9 +422,8 @@ def _once(missing: Iterable[Missing]) -> list[Missing]:
     return list(found.values())
 
 
-def _played_variables(roles: Mapping[str, Role], block: tree.Srm | tree.Statechart) -> frozenset[str]:
+def _played_variables(role: Role | None) -> frozenset[str]:
     """The variables of the participants that a role plays."""
-    role = roles.get(block.name.text)
     parts = role.parts.values() if role is not None else ()
     return frozenset(variable.name for part in parts for variable in part.variables)
 

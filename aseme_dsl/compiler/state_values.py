@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 
 from aseme_dsl.amola.expression import StateValue, values_of, walk
 from aseme_dsl.amola.meant import states_meant
@@ -11,8 +11,9 @@ from aseme_dsl.amola.statechart import Node, NodeType, Statechart
 from aseme_dsl.compiler.calls import is_given, only_name
 from aseme_dsl.compiler.checker import Checker
 from aseme_dsl.compiler.formulas import cut
-from aseme_dsl.compiler.memory import Recall
+from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.names import unknown
+from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
@@ -29,17 +30,18 @@ def state_value(checker: Checker, question: str, written: tree.Call) -> StateVal
     return StateValue(question, name.text, kind, name.span, written.span)
 
 
-def check_states(charts: Iterable[Statechart], recall: Recall) -> Iterator[Diagnostic]:
+def check_states(charts: Sequence[Statechart], memory: Memory) -> InPieces[list[Diagnostic]]:
     """E430 where a chart has no state of the name, E431 where `count` means several, E433 in actions."""
-    told: set[Span] = set()
-    for chart in charts:
-        for place, value, in_condition in recall(_questions, chart):
-            if value.span in told:
+    found: dict[Span, Diagnostic] = {}
+    asked = yield from memory.each_in_pieces(_questions, zip(charts))
+    for chart, questions in zip(charts, asked, strict=True):
+        for place, value, in_condition in questions:
+            if value.span in found:
                 continue
             problem = _problem(chart, place, value, in_condition)
             if problem is not None:
-                told.add(value.span)
-                yield problem
+                found[value.span] = problem
+    return list(found.values())
 
 
 def _questions(chart: Statechart) -> tuple[tuple[str, StateValue, bool], ...]:

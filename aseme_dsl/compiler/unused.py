@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from aseme_dsl.compiler.blocks import participants_of
 from aseme_dsl.compiler.exchange import is_answered
 from aseme_dsl.compiler.library import declared_by
+from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar import tree
@@ -18,22 +19,20 @@ _COMMENT = re.compile(r'"(?:[^"\\\n]|\\.)*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 
 
-def check_unused(files: Sequence[tree.File], symbols: Symbols) -> Iterator[Diagnostic]:
+def check_unused(files: Sequence[tree.File], symbols: Symbols, memory: Memory) -> Iterator[Diagnostic]:
     """N727 for what the file of the system declares or imports and nothing names.
 
     A variable or a topic may be for an activity's Python and is not reported.
     """
     assert symbols.system is not None
     home = symbols.system.span.source
-    words: Counter[str] = Counter()
-    for file in files:
-        words.update(_WORD.findall(_COMMENT.sub(" ", file.source.text)))
-    for file in files:
+    words = memory.each(_words, [(file.source,) for file in files])
+    for file, own_words in zip(files, words, strict=True):
         if file.source.path == home.path:
-            yield from _imports(file, words, file.source)
+            yield from _imports(file, own_words)
     own = [item for file in files if file.source.path == home.path for item in file.declarations]
     for what, name in _declared(own):
-        if words[name.text] == 1:
+        if sum(of_file[name.text] for of_file in words) == 1:
             yield Diagnostic(
                 "N727", f"nothing uses the {what} `{name}`", name.span, hint="use it, or leave it out"
             )
@@ -58,9 +57,13 @@ def _declared(declarations: Iterable[object]) -> Iterator[tuple[str, tree.Name]]
                 yield from (("let", let.name) for part in item.participants for let in part.lets)
 
 
-def _imports(file: tree.File, words: Counter[str], home: Source) -> Iterator[Diagnostic]:
+def _words(source: Source) -> Counter[str]:
+    """How often each word stands in a file, outside of comments and texts."""
+    return Counter(_WORD.findall(_COMMENT.sub(" ", source.text)))
+
+
+def _imports(file: tree.File, own: Counter[str]) -> Iterator[Diagnostic]:
     """What is imported twice, and what the standard library gives that the file does not use."""
-    own = Counter(_WORD.findall(_COMMENT.sub(" ", home.text)))
     seen: set[str] = set()
     for item in file.declarations:
         if not isinstance(item, tree.Import):

@@ -8,7 +8,7 @@ from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.compiler.flow import check_completion
 from aseme_dsl.compiler.leftovers import check_leftovers
-from aseme_dsl.compiler.memory import Recall
+from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.message_life import check_life
 from aseme_dsl.compiler.message_use import message_use
 from aseme_dsl.compiler.pieces import InPieces
@@ -25,19 +25,18 @@ def check_use(
     activities: Mapping[str, Activity],
     written: Sequence[tree.Activity],
     symbols: Symbols,
-    recall: Recall,
+    memory: Memory,
 ) -> InPieces[tuple[Diagnostic, ...]]:
     """Messages, signals, timers and variables over their life, in the charts of the roles.
 
     What protocols read and publish counts as read and published, whether a role plays them or not.
     """
-    use = yield from message_use((*roles, *protocols), activities, written, symbols, recall)
+    use = yield from message_use((*roles, *protocols), activities, written, symbols, memory)
     modules = {item.name: item.statement for chart in roles for item in chart.modules}
     activities = {**activities, **modules}
-    found = [*check_life(roles, use, activities, symbols, recall)]
-    for chart in roles:
-        yield
-        found += recall(_in_chart, chart, activities, symbols)
+    found = [*(yield from check_life(roles, use, activities, symbols, memory))]
+    for problems in (yield from memory.each_in_pieces(_in_chart, zip(roles), activities, symbols)):
+        found += problems
     return tuple(found)
 
 
