@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -53,8 +53,16 @@ class Known(Protocol):
         The function must follow from its inputs alone, and must not recall anything itself.
         """
 
+    def each(
+        self, function: Callable[..., _T], inputs: Iterable[tuple[object, ...]], *common: object
+    ) -> tuple[_T, ...]:
+        """`recall(function, *item, *common)` for each of the inputs, at next to no cost for the same ones."""
+
     def same(self, name: object, value: _T) -> _T:
         """`value`, or the equal one that had this name before: an input that is the same object then."""
+
+    def same_values(self, name: object, values: dict[str, _T]) -> dict[str, _T]:
+        """The same for each of many values; if all are equal, the very mapping of before."""
 
     def whole(self, text: str) -> str:
         """A text as it will be written; until then, lines of a source may have other numbers in it."""
@@ -66,8 +74,16 @@ class NothingKnown:
     def recall(self, function: Callable[..., _T], *inputs: object) -> _T:
         return function(*inputs)
 
+    def each(
+        self, function: Callable[..., _T], inputs: Iterable[tuple[object, ...]], *common: object
+    ) -> tuple[_T, ...]:
+        return tuple(function(*item, *common) for item in inputs)
+
     def same(self, name: object, value: _T) -> _T:
         return value
+
+    def same_values(self, name: object, values: dict[str, _T]) -> dict[str, _T]:
+        return values
 
     def whole(self, text: str) -> str:
         return text

@@ -18,7 +18,7 @@ from aseme_dsl.diagnostics import NO_POLICY, Diagnostic, Policy, has_errors, in_
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
-    from aseme_dsl.backends.backend import Known
+    from aseme_dsl.backends.backend import Artefact, Known
     from aseme_dsl.diagrams import Drawing
     from aseme_dsl.diagrams.drawn import Drawn, Result
 
@@ -123,7 +123,7 @@ def build(
     for name in backends:
         homes = {file.home for file in files if file.home is not None}
         try:
-            code = list(_code(system, name, folder, choice, known))
+            code = _code(system, name, folder, choice, known)
         except Refused as refusal:
             diagnostics += refusal.diagnostics
             refused = True
@@ -217,7 +217,7 @@ def _models(system: System, known: Known) -> Iterator[Planned]:
 
 def _made(known: Known, name: object, make: Callable[..., _T], inputs: Iterable[object]) -> _T:
     """`make(*inputs)`, or what it was before of equal inputs."""
-    return known.recall(make, *(known.same((name, number), item) for number, item in enumerate(inputs)))
+    return known.recall(make, *known.same(name, tuple(inputs)))
 
 
 @cache
@@ -295,20 +295,28 @@ def _proto(system: System, known: Known) -> Iterator[Planned]:
             yield _planned(known, f"{PROTO}/{file.name}", file.text, PROTO)
 
 
-def _code(system: System, name: str, folder: Path, choice: Choice, known: Known) -> Iterator[Planned]:
+def _code(system: System, name: str, folder: Path, choice: Choice, known: Known) -> tuple[Planned, ...]:
     """What a backend generates, in a folder of its name; what is the user's goes among the activities."""
-    from aseme_dsl.backends.backend import ACTIVITIES, AGENTS, BackendOptions, find_backend
+    from aseme_dsl.backends.backend import AGENTS, BackendOptions, find_backend
 
     activities = activities_folder(folder, choice, name)
     owner = AGENTS[0] if name in AGENTS else name
-    for artefact in find_backend(name).generate(system, BackendOptions(choice.templates, known)):
-        if not artefact.kept:
-            yield _planned(known, f"{name}/{artefact.path}", artefact.text, name)
-            continue
-        first, _, rest = artefact.path.partition("/")
-        home = activities / rest if first == ACTIVITIES else folder / name / artefact.path
-        started = f"{owner if first == ACTIVITIES else name}/{artefact.path}"
-        yield Planned(started, _bytes(known.whole(artefact.text)), name, home)
+    artefacts = find_backend(name).generate(system, BackendOptions(choice.templates, known))
+    whole = [(artefact, known.whole(artefact.text)) for artefact in artefacts]
+    return known.each(_of_artefact, whole, name, owner, str(folder), str(activities))
+
+
+def _of_artefact(
+    artefact: Artefact, text: str, name: str, owner: str, folder: str, activities: str
+) -> Planned:
+    """A file of a backend of this name; `owner` is the one whose activities it starts."""
+    from aseme_dsl.backends.backend import ACTIVITIES
+
+    if not artefact.kept:
+        return Planned(f"{name}/{artefact.path}", _bytes(text), name)
+    first, _, rest = artefact.path.partition("/")
+    home = Path(activities, rest) if first == ACTIVITIES else Path(folder, name, artefact.path)
+    return Planned(f"{owner if first == ACTIVITIES else name}/{artefact.path}", _bytes(text), name, home)
 
 
 def _count(system: System, code: Sequence[Planned], written: Written) -> Count:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeVar
 
@@ -36,8 +36,16 @@ class KnownBuild:
     def recall(self, function: Callable[..., _T], *inputs: object) -> _T:
         return self._memory.recall(function, *inputs)
 
+    def each(
+        self, function: Callable[..., _T], inputs: Iterable[tuple[object, ...]], *common: object
+    ) -> tuple[_T, ...]:
+        return self._memory.each(function, inputs, *common)
+
     def same(self, name: object, value: _T) -> _T:
         return self._memory.same(name, value)
+
+    def same_values(self, name: object, values: dict[str, _T]) -> dict[str, _T]:
+        return self._memory.same_values(name, values)
 
     def whole(self, text: str) -> str:
         return self._lines.whole(text)

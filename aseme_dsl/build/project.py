@@ -17,6 +17,7 @@ from aseme_dsl.build.configuration import (
     unknown_roles,
 )
 from aseme_dsl.build.inputs import Inputs, find_inputs
+from aseme_dsl.build.write import Look, stamp_of
 from aseme_dsl.compiler import Options, analyse
 from aseme_dsl.compiler.phases import inspect_files
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
@@ -122,10 +123,10 @@ def compile_root(
         system = None if has_errors(diagnostics) else system
     suppressed = analysis.suppressed
     if system is not None:
-        memory = None if known is None else known.code
-        problems, allowed = code_problems(system, configuration, activities, memory)
+        memory, look = (None, stamp_of) if workshop is None or known is None else (known.code, workshop.look)
+        problems, allowed = code_problems(system, configuration, activities, memory, look)
         problems = tuple(map(layout.diagnostic, problems))
-        diagnostics = without_read(diagnostics, system, configuration, activities, memory)
+        diagnostics = without_read(diagnostics, system, configuration, activities, memory, look)
         diagnostics = in_order((*diagnostics, *configuration.diagnostics.apply(problems)))
         suppressed += allowed
     files = tuple(source.path for source in system.sources) if system else ()
@@ -153,7 +154,11 @@ def configuration_for(root: Path) -> tuple[Configuration, tuple[Diagnostic, ...]
 
 
 def code_problems(
-    system: System, configuration: Configuration, activities: Path | None, memory: Memory | None = None
+    system: System,
+    configuration: Configuration,
+    activities: Path | None,
+    memory: Memory | None = None,
+    look: Look = stamp_of,
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """What the code of the activities gets wrong, where there is some; several systems may share it."""
     folder = code_folder(configuration, activities)
@@ -162,7 +167,7 @@ def code_problems(
     from aseme_dsl.build.activity_code import check_code
 
     alone = len(configuration.files) < 2
-    return check_code(system, folder, alone=alone, project=configuration.folder, memory=memory)
+    return check_code(system, folder, alone=alone, project=configuration.folder, memory=memory, look=look)
 
 
 def code_folder(configuration: Configuration, activities: Path | None) -> Path | None:
@@ -181,6 +186,7 @@ def without_read(
     configuration: Configuration,
     activities: Path | None,
     memory: Memory | None,
+    look: Look = stamp_of,
 ) -> tuple[Diagnostic, ...]:
     """Without the notes on variables that nothing reads (N725), where the code of an activity does."""
     if all(item.code != "N725" for item in diagnostics):
@@ -190,7 +196,7 @@ def without_read(
         return diagnostics
     from aseme_dsl.build.activity_code import variables_read
 
-    read = variables_read(system, folder, configuration.folder, memory)
+    read = variables_read(system, folder, configuration.folder, memory, look)
     return tuple(
         item for item in diagnostics if item.code != "N725" or item.span is None or item.span.text not in read
     )

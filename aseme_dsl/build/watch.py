@@ -2,7 +2,8 @@
 
 Files are asked for their time, size and number, again and again: that sees what any editor does (also one
 that writes a new file and gives it the old one's name), on any file system and in any container. What it
-costs is measured, and it is done so rarely that it never takes more than a few hundredths of a processor.
+costs is measured, and no more of them are asked for at a time than takes a hundredth of a processor: always
+those that are edited most, of the others some each time.
 """
 
 from __future__ import annotations
@@ -10,9 +11,10 @@ from __future__ import annotations
 import glob
 import os
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from aseme_dsl.build.activity_code import code_files
 from aseme_dsl.build.configuration import FILE
@@ -21,10 +23,17 @@ from aseme_dsl.build.manifest import NAME as MANIFEST
 from aseme_dsl.build.project import Compiled, code_folder, path_of
 from aseme_dsl.build.write import Stamp, stamp_of
 
+if TYPE_CHECKING:
+    from aseme_dsl.build.workshop import Workshop
+
 _INTERVAL = 0.04
 """How long to wait at least between two looks, in s: nobody notices it."""
-_SHARE = 20
-"""A look may take one part in so many of the time."""
+_SHARE = 100
+"""Looking may take one part in so many of the time."""
+_FEWEST = 8
+"""How many of the files that are edited rarely are looked at each time at least."""
+_EDITED = 20
+"""How many of them are looked at each time because they were changed last."""
 _SETTLED = 0.015
 """For how long nothing may have changed before it counts, in s: editors write in several steps."""
 _PATIENCE = 1.0
@@ -57,16 +66,25 @@ class Watch:
     """The paths that a command depends on, each as it was before the command read it."""
 
     _stamps: dict[str, Stamp | None] = field(default_factory=dict)
-    _cost: float = 0.0
+    _often: list[str] = field(default_factory=list)
+    _rarely: list[str] = field(default_factory=list)
+    _next: int = 0  # of those
+    _edited: list[str] = field(default_factory=list)  # of those that need not be looked at often
+    _cost: float = 0.0  # of looking at one, in s
     _begun: int = 0
+    _is_new: bool = False  # whether everything has been looked at since the command did something
 
-    def begin(self) -> None:
-        """The command is about to read its files."""
-        self._begun = time.time_ns() - _CLOCK
-        self._stamps = self._look(self._stamps)
+    def begin(self) -> Stamps:
+        """The command is about to read its files, which are what is returned, as far as they are known."""
+        if not self._is_new:
+            self._look()
+        self._is_new = False
+        return self._stamps
 
-    def depend(self, paths: Iterable[str], written: Iterable[Path] = ()) -> None:
-        """The command has read these; all others are left out.
+    def depend(
+        self, paths: Iterable[str], written: Iterable[Path] = (), rarely: Collection[str] = frozenset()
+    ) -> None:
+        """The command has read these; all others are left out. Those that change `rarely` may wait a second.
 
         What it has written itself (and the folders around that) counts as it is now, and so does what is new
         among them, unless somebody may have changed it since it was read.
@@ -80,31 +98,49 @@ class Watch:
             stamp = stamp_of(path)
             is_late = stamp is not None and stamp[0] >= self._begun and path not in own
             self._stamps[path] = _UNKNOWN if is_late else stamp
+        self._edited = [path for path in self._edited if path in self._stamps][-_EDITED:]
+        often = {*self._edited, *(path for path in self._stamps if path not in rarely)}
+        self._often = [path for path in self._stamps if path in often]
+        self._rarely = [path for path in self._stamps if path not in often]
 
     def wait(self, until: Callable[[], bool] = lambda: False) -> Changes | None:
         """Wait for a change, and until nothing more changes; None as soon as `until` says so."""
         while not until():
-            time.sleep(max(_INTERVAL, _SHARE * self._cost))
-            before = self._stamps
-            now = self._look(before)
-            if now != before:
-                return _changes(before, self._settled(now))
+            always = len(self._often) * self._cost
+            pause = max(_INTERVAL, _SHARE * always)
+            time.sleep(pause)
+            number = _FEWEST if not self._cost else max(_FEWEST, int((pause / _SHARE - always) / self._cost))
+            some = self._rarely[self._next : self._next + number]
+            self._next = self._next + number if some else 0
+            if any(stamp_of(path) != self._stamps[path] for path in (*self._often, *some)):
+                return self._settled()
         return None
 
-    def _settled(self, now: dict[str, Stamp | None]) -> Stamps:
+    def _settled(self) -> Changes:
+        before = self._stamps
         end = time.monotonic() + _PATIENCE
+        self._look()
         while time.monotonic() < end:
             time.sleep(_SETTLED)
-            before, now = now, self._look(now)
-            if now == before:
+            changed = [path for path, stamp in self._stamps.items() if stamp is not before[path]]
+            if all(stamp_of(path) == self._stamps[path] for path in (*self._often, *changed)):
                 break
-        return now
+            self._look()
+        self._edited += [path for path in changed if path not in self._edited]
+        self._is_new = True
+        return _changes(before, self._stamps)
 
-    def _look(self, paths: Iterable[str]) -> dict[str, Stamp | None]:
+    def _look(self) -> None:
+        """Look at everything. What is as it was keeps its stamp: that very object."""
+        self._begun = time.time_ns() - _CLOCK
         begun = time.thread_time()
-        found = {path: stamp_of(path) for path in paths}
-        self._cost = time.thread_time() - begun
-        return found
+        found: dict[str, Stamp | None] = {}
+        for path, known in self._stamps.items():
+            stamp = stamp_of(path)
+            found[path] = known if stamp == known else stamp
+        self._stamps = found
+        if found:
+            self._cost = (time.thread_time() - begun) / len(found)
 
 
 def _changes(before: Stamps, now: Stamps) -> Changes:
@@ -123,14 +159,20 @@ def _changes(before: Stamps, now: Stamps) -> Changes:
 
 
 def watched(
-    arguments: Sequence[str], compiled: Iterable[Compiled], activities: Path | None, templates: Path | None
-) -> set[str]:
-    """The paths on which it depends what a command says or writes, whether there is anything or not.
+    arguments: Sequence[str],
+    compiled: Iterable[Compiled],
+    activities: Path | None,
+    templates: Path | None,
+    workshop: Workshop,
+) -> tuple[set[str], set[str]]:
+    """The paths on which it depends what a command says or writes, whether there is anything or not; second,
+    which of them are the code of activities: many, of which few are ever edited.
 
     Of files: what was read or looked for, the configuration, the Python of activities and modules, .proto
     files behind others, and templates. Of folders: where a file that is new would count.
     """
     found: set[str] = set()
+    code_found: set[str] = set()
     folders: set[str] = set()
     folders_around = {Path().absolute()}
     for argument in arguments or (".",):
@@ -148,14 +190,15 @@ def watched(
         if code is not None:
             folders.add(str(code))
             if item.system is not None:
-                found |= set(code_files(item.system, code, item.configuration.folder))
+                memory = workshop.about(root).code
+                code_found.update(code_files(item.system, code, item.configuration.folder, memory))
             else:
-                found |= {str(path) for path in code.glob("*.py")}
+                code_found |= {str(path) for path in code.glob("*.py")}
         own = templates or item.configuration.templates
         if own is not None:
             folders |= {str(own), *(str(path) for path in own.rglob("*"))}
     found |= {str(folder / FILE) for around in folders_around for folder in (around, *around.parents)}
-    return found | folders
+    return found | folders | code_found, code_found
 
 
 def _folders(argument: str) -> set[str]:

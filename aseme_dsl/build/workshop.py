@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from aseme_dsl.build.earlier import Earlier, KnownBuild
-from aseme_dsl.build.write import Seen
+from aseme_dsl.build.write import Seen, Stamp, stamp_of
 from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.grammar.parts import InParts, Layout, Numbers, Parts
 from aseme_dsl.source import Source
@@ -21,7 +22,7 @@ class KnownRoot:
     earlier: Earlier = field(init=False)
 
     def __post_init__(self) -> None:
-        self.earlier = Earlier(self.built, seen=Seen())
+        self.earlier = Earlier(self.built)
 
     def begin(self, layout: Layout) -> Earlier:
         """What a build that begins now may take from those before."""
@@ -36,12 +37,19 @@ class Workshop:
         self._numbers = Numbers()
         self._roots: dict[str, KnownRoot] = {}
         self._parts: dict[str, Parts] = {}
+        self.stamps: Mapping[str, Stamp | None] = {}
+        """What files were when somebody looked at them, before what is done now has begun."""
 
     def about(self, path: str) -> KnownRoot:
         """What is known of a root."""
         if path not in self._roots:
             self._roots[path] = KnownRoot(KnownBuild(self._numbers))
+            self._roots[path].earlier.seen = Seen(look=self.look)
         return self._roots[path]
+
+    def look(self, path: str) -> Stamp | None:
+        """What a file is: as it was looked at, else now."""
+        return self.stamps[path] if path in self.stamps else stamp_of(path)
 
     def read(self, source: Source) -> InParts:
         """A file, of which only what has changed is read (see `compiler.load.Read`)."""

@@ -64,10 +64,12 @@ class Seen:
     """What a process has found of its own files when it wrote into a folder last, so as not to read it again.
 
     A file counts as seen as long as its stamp is the same: what `stat` says of its time, size and number.
+    `look` tells what a file of the user is, as far as somebody has just asked.
     """
 
-    files: dict[str, tuple[Planned, Stamp]] = field(default_factory=dict)
+    files: dict[str, tuple[Planned, Stamp, Path]] = field(default_factory=dict)
     manifest: tuple[Manifest, Stamp] | None = None
+    look: Look = lambda path: stamp_of(path)
 
 
 Stamp = tuple[int, int, int]
@@ -271,8 +273,9 @@ class _Plan:
                 self._look_at_kept(file, file.home, started)
                 continue
             known = before.files.get(file.path)
-            if known is not None and self._is_seen(file):
-                self.unchanged.append(self.folder / file.path)
+            place = self._seen_at(file) if known is not None else None
+            if known is not None and place is not None:
+                self.unchanged.append(place)
                 entries[file.path] = known
             else:
                 self._look_at_generated(file, known)
@@ -284,24 +287,31 @@ class _Plan:
 
     def remember(self, files: Iterable[Planned]) -> None:
         """Keep in mind how everything is now."""
-        written = {str(path) for path, _ in self.writes}
-        folder, known = str(self.folder), self.seen.files
-        found: dict[str, tuple[Planned, Stamp]] = {}
+        found: dict[str, tuple[Planned, Stamp, Path]] = {}
         for file in files:
-            if file.home is None:
-                place = f"{folder}/{file.path}"
-                before = known.get(file.path) if str(self.folder / file.path) not in written else None
-                stamp = before[1] if before is not None and before[0] is file else stamp_of(place)
-                if stamp is not None:
-                    found[file.path] = (file, stamp)
+            if file.home is not None:
+                continue
+            before = self.seen.files.get(file.path)
+            if before is not None and before[0] is file:
+                found[file.path] = before
+                continue
+            place = self.folder / file.path
+            stamp = stamp_of(place)
+            if stamp is not None:
+                found[file.path] = (file, stamp, place)
         self.seen.files = found
         stamp = stamp_of(self.folder / NAME)
         self.seen.manifest = None if stamp is None else (self.manifest, stamp)
 
-    def _is_seen(self, file: Planned) -> bool:
-        """Whether a file was written, or found to be the same, and nobody has touched it since."""
+    def _seen_at(self, file: Planned) -> Path | None:
+        """Where a file is that was written, or found to be the same, and that nobody has touched since."""
         known = self.seen.files.get(file.path)
-        return known is not None and known[0] is file and known[1] == stamp_of(f"{self.folder}/{file.path}")
+        if known is None or known[0] is not file:
+            return None
+        if known[1] == stamp_of(known[2]):
+            return known[2]
+        del self.seen.files[file.path]
+        return None
 
     def _manifest(self, system: str, source: str) -> Manifest | None:
         """The manifest of earlier builds, or None with an error."""
@@ -341,7 +351,7 @@ class _Plan:
             seen[place] = file
 
     def _look_at_kept(self, file: Planned, home: Path, started: dict[str, str]) -> None:
-        if os.path.lexists(home):
+        if self.seen.look(str(home)) is not None or os.path.lexists(home):
             self.kept.append(home)
         elif home not in self.created:
             self._write(home, file.content)

@@ -62,7 +62,7 @@ def watch(
     gc.disable()
     try:
         while True:
-            watcher.begin()
+            workshop.stamps = watcher.begin()
             try:
                 done = do(workshop)
             except click.UsageError as error:  # of the configuration, which may be mended
@@ -73,8 +73,8 @@ def watch(
                 _tell(done, before, news, time.perf_counter() - begun, colour)
                 sys.stdout.flush()
                 before = done.diagnostics
-                paths = watched(files, done.compiled, activities, templates)
-                watcher.depend(paths, done.written)
+                paths, code = watched(files, done.compiled, activities, templates, workshop)
+                watcher.depend(paths, done.written, code)
                 if not news:
                     number = sum(Path(path).is_file() for path in paths)
                     click.echo(f"watching {plural(number, 'file')}; Ctrl-C ends it")

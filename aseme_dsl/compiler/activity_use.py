@@ -19,21 +19,33 @@ _LONG = 5
 """How many letters a name has to have for one of them to be a slip."""
 
 
-def used_activities(charts: Iterable[Statechart]) -> dict[str, Node]:
-    """Every activity with the state where it stands first, in document order."""
+Used = Mapping[str, Node]
+"""Activities, each with the state where it stands first, in document order."""
+
+
+def used_in(chart: Statechart) -> Used:
+    """The activities of a chart."""
     found: dict[str, Node] = {}
-    for chart in charts:
-        for node in chart.nodes:
-            if node.type is NodeType.BASIC and node.activity is not None:
-                found.setdefault(node.activity, node)
+    for node in chart.nodes:
+        if node.type is NodeType.BASIC and node.activity is not None:
+            found.setdefault(node.activity, node)
     return found
 
 
-def all_activities(iacs: Iterable[Statechart], described: Mapping[str, Activity]) -> tuple[Activity, ...]:
+def used_activities(in_charts: Iterable[Used]) -> dict[str, Node]:
+    """The activities of all charts."""
+    found: dict[str, Node] = {}
+    for used in in_charts:
+        for name, node in used.items():
+            found.setdefault(name, node)
+    return found
+
+
+def all_activities(in_roles: Iterable[Used], described: Mapping[str, Activity]) -> tuple[Activity, ...]:
     """The activities that roles perform: as described, else with nothing said of them."""
     return tuple(
         described.get(name) or Activity(name, (), None, None, "thread", (), (), (), node.span)
-        for name, node in used_activities(iacs).items()
+        for name, node in used_activities(in_roles).items()
     )
 
 
@@ -127,19 +139,20 @@ def _close(name: str, node: Node, other: str, place: Span, what: str) -> Diagnos
     )
 
 
-def unplayed(iacs: Iterable[Statechart], aips: Iterable[tree.Aip]) -> Iterator[Diagnostic]:
+def unplayed(iacs: Mapping[str, Used], aips: Iterable[tree.Aip]) -> Iterator[Diagnostic]:
     """W202 for an activity of a role that is called like a participant which the role does not play."""
     participants = {part.name.text: (aip, part) for aip in aips for part in aip.participants}
-    for chart in iacs:
-        for name, node in used_activities([chart]).items():
-            if name in participants and node.origin.kind is OriginKind.FORMULA:
+    for role, used in iacs.items():
+        for name in participants.keys() & used.keys():
+            node = used[name]
+            if node.origin.kind is OriginKind.FORMULA:
                 aip, part = participants[name]
                 yield Diagnostic(
                     "W202",
-                    f"`{name}` is an activity here, for {chart.name} does not play the participant",
+                    f"`{name}` is an activity here, for {role} does not play the participant",
                     node.span,
                     (Related(part.name.span, f"the participant of {aip.name}"),),
-                    hint=f"write `plays {aip.name}.{name}` in srm {chart.name}",
+                    hint=f"write `plays {aip.name}.{name}` in srm {role}",
                 )
 
 

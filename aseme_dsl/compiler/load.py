@@ -138,6 +138,13 @@ def _key(path: str) -> str:
         return path
 
 
+def _key_beside(folder: str, target: str) -> str:
+    """The file that a path means from a folder, to which no links lead."""
+    path = os.path.join(folder, target)  # noqa: PTH118
+    is_simple = os.path.basename(target) == target and target not in ("", os.curdir, os.pardir)  # noqa: PTH119
+    return path if is_simple and "\0" not in path and not os.path.islink(path) else _key(path)  # noqa: PTH114
+
+
 def _place(path: str) -> _Place:
     # A file's name may be any bytes; where it is shown (a comment, JSON, SVG), it must be one line of text.
     return _Place(_key(path), "".join(char if char.isprintable() else "?" for char in path))
@@ -185,8 +192,9 @@ def _target(item: tree.Import, importer: _Place) -> _Place | None:
         # People know it by the import's name: where it is installed differs from machine to machine.
         return _Place(_key(str(path)), f"stdlib/{item.target.text}.aseme")
     target = item.target.text
-    key = _key(str(Path(importer.key).parent / target))
-    return _Place(key, os.path.normpath(Path(importer.shown).parent / target))
+    key = _key_beside(os.path.dirname(importer.key), target)  # noqa: PTH120 (of many files)
+    shown = os.path.join(os.path.dirname(importer.shown), target)  # noqa: PTH118, PTH120
+    return _Place(key, os.path.normpath(shown))
 
 
 def _library() -> list[str]:

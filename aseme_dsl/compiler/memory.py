@@ -105,7 +105,7 @@ class Memory:
     def each_in_pieces(
         self, function: Callable[..., _T], inputs: Iterable[tuple[Any, ...]], *common: Any
     ) -> InPieces[tuple[_T, ...]]:
-        """`recall(function, *item, *common)` for each of the inputs, all as long; a piece is one that is done.
+        """`recall(function, *item, *common)` for each of the inputs, all as long; a piece is one done.
 
         If all results are those of the last time, it is the same tuple. Nobody may change a mapping that is
         given here: the same object means that its answers are the same, and of two, their difference is

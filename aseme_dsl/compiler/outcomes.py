@@ -31,7 +31,15 @@ def check_outcomes(
 
 def _asked(chart: Statechart) -> tuple[tuple[str, Value], ...]:
     """The outcomes that are asked for, and what is compared, each with the state where it stands."""
-    return tuple(item for item in chart.values() if isinstance(item[1], (Outcome, Compare)))
+    return tuple(
+        (place, value)
+        for place, value in chart.values()
+        if isinstance(value, Outcome)
+        or (
+            isinstance(value, Compare)
+            and any(isinstance(side, Outcome) for side in (value.left, value.right))
+        )
+    )
 
 
 def _absent(chart: Statechart, source: str, value: Value) -> Diagnostic | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from pathlib import Path
@@ -23,6 +23,7 @@ from aseme_dsl.compiler.activity_use import (
     close_names,
     unplayed,
     used_activities,
+    used_in,
 )
 from aseme_dsl.compiler.aip_to_eac import Protocol, aip_to_eac, read_protocol
 from aseme_dsl.compiler.allow import allow
@@ -222,14 +223,23 @@ def _inspecting(
     yield
 
     # What is used but not declared, described but not used, expected but not written.
-    used = used_activities((*_built(iacs), *_built(eacs)))
+    looked_at = (*_built(iacs), *_built(eacs))
+    used_by = yield from each(used_in, zip(looked_at))
+    by_roles = used_by[: len(_built(iacs))]
+    used = used_activities(used_by)
     formulas = _formulas(blocks)
+    named = yield from each(_named, [(block,) for block in (*blocks.srms, *blocks.aips)])
+    # Every activity that a formula or a binding names, even where an error keeps it from being used.
+    activities_named = set(chain.from_iterable(named)).difference(item.name.text for item in formulas)
+    bindings = (item for block in blocks.srms for play in block.plays for item in play.bindings)
+    activities_named.update(item.own.text for item in bindings)
     if len(charts) == len(eacs) + len(iacs):
-        found += check_described(_described_in(blocks), {*used, *_named(blocks)}, formulas, is_damaged)
+        found += check_described(_described_in(blocks), {*used, *activities_named}, formulas, is_damaged)
     yield
     found += close_names(used, described, formulas, _unused_plays(roles.values()))
     found += also_activities({block.name.text: block.modules for block in blocks.roles}, used)
-    found += unplayed(_built(iacs), blocks.aips)
+    role_names = (chart.name for chart in _built(iacs))
+    found += unplayed(dict(zip(role_names, by_roles, strict=True)), blocks.aips)
     yield
     capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
     names_written = (*protocols, *(item.name.text for item in formulas), *used, *capabilities)
@@ -316,13 +326,14 @@ def _inspecting(
     if has_errors(diagnostics) or symbols.system is None:
         analysis = Analysis(None, diagnostics, tuple(missing), _is_library(loaded), suppressed, files=files)
         return inspected(analysis)
+    performed = {item.name: item for item in all_activities(by_roles, described)}
     system = System(
         name=name,
         enums=symbols.enums,
         messages=symbols.messages,
         topics=symbols.topics,
         functions=symbols.functions,
-        activities=all_activities(_built(iacs), described),
+        activities=tuple(memory.same_values("activities", performed).values()),
         sag=sag,
         suc=suc,
         aips=tuple(aips),
@@ -438,10 +449,14 @@ def _built(charts: Mapping[str, Statechart | None]) -> tuple[Statechart, ...]:
 
 
 def _formulas(blocks: Blocks) -> list[tree.NamedFormula]:
-    found = [item for block in blocks.srms for item in block.formulas]
-    for protocol in blocks.aips:
-        found += [item for part in protocol.participants for item in part.formulas]
-    return found
+    found = [item for block in blocks.srms for item in _formulas_of(block)]
+    return found + [item for block in blocks.aips for item in _formulas_of(block)]
+
+
+def _formulas_of(block: tree.Srm | tree.Aip) -> Sequence[tree.NamedFormula]:
+    if isinstance(block, tree.Srm):
+        return block.formulas
+    return [item for part in block.participants for item in part.formulas]
 
 
 def _statements(blocks: Blocks) -> Iterable[tree.Activity]:
@@ -454,14 +469,9 @@ def _described_in(blocks: Blocks) -> Iterable[tree.Activity]:
     return (item for block in blocks.roles for item in block.activities)
 
 
-def _named(blocks: Blocks) -> Iterator[str]:
-    """Every activity that a formula or a binding names, even where an error keeps it from being used."""
-    formulas = _formulas(blocks)
-    composed = {item.name.text for item in formulas}
-    for item in formulas:
-        yield from (node.name for node in names(item.formula) if node.name not in composed)
-    for block in blocks.srms:
-        yield from (item.own.text for play in block.plays for item in play.bindings)
+def _named(block: tree.Srm | tree.Aip) -> frozenset[str]:
+    """What the formulas of a block name."""
+    return frozenset(node.name for item in _formulas_of(block) for node in names(item.formula))
 
 
 _OF_CODE = frozenset(("N726",))

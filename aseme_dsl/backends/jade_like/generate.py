@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.expression import duration_text
@@ -29,6 +30,9 @@ from aseme_dsl.runtime.naming import class_name, module_name, usable
 
 RESERVED = (*POINTS.values(), *(str(kind) for kind in Kind), "WakerBehaviour")
 """What the modules of behaviours import: no behaviour is called so."""
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,38 +81,48 @@ class JadeLikeBackend:
     def generate(self, system: System, options: BackendOptions) -> tuple[Artefact, ...]:
         """The package of a system, and among the activities a class a role that is the user's."""
         templates = environment(options, Path(__file__).parent / "templates")
-        messages = messages_file(system)
+        messages = messages_file(system, options.known)
         roles = role_files(templates, system, messages, options)
         kept = list(activity_files(templates, system, options))
         taken = {artefact.path for artefact in kept}
         artefacts = [system_file(templates, system, roles, shown=True), messages]
-        for chart, role in zip(system.iacs, roles, strict=True):
-            folder = f"{system.name}/{usable(chart.name)}"
-            own = _own(system, chart, taken)
-            shown = options.known.recall(_shown, role.seen)
-            known = {
-                "system": system,
-                "chart": chart,
-                "source": source_of(system),
-                "shown": True,
-                "place": place(chart.span),
-                "own": own,
-                "main": shown.classes[0].name,
-                "services": shown.offers,
-                "language": JSON,
-                "behaviours": shown.classes,
-                "imported": shown.imported,
-                "example": shown.example,
-            }
-            artefacts += [
-                rendered(templates, "role.py.j2", f"{folder}/__init__.py", known),
-                *role.files,
-                rendered(templates, "behaviours.py.j2", f"{folder}/behaviours.py", known),
-                rendered(templates, "agent.py.j2", f"{folder}/agent.py", known),
-            ]
-            path = f"{ACTIVITIES}/{module_name(own)}.py"
-            kept.append(rendered(templates, "own_agent.py.j2", path, known, kept=True))
+        seen = [
+            (system if options.templates else role.seen, role.seen, _own(system, chart, taken))
+            for chart, role in zip(system.iacs, roles, strict=True)
+        ]
+        agents = options.known.each(_agent, seen, templates, source_of(system))
+        for (package, behaviours, agent, own), role in zip(agents, roles, strict=True):
+            artefacts += [package, *role.files, behaviours, agent]
+            kept.append(own)
         return (*artefacts, *kept)
+
+
+def _agent(
+    system: System, seen: System, own: str, templates: Environment, source: str
+) -> tuple[Artefact, Artefact, Artefact, Artefact]:
+    """Of a role: what is imported of it, its behaviours, its agent, and the user's class beside them."""
+    chart, shown = seen.iacs[0], _shown(seen)
+    folder = f"{system.name}/{usable(chart.name)}"
+    known = {
+        "system": system,
+        "chart": chart,
+        "source": source,
+        "shown": True,
+        "place": place(chart.span),
+        "own": own,
+        "main": shown.classes[0].name,
+        "services": shown.offers,
+        "language": JSON,
+        "behaviours": shown.classes,
+        "imported": shown.imported,
+        "example": shown.example,
+    }
+    return (
+        rendered(templates, "role.py.j2", f"{folder}/__init__.py", known),
+        rendered(templates, "behaviours.py.j2", f"{folder}/behaviours.py", known),
+        rendered(templates, "agent.py.j2", f"{folder}/agent.py", known),
+        rendered(templates, "own_agent.py.j2", f"{ACTIVITIES}/{module_name(own)}.py", known, kept=True),
+    )
 
 
 def _shown(seen: System) -> Shown:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions
@@ -17,6 +18,9 @@ from aseme_dsl.backends.shared.generate import (
 )
 from aseme_dsl.runtime.naming import usable
 
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
 
 @dataclass(frozen=True, slots=True)
 class MonasBackend:
@@ -27,14 +31,21 @@ class MonasBackend:
     def generate(self, system: System, options: BackendOptions) -> tuple[Artefact, ...]:
         """The package of a system, and the activities under `activities/`."""
         templates = environment(options)
-        messages = messages_file(system)
+        messages = messages_file(system, options.known)
         roles = role_files(templates, system, messages, options)
         artefacts = [system_file(templates, system, roles), messages]
-        for chart, role in zip(system.iacs, roles, strict=True):
-            path = f"{system.name}/{usable(chart.name)}/__init__.py"
-            known = {"system": system, "chart": chart, "source": source_of(system), "shown": False}
-            artefacts += [rendered(templates, "role.py.j2", path, known), *role.files]
+        seen = [(system if options.templates else role.seen, role.seen) for role in roles]
+        packages = options.known.each(_package, seen, templates, source_of(system))
+        for package, role in zip(packages, roles, strict=True):
+            artefacts += [package, *role.files]
         return (*artefacts, *activity_files(templates, system, options))
+
+
+def _package(system: System, seen: System, templates: Environment, source: str) -> Artefact:
+    """What is imported of a role."""
+    chart = seen.iacs[0]
+    known = {"system": system, "chart": chart, "source": source, "shown": False}
+    return rendered(templates, "role.py.j2", f"{system.name}/{usable(chart.name)}/__init__.py", known)
 
 
 BACKEND = MonasBackend()

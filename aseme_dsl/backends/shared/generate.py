@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path, PurePath
@@ -15,7 +15,7 @@ from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
-from aseme_dsl.backends.backend import ACTIVITIES, DEFAULT, Artefact, BackendOptions, Known
+from aseme_dsl.backends.backend import ACTIVITIES, DEFAULT, NOTHING_KNOWN, Artefact, BackendOptions, Known
 from aseme_dsl.codegen.messages import generate_messages
 from aseme_dsl.codegen.place import in_docstring
 from aseme_dsl.codegen.plan import Sections, branch_texts, plan_sections, protocol_versions
@@ -75,9 +75,24 @@ def source_of(system: System) -> str:
     return PurePath(system.span.source.path).name if system.span else system.name
 
 
-def messages_file(system: System) -> Artefact:
+def messages_file(system: System, known: Known = NOTHING_KNOWN) -> Artefact:
     """The messages of a system as Python classes."""
+    return known.recall(_messages_file, known.same("of messages", with_types(system)))
+
+
+def _messages_file(system: System) -> Artefact:
     return Artefact(f"{system.name}/messages.py", generate_messages(system))
+
+
+def with_types(system: System) -> System:
+    """Only the types of a system, and the topics in which it has them."""
+    return System(
+        system.name,
+        enums=system.enums,
+        messages=system.messages,
+        topics=system.topics,
+        protos=system.protos,
+    )
 
 
 def role_files(
@@ -85,6 +100,25 @@ def role_files(
 ) -> list[Filled]:
     """The plan of each role, to read, and the class that runs it."""
     known = options.known
+    roles = seen_roles(system, known)
+    branches = known.each(_branches, zip(roles))
+    versions = protocol_versions(system, branches)
+    types, source = known.whole(messages.text), source_of(system)
+    played = {
+        seen.iacs[0].name: tuple((name, versions[name]) for name, _ in texts)
+        for seen, texts in zip(roles, branches, strict=True)
+    }
+    plans = known.each(_plan, zip(roles, known.same_values("versions", played).values(), strict=True))
+    steps = known.each(_step, zip(roles))
+    # What the user's own templates ask for, nobody knows.
+    shown = [system if options.templates else seen for seen in roles]
+    texts = [known.whole(plan.text) for plan in plans]
+    filled = zip(shown, roles, plans, steps, texts, strict=True)
+    return list(known.each(_filled, filled, templates, source, types))
+
+
+def seen_roles(system: System, known: Known) -> list[System]:
+    """For each role the system as far as it sees it: the same object as long as all that is the same."""
     shared = replace(
         system,
         enums=known.same("enums", system.enums),
@@ -93,21 +127,8 @@ def role_files(
         functions=known.same("functions", system.functions),
         teams=known.same("teams", system.teams),
     )
-    roles = [known.same(("seen", item.iacs[0].name), item) for item in seen_by_roles(shared)]
-    branches = [known.recall(_branches, item) for item in roles]
-    versions = protocol_versions(system, branches)
-    types, source = known.whole(messages.text), source_of(system)
-    found: list[Filled] = []
-    for seen, texts in zip(roles, branches, strict=True):
-        played = known.same(("versions", seen.iacs[0].name), {name: versions[name] for name, _ in texts})
-        plan = known.recall(_plan, seen, played)
-        step = known.recall(_step, seen)
-        # What the user's own templates ask for, nobody knows.
-        shown = system if options.templates else seen
-        found.append(
-            known.recall(_filled, templates, shown, seen, source, plan, step, known.whole(plan.text), types)
-        )
-    return found
+    found = {item.iacs[0].name: item for item in seen_by_roles(shared)}
+    return list(known.same_values("seen", found).values())
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,20 +139,20 @@ class _Plan:
     text: str
 
 
-def _plan(seen: System, versions: Mapping[str, str]) -> _Plan:
+def _plan(seen: System, versions: Iterable[tuple[str, str]]) -> _Plan:
     chart = seen.iacs[0]
-    sections = plan_sections(seen, chart, versions)
+    sections = plan_sections(seen, chart, dict(versions))
     return _Plan(sections, repr((chart.name, seen.name, sections)))
 
 
 def _filled(
-    templates: Environment,
     system: System,
     seen: System,
-    source: str,
     plan: _Plan,
     step: StepCode,
     plan_text: str,
+    templates: Environment,
+    source: str,
     messages: str,
 ) -> Filled:
     chart = seen.iacs[0]
@@ -188,17 +209,15 @@ def activity_files(
 
 def _activities(templates: Environment, system: System, known: Known) -> Iterator[Artefact]:
     users: dict[str, list[str]] = {}
-    for chart in system.iacs:
-        for name in known.recall(_performed, chart):
+    performed = known.each(_performed, zip(system.iacs))
+    for chart, names in zip(system.iacs, performed, strict=True):
+        for name in names:
             users.setdefault(name, []).append(chart.name)
     described = {item.name: item for item in system.activities}
-    source = source_of(system)
-    for name in sorted(users):
-        said, roles = (
-            known.same(("said", name), described.get(name)),
-            known.same(("users", name), users[name]),
-        )
-        yield known.recall(_activity, templates, system.name, source, name, said, roles)
+    roles = known.same_values("users", {name: tuple(users[name]) for name in sorted(users)})
+    said = known.same_values("said", {name: described.get(name) for name in roles})
+    items = zip(roles, said.values(), roles.values(), strict=True)
+    yield from known.each(_activity, items, templates, system.name, source_of(system))
 
 
 def _performed(chart: Statechart) -> tuple[str, ...]:
@@ -208,12 +227,12 @@ def _performed(chart: Statechart) -> tuple[str, ...]:
 
 
 def _activity(
-    templates: Environment,
-    system: str,
-    source: str,
     name: str,
     activity: Activity | None,
     roles: Sequence[str],
+    templates: Environment,
+    system: str,
+    source: str,
 ) -> Artefact:
     given = {
         "name": name,
