@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import Any
+from functools import lru_cache
 
 from aseme_dsl.diagrams.labels import Html, printable, short
 
@@ -92,51 +92,67 @@ def cluster(group_id: str) -> str:
 
 def text(sheet: Sheet) -> str:
     """The drawing in the DOT language."""
-    import graphviz
-
-    def new(name: str | None) -> Any:
-        return graphviz.Digraph(name=None if name is None else _plain(name, is_label=False))
-
-    def fill(graph: Any, children: Sequence[Box | Group], made: Mapping[str, Any]) -> None:
-        for item in children:
-            if isinstance(item, Group):
-                graph.subgraph(made[item.id])
-            else:
-                graph.node(item.id, **_values({"id": item.id, **item.attributes}))
-
-    made: dict[str, Any] = {}
-    for group in reversed(list(groups(sheet.items))):  # inner groups before those around them
-        graph = new(cluster(group.id))
-        graph.attr("graph", **_values({"id": group.id, **group.attributes}))
-        fill(graph, group.items, made)
-        made[group.id] = graph
-    whole = new(sheet.name)
-    whole.attr("graph", **_values(sheet.graph))
-    whole.attr("node", **_values(sheet.node))
-    whole.attr("edge", **_values(sheet.edge))
-    fill(whole, sheet.items, made)
+    lines = [f"digraph {_value(sheet.name, is_label=False)} {{"]
+    for what, attributes in (("graph", sheet.graph), ("node", sheet.node), ("edge", sheet.edge)):
+        if attributes:
+            lines.append(f"\t{what}{_list(attributes, first=())}")
+    stack: list[tuple[Box | Group | None, str]] = [(item, "\t") for item in reversed(sheet.items)]
+    while stack:
+        item, margin = stack.pop()
+        if item is None:
+            lines.append(f"{margin}}}")
+        elif isinstance(item, Group):
+            lines.append(f"{margin}subgraph {_value(cluster(item.id), is_label=False)} {{")
+            lines.append(f"{margin}\tgraph{_list({'id': item.id, **item.attributes}, first=())}")
+            stack.append((None, margin))
+            stack += ((inner, f"{margin}\t") for inner in reversed(item.items))
+        else:
+            lines.append(f"{margin}{_name(item.id)}{_list({'id': item.id, **item.attributes})}")
     for line in sheet.edges:
         own = {} if line.id is None else {"id": line.id}
-        whole.edge(line.source, line.target, **_values(own | dict(line.attributes)))
-    return str(whole.source)
+        ends = f"{_end(line.source)} -> {_end(line.target)}"
+        lines.append(f"\t{ends}{_list(own | dict(line.attributes))}")
+    return "\n".join((*lines, "}\n"))
 
 
-def _values(attributes: Attributes) -> dict[str, Any]:
-    return {
-        name: f"<{value}>" if isinstance(value, Html) else _plain(value, is_label=name == "label")
-        for name, value in attributes.items()
-    }
+def _list(attributes: Attributes, first: Sequence[str] = ("label",)) -> str:
+    """Attributes in their order: those that come first, then by their names."""
+    names = [*(name for name in first if name in attributes), *sorted(attributes.keys() - set(first))]
+    values = ((name, attributes[name]) for name in names)
+    said = (
+        f"{name}=<{value}>"
+        if isinstance(value, Html)
+        else f"{name}={_value(value, is_label=name == 'label')}"
+        for name, value in values
+    )
+    return f" [{' '.join(said)}]" if names else ""
 
 
-def _plain(text: str, *, is_label: bool) -> Any:
+@lru_cache(10_000)
+def _value(text: str, *, is_label: bool) -> str:
     """Text that is shown as it is: Graphviz would read entities, backslashes and angle brackets in it.
 
     It reads backslashes once in a label, and twice in a tooltip. A tooltip that is too long is cut.
     """
-    import graphviz
+    from graphviz import escape
+    from graphviz.quoting import quote
 
     text = printable(text) if is_label else short(printable(text), _LONGEST).replace("\\", "\\\\")
-    return graphviz.escape(text.replace("&", "&amp;"))
+    return str(quote(escape(text.replace("&", "&amp;"))))
+
+
+@lru_cache(10_000)
+def _name(text: str) -> str:
+    from graphviz.quoting import quote
+
+    return str(quote(text))
+
+
+@lru_cache(10_000)
+def _end(text: str) -> str:
+    from graphviz.quoting import quote_edge
+
+    return str(quote_edge(text))
 
 
 def groups(items: Sequence[Box | Group]) -> Sequence[Group]:
