@@ -135,7 +135,8 @@ def code_paths(pieces: Iterable[_Piece], folder: Path) -> list[str]:
         names = os.listdir(folder)  # noqa: PTH208 (many names, of which only the texts are wanted)
     except OSError:
         names = []
-    beside = {os.path.join(folder, name) for name in names if name.endswith(".py")}  # noqa: PTH118
+    within = os.path.join(folder, "")  # noqa: PTH118
+    beside = {within + name for name in names if name.endswith(".py")}
     return [*paths, *sorted(beside.difference(paths))]
 
 

@@ -120,6 +120,7 @@ class Memory:
             changed = _difference(before.common, common, len(items[0]))
         known = {} if before is None or changed is None else before.entries
         entries: dict[tuple[int, ...], _Entry] = {}
+        found: list[Any] = []
         for item in items:
             key = tuple(map(id, item))
             entry = known.get(key)
@@ -130,7 +131,8 @@ class Memory:
                     yield
             entry.used, entry.age = self._number, self._age
             entries[key] = entry
-        results = tuple(entries[tuple(map(id, item))].result for item in items)
+            found.append(entry.result)
+        results = tuple(found)
         if (
             before is not None
             and len(results) == len(before.results)
