@@ -23,7 +23,7 @@ from aseme_dsl.build.activity_given import wrong_parameters
 from aseme_dsl.build.activity_messages import unfit_messages
 from aseme_dsl.build.activity_talk import Talk, parts_of, talk_in, unfit_talk, unsaid
 from aseme_dsl.build.activity_words import unknown_messages, unknown_methods
-from aseme_dsl.build.write import Look, Stamp, stamp_of
+from aseme_dsl.build.stamp import Look, Stamp, stamp_of
 from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.diagnostics import Diagnostic, Related, Suppressed, closest
 from aseme_dsl.runtime.naming import class_name, module_name

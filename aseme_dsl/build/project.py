@@ -17,7 +17,7 @@ from aseme_dsl.build.configuration import (
     unknown_roles,
 )
 from aseme_dsl.build.inputs import Inputs, find_inputs
-from aseme_dsl.build.write import Look, stamp_of
+from aseme_dsl.build.stamp import Look, stamp_of
 from aseme_dsl.compiler import Options, analyse
 from aseme_dsl.compiler.phases import inspect_files
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order

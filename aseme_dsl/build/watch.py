@@ -21,7 +21,7 @@ from aseme_dsl.build.configuration import FILE
 from aseme_dsl.build.inputs import is_searched
 from aseme_dsl.build.manifest import NAME as MANIFEST
 from aseme_dsl.build.project import Compiled, code_folder, path_of
-from aseme_dsl.build.write import Stamp, stamp_of
+from aseme_dsl.build.stamp import Stamp, stamp_of
 
 if TYPE_CHECKING:
     from aseme_dsl.build.workshop import Workshop

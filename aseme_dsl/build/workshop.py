@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from aseme_dsl.build.earlier import Earlier, KnownBuild
-from aseme_dsl.build.write import Seen, Stamp, stamp_of
+from aseme_dsl.build.stamp import Stamp, stamp_of
+from aseme_dsl.build.write import Seen
 from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.grammar.parts import InParts, Layout, Numbers, Parts
 from aseme_dsl.source import Source

@@ -24,6 +24,7 @@ from aseme_dsl.build.manifest import (
     manifest_text,
     read_manifest,
 )
+from aseme_dsl.build.stamp import Look, Stamp, stamp_of
 from aseme_dsl.diagnostics import Diagnostic
 
 STAGED = ".asemec-"
@@ -69,21 +70,7 @@ class Seen:
 
     files: dict[str, tuple[Planned, Stamp, Path]] = field(default_factory=dict)
     manifest: tuple[Manifest, Stamp] | None = None
-    look: Look = lambda path: stamp_of(path)
-
-
-Stamp = tuple[int, int, int]
-Look = Callable[[str], Stamp | None]
-"""What a file is, by its path: `stamp_of`, or what somebody has just been told by it."""
-
-
-def stamp_of(path: Path | str) -> Stamp | None:
-    """What changes when a file does; None where there is none."""
-    try:
-        found = os.stat(path)  # noqa: PTH116 (a path object costs more than the question)
-    except (OSError, ValueError):
-        return None
-    return found.st_mtime_ns, found.st_size, found.st_ino
+    look: Look = stamp_of
 
 
 class Disk:

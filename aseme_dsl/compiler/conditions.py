@@ -60,7 +60,7 @@ def check_conditions(
     for found in (yield from memory.each_in_pieces(_situations, zip(charts), prover.vocabulary)):
         for key, situation in found:
             once.setdefault(key, situation)
-    if not prover.is_there:
+    if not once or not prover.is_there:  # the first saves the time that z3 takes to be loaded
         return (), len(once)
     said = yield from memory.each_in_pieces(_said, zip(once.values()), prover)
     return tuple(chain.from_iterable(said)), 0
