@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from aseme_dsl.build.bench import Bench, Measured
+from aseme_dsl.build.table import table
 
 
 def markdown(found: Bench, plot: str | None = None) -> str:
@@ -20,32 +21,37 @@ def markdown(found: Bench, plot: str | None = None) -> str:
         " time of one thread, medians of interleaved rounds.",
         "",
         *([f"![CPU time of a step, by role]({plot})", ""] if plot is not None else []),
-        "| role | states | regions | steps | inputs | activities started | transitions taken |",
-        "| --- | ---: | ---: | ---: | ---: | ---: | ---: |",
-    ]
-    for item in found.roles:
-        visited, taken = f"{item.visited} of {item.activities}", f"{item.taken} of {item.transitions}"
-        numbers = (item.states, item.regions, item.steps, item.inputs, visited, taken)
-        lines.append(f"| {item.role} | {' | '.join(map(str, numbers))} |")
-    lines += [
+        *table(
+            ("role", "states", "regions", "steps", "inputs", "activities started", "transitions taken"),
+            [_reached(item) for item in found.roles],
+            1,
+        ),
         "",
-        "| role | run as | step, ns | of the agent's | idle tick, ns | memory, bytes |",
-        "| --- | --- | ---: | ---: | ---: | ---: |",
+        *table(
+            ("role", "run as", "step, ns", "of the agent's", "idle tick, ns", "memory, bytes"),
+            [row for item in found.roles for row in _rows(item, recorded=bool(found.traces))],
+            2,
+        ),
     ]
-    for item in found.roles:
-        lines += _rows(item, recorded=bool(found.traces))
     notes = [f"- {problem}" for problem in found.problems]
     notes += [note for item in found.roles for note in _notes(item, several=len(found.traces) > 1)]
+    if any(item.refused for item in found.roles):
+        notes.append("- Where in the file that is, `asemec build --backend plain` says.")
     return "\n".join([*lines, *([""] if notes else []), *notes]) + "\n"
 
 
-def _rows(item: Measured, *, recorded: bool) -> Iterator[str]:
+def _reached(item: Measured) -> tuple[str, ...]:
+    """How large a role is, and how much of it the inputs have reached."""
+    visited, taken = f"{item.visited} of {item.activities}", f"{item.taken} of {item.transitions}"
+    return item.role, *map(str, (item.states, item.regions, item.steps, item.inputs)), visited, taken
+
+
+def _rows(item: Measured, *, recorded: bool) -> Iterator[tuple[str, ...]]:
     if not item.ways:
-        yield f"| {item.role} | {'not in the trace' if recorded else 'nothing that it could take'} | | | | |"
+        yield item.role, "not in the trace" if recorded else "nothing that it could take", "", "", "", ""
     for name, timed in item.ways.items():
         share = f"{timed.step / item.ways['agent'].step:.2f}"
-        numbers = (f"{timed.step:.0f}", share, f"{timed.idle:.0f}", f"{timed.memory:.0f}")
-        yield f"| {item.role} | {name} | {' | '.join(numbers)} |"
+        yield item.role, name, f"{timed.step:.0f}", share, f"{timed.idle:.0f}", f"{timed.memory:.0f}"
 
 
 def _notes(item: Measured, *, several: bool) -> Iterator[str]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from aseme_dsl.build.findings import Estimate, Row, Slower
 from aseme_dsl.build.study import TIME, Played
+from aseme_dsl.build.table import table
 from aseme_dsl.build.variation import Knob, Variant
 
 _BUSIEST = 3
@@ -79,13 +79,7 @@ def _table(study: Study) -> list[str]:
         ]
         for row in study.rows
     ]
-    widths = [max(map(len, column)) for column in zip(head, *body, strict=True)]
-    lines = [_line(head, widths), "|" + "|".join("-" * (width + 2) for width in widths) + "|"]
-    return lines + [_line(cells, widths) for cells in body]
-
-
-def _line(cells: Sequence[str], widths: Sequence[int]) -> str:
-    return "| " + " | ".join(f"{cell:<{width}}" for cell, width in zip(cells, widths, strict=True)) + " |"
+    return list(table(head, body))
 
 
 def _conclusion(study: Study) -> list[str]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
 
+from aseme_dsl.build.table import table
 from benchmarks.peers.contenders import CORE_TYPED, PEERS, POST, SEND
 from benchmarks.peers.measuring import Results
 from benchmarks.peers.own import Found, Role
@@ -69,14 +70,14 @@ def _role(role: Role, found: Found) -> Iterator[str]:
     steps = f"{role.steps} steps{f' of {role.agent}' if role.agent else ''}"
     yield f"{role.states} states, {role.transitions} transitions, {steps}."
     yield ""
-    yield "| | a step | times as long |"
-    yield "| --- | ---: | ---: |"
+    rows = []
     for contender in CONTENDERS:
         series = role.series.get(contender.key)
         if series is not None:
             title = " ".join(filter(None, (contender.title, found.versions.get(contender.key, ""))))
             ratio = number(series.ratio) if series.ratio is not None else ""
-            yield f"| {title} | {readable(series.nanoseconds)} | {ratio} |"
+            rows.append((title, readable(series.nanoseconds), ratio))
+    yield from table(("", "a step", "times as long"), rows, 1)
     if role.left_out:
         yield ""
     for contender in CONTENDERS:
