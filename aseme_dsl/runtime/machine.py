@@ -12,11 +12,14 @@ from typing import Generic, TypeVar
 from aseme_dsl.runtime.plain import Plain
 
 Trace = Callable[[str, str, bool], object]
-"""Told after each step which it was (`start`, `send`, `step`, `done`), of what, and if it took anything."""
+"""Told after each step which it was (`start`, `send`, `step`, `done`, `failed`), of what, if it took any."""
 
 Call = Callable[[str], object]
 Waiting = list[tuple[Call, str]]
 """The steps that are to be made, in order, each with what it is given."""
+
+_RAISED: tuple[Call, str] = (lambda _: None, "")
+"""Stands in the queue for the token after a step that has raised something, before all that waits."""
 
 C = TypeVar("C", bound=Plain)
 T = TypeVar("T")
@@ -28,7 +31,8 @@ class Machine(Generic[C]):
     One token stands for the right to run the chart: whoever can take it runs his step and what has been
     queued meanwhile (post-and-help); whoever cannot queues his and goes on. Nobody waits.
 
-    What a step raises goes to the caller whose thread runs it; what is queued waits for the next caller.
+    What a step raises goes to the caller whose thread runs it; what is queued waits for the next caller, who
+    makes these steps before his own.
     """
 
     __slots__ = ("_queue", "_token", "_trace", "chart", "post", "send")
@@ -52,14 +56,13 @@ class Machine(Generic[C]):
             try:
                 token.pop()
             except IndexError:
-                queue.append((core, event))
-                if token:  # given back in between
-                    _drain(queue, token)
-                return False
+                return _later(queue, token, core, event)
             try:
                 taken = core(event)
-            finally:
-                token.append(None)
+            except BaseException:
+                queue.insert(0, _RAISED)
+                raise
+            token.append(None)
             if queue:
                 _drain(queue, token)
             return taken
@@ -79,14 +82,42 @@ class Machine(Generic[C]):
         chart = self.chart
         return self._run("start", "", lambda _: chart.start())
 
-    def step(self) -> bool:
-        """One step without an event, for what the blackboard says; whether anything was taken."""
-        chart = self.chart
-        return self._run("step", "", lambda _: chart.step())
+    def step(self, before: Callable[[C], object] | None = None) -> bool:
+        """One step without an event, for what the blackboard says; whether anything was taken.
 
-    def done(self, label: str) -> bool:
-        """One step, before which the activity of a BASIC state has returned; whether anything was taken."""
-        return self._run("done", label, self.chart.done)
+        `before` is given the chart when it is its turn, so that it may write to the blackboard: what a thread
+        writes on its own, a step of another may see half way through.
+        """
+        chart = self.chart
+        if before is None:
+            return self._run("step", "", lambda _: chart.step())
+
+        def call(_: str) -> bool:
+            before(chart)
+            return chart.step()
+
+        return self._run("step", "", call)
+
+    def done(self, label: str, outcome: str | None = None) -> bool:
+        """One step, before which the activity of a BASIC state has returned; whether anything was taken.
+
+        `outcome` is the name of how it has ended, for activities that say so.
+
+        Raises:
+            KeyError: the statechart has no such state, or can never be in it.
+        """
+        chart = self.chart
+        return self._run("done", label, lambda label: chart.done(label, outcome))
+
+    def failed(self, label: str, reason: str) -> bool:
+        """One step, before which the activity of a BASIC state has failed; whether anything was taken.
+
+        Raises:
+            KeyError: the statechart has no such state, or can never be in it.
+            ActivityFailed: the step has not left the state: no `error` transition has taken it.
+        """
+        chart = self.chart
+        return self._run("failed", label, lambda label: chart.failed(label, reason))
 
     def _run(self, what: str, argument: str, call: Call) -> bool:
         """Make a step as `send` does, but any."""
@@ -96,14 +127,13 @@ class Machine(Generic[C]):
         try:
             token.pop()
         except IndexError:
-            queue.append((call, argument))
-            if token:
-                _drain(queue, token)
-            return False
+            return _later(queue, token, call, argument)
         try:
             taken = call(argument)
-        finally:
-            token.append(None)
+        except BaseException:
+            queue.insert(0, _RAISED)
+            raise
+        token.append(None)
         if queue:
             _drain(queue, token)
         return bool(taken)
@@ -126,12 +156,25 @@ def _known(call: Callable[[str], T], chart: Plain) -> Callable[[str], T]:
     return checked
 
 
+def _later(queue: Waiting, token: list[None], call: Call, argument: str) -> bool:
+    """Queue a step; but where nobody runs the chart because the last step has raised, make all that waits."""
+    if queue[:1] != [_RAISED]:
+        queue.append((call, argument))
+        if token:  # given back in between
+            _drain(queue, token)
+        return False
+    taken: list[object] = []
+    queue.append((lambda argument: taken.append(call(argument)), argument))
+    _drain(queue, token)
+    return any(taken)
+
+
 def _drain(queue: Waiting, token: list[None]) -> None:
     """Make the steps that are queued, unless somebody else does."""
     while queue:
         try:
-            token.pop()
-        except IndexError:
+            token.pop() if token else queue.remove(_RAISED)
+        except (IndexError, ValueError):
             return
         try:
             while queue:
@@ -145,8 +188,10 @@ def _drain(queue: Waiting, token: list[None]) -> None:
                         call(argument)
                 finally:
                     queue[:0] = reversed(steps)  # one has raised something
-        finally:
-            token.append(None)
+        except BaseException:
+            queue.insert(0, _RAISED)
+            raise
+        token.append(None)
 
 
 def _traced(call: Call, trace: Trace, what: str) -> Callable[[str], bool]:

@@ -9,7 +9,7 @@ import pytest
 
 from aseme_dsl.codegen.plain import PlainOptions
 from aseme_dsl.runtime.machine import Machine
-from aseme_dsl.runtime.plain import Unsettled
+from aseme_dsl.runtime.plain import ActivityFailed, Unsettled
 from tests.support.generated import generate
 from tests.support.plain_engine import plain_class
 
@@ -172,3 +172,101 @@ def test_a_step_that_does_not_settle_is_an_error() -> None:
     text = "system S srm R { var b : bool = true liveness { R = A~ } control R { repeat A : when [b] } }"
     with pytest.raises(Unsettled, match=r"does not settle after 1000 rounds, at 0\.2"):
         chart(text)().start()
+
+
+def test_a_step_that_raises_is_not_overtaken_by_the_next() -> None:
+    """What it has queued before comes first, and the next caller is told of his own step."""
+    order: list[tuple[str, bool]] = []
+
+    class Watched(chart(COUNTER, watched=True)):  # type: ignore[misc]
+        def start_B(self, label: str) -> None:
+            if self.bb.n == 1:
+                machine.post("queued")
+                machine.send("hop")
+                raise OSError("no lamp")
+
+    machine: Machine[Any] = Machine(Watched(), trace=lambda _, event, taken: order.append((event, taken)))
+    for call in (machine.send, machine.post, lambda event: machine.step()):
+        machine.chart.bb.n = 0
+        machine.start()
+        with pytest.raises(OSError, match="no lamp"):
+            machine.send("hop")
+        order.clear()
+        found = call("hop")
+        assert order[:2] == [("queued", False), ("hop", True)]
+        assert found is order[2][1] or call is machine.post
+        assert len(order) == 3
+        assert machine.send("other") is False
+
+
+def test_a_queued_step_that_raises_leaves_the_rest_in_its_order() -> None:
+    order: list[str] = []
+
+    class Told:
+        def send(self, event: str) -> bool:
+            order.append(event)
+            if event == "first":
+                for other in ("wrong", "a", "wrong", "b"):
+                    machine.post(other)
+            if event == "wrong":
+                raise OSError(event)
+            return True
+
+    machine: Machine[Any] = Machine(Told())
+    with pytest.raises(OSError, match="wrong"):
+        machine.send("first")
+    with pytest.raises(OSError, match="wrong"):
+        machine.send("mine")
+    assert order == ["first", "wrong", "a", "wrong"]
+    assert machine.send("last")
+    assert order[4:] == ["b", "mine", "last"]
+
+
+def test_an_activity_may_fail_or_end_with_an_outcome() -> None:
+    text = """
+system S
+srm R {
+  liveness { R = work . Report  work = Grasp . (Carry | Open) }
+  activities { Grasp ends held, slipped }
+  control R { enter Report : error }
+  control work {
+    enter Carry : [outcome(Grasp) == held]
+    enter Open  : [outcome(Grasp) == slipped]
+  }
+}
+"""
+    told: list[tuple[str, str, bool]] = []
+    kind = chart(text)
+    ends = []
+    for way in ("held", "slipped", "failed"):
+        machine = Machine(kind(), trace=lambda *step: told.append(step))
+        machine.start()
+        (label,) = machine.chart.configuration()
+        assert machine.failed(label, "cold") if way == "failed" else machine.done(label, way)
+        ends.append(machine.chart.configuration())
+    assert len(set(ends)) == 3
+    assert told[-1] == ("failed", label, True)
+    with pytest.raises(ActivityFailed, match="warm"):
+        machine.failed(*machine.chart.configuration(), "warm")
+    with pytest.raises(KeyError):
+        machine.done("7")
+
+
+def test_what_is_written_before_a_step_is_not_seen_by_another() -> None:
+    text = """
+system S
+srm R {
+  var n : int = 0
+  liveness { R = A . B }
+  control R { enter B : when [n > 0] }
+}
+"""
+
+    class Watched(chart(text, watched=True)):  # type: ignore[misc]
+        def start_A(self, label: str) -> None:
+            assert not machine.step(lambda chart: setattr(chart.bb, "n", 1))
+            assert self.bb.n == 0
+
+    machine: Machine[Any] = Machine(Watched())
+    machine.start()
+    assert machine.chart.configuration() == ("0.3",)
