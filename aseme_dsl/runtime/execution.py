@@ -21,6 +21,7 @@ from aseme_dsl.runtime.directory import Directory, Offer, Withdraw
 from aseme_dsl.runtime.inputs import Arrived, Cancel, Completed, Crashed, Mail, Start
 from aseme_dsl.runtime.plan import ActivityInfo
 from aseme_dsl.runtime.timers import Timer
+from aseme_dsl.runtime.undecided import listed, undecided
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.agent import Agent
@@ -322,6 +323,8 @@ class Executions:
         """What the present plan does not have and is cancelled, but has not come to its end yet."""
         self._noted: set[tuple[str, str]] = set()
         self._late_codeless: set[str] = set()
+        self._codeless: set[str] = set()
+        """The branches of which an activity without code has begun."""
 
     # ---- what the step asks for --------------------------------------------------------------
 
@@ -404,6 +407,7 @@ class Executions:
         """
         nodes, self._nodes = self._nodes, {}
         self._find = find
+        self._codeless.clear()
         self._infos = {info.name: info for info in self.agent.plan.activities}
         for old, node in nodes.items():
             label = labels.get(old)
@@ -429,6 +433,7 @@ class Executions:
         self._former += [node for node in self._nodes.values() if node.current is not None]
         self._nodes = {}
         self._find = find
+        self._codeless.clear()
         self._infos = {info.name: info for info in self.agent.plan.activities}
 
     # ---- beginning ---------------------------------------------------------------------------
@@ -520,10 +525,32 @@ class Executions:
             self._late_codeless.add(info.name)
             text = f"activity {info.name} has neither code nor `takes`: it lasts {shown(WITHOUT_CODE)}"
             self.agent.trace.remark(now, self.agent.name, text, code="W201", activity=info.name)
+        if execution.branch is not None and execution.branch not in self._codeless:
+            self._codeless.add(execution.branch)
+            self._tell_undecided(execution.branch, now)
         lasts = WITHOUT_CODE if info.takes is None else info.takes
         execution.timer = self.agent.driver.at(
             now + lasts, lambda: self.agent.errand(lambda: self.returned(execution, None))
         )
+
+    def _tell_undecided(self, branch: str, now: int) -> None:
+        """Tell, once for a role, of a participant that agrees to nothing: no activity of it has code."""
+        plan = self.agent.plan
+        found = undecided(plan, branch)
+        if not found.variables or any(map(self._has_code, found.activities)):
+            return
+        info = self.agent.branch_info(branch)
+        stay = f"{listed(found.variables, 'and')} {'stays' if len(found.variables) == 1 else 'stay'} false"
+        text = f"{plan.name} plays {info.protocol}.{info.participant} without code, so {stay}"
+        write = listed(found.activities, "or")
+        self.agent.trace.remark(now, self.agent.name, f"{text}: {write} would decide that")
+
+    def _has_code(self, activity: str) -> bool:
+        """Whether there is code for an activity; what cannot be loaded is told when it starts."""
+        try:
+            return has_code(self._find(activity))
+        except ActivityError:
+            return True
 
     def _open(self, execution: Execution) -> None:
         """The activity has lasted what it takes: what it did counts."""
