@@ -46,10 +46,14 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Slower:
-    """What would come of one activity if it were quicker: the gain, as a share of the measure."""
+    """What would come of one activity if it were quicker: the gain, as a share of the measure.
+
+    `is_bottleneck`: it gains more than nothing, and no other gains more than it beyond chance.
+    """
 
     activity: str
     gain: Estimate
+    is_bottleneck: bool = False
 
 
 def estimate(values: Sequence[float]) -> Estimate | None:
@@ -129,11 +133,17 @@ def worth(found: Sequence[Row], least: float) -> Row | None:
 
 
 def slowest(base: Played, quicker: Sequence[Played], *, less_is_better: bool) -> tuple[Slower, ...]:
-    """What each activity's being quicker would gain, the most first: the first is the bottleneck."""
-    found = [
-        Slower(item.case.quicker, better)
+    """What each activity's being quicker would gain, the most first."""
+    gains = [
+        (item.case.quicker, better, item.runs)
         for item in quicker
         if item.case.quicker is not None
         and (better := gain(base.runs, item.runs, less_is_better=less_is_better)) is not None
     ]
-    return tuple(sorted(found, key=lambda item: (-item.gain.mean, item.activity)))
+    gains.sort(key=lambda item: (-item[1].mean, item[0]))
+
+    def is_bottleneck(better: Estimate, runs: Sequence[Run]) -> bool:
+        more = gain(runs, gains[0][2], less_is_better=less_is_better)
+        return better.low > 0 and more is not None and not more.is_told_from_none
+
+    return tuple(Slower(name, better, is_bottleneck(better, runs)) for name, better, runs in gains)

@@ -83,9 +83,7 @@ def gains_plot(found: Sequence[Slower], times: float, what: str) -> bytes:
     figure, axes = _figure(height=1.2 + 0.35 * len(found))
     names = [item.activity for item in found]
     places = range(len(found))
-    colours = [
-        _RED if place == 0 and item.gain.is_told_from_none else _BLUE for place, item in enumerate(found)
-    ]
+    colours = [_RED if item.is_bottleneck else _BLUE for item in found]
     axes.barh(places, [100 * item.gain.mean for item in found], color=colours, height=0.6)
     for place, item in enumerate(found):
         axes.plot([100 * item.gain.low, 100 * item.gain.high], [place, place], color=_GREY, linewidth=2)

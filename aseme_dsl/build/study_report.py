@@ -50,15 +50,33 @@ def markdown(study: Study) -> str:
         f"# {study.system}: {', '.join(_knob(knob) for knob in study.knobs) or 'as it is'}",
         "",
         f"Measured: {study.what}{', less is better' if study.less_is_better else ''}. "
-        f"{_times(len(study.seeds), 'run')} of each, seeds {study.seeds[0]} to {study.seeds[-1]}, "
-        f"{study.length / 1e9:g} s of virtual time. Intervals are of 95 % (bootstrap).",
+        f"{_times(len(study.seeds), 'run')} of each, {_seeds(study.seeds)}, "
+        f"{study.length / 1e9:g} s of virtual time. {_intervals(study)}",
         "",
         *_table(study),
+        "",
+        _SHARES,
         "",
         *_conclusion(study),
         *_bottleneck(study),
     ]
     return "\n".join(lines).rstrip() + "\n"
+
+
+_SHARES = (
+    "An activity's per cents are its share of the time of all agents; what an agent does several times at"
+    " once is counted as often, and may come to more than 100 %."
+)
+
+
+def _seeds(seeds: tuple[int, ...]) -> str:
+    return f"seed {seeds[0]}" if len(seeds) == 1 else f"seeds {seeds[0]} to {seeds[-1]}"
+
+
+def _intervals(study: Study) -> str:
+    if len(study.seeds) == 1:
+        return "One run has no interval: what is left to chance is not seen."
+    return "Intervals are of 95 % (bootstrap)."
 
 
 def _table(study: Study) -> list[str]:
@@ -84,15 +102,20 @@ def _table(study: Study) -> list[str]:
 
 def _conclusion(study: Study) -> list[str]:
     lines: list[str] = []
-    if len(study.seeds) > 1 and all(_are_alike(item) for item in study.played):
-        lines.append("- Every seed gave the same: nothing of it is left to chance, and one run is enough.")
+    is_measured = any(row.measure is not None for row in study.rows)
+    if is_measured and len(study.seeds) > 1 and all(_are_alike(item) for item in study.played):
+        lines.append(
+            "- Every seed gave the same: nothing here was left to chance, and one run would have been enough."
+        )
     for row in study.rows:
         if row.unfinished:
             text = f"{_times(row.unfinished, 'run')} of {_variant(row.variant)} gave no measure"
             lines.append(f"- {text}: {'it did not finish in time' if study.measure == TIME else 'None'}.")
         lines += [f"- With {_variant(row.variant)}, an agent failed: {text}." for text in row.failures]
+    if not is_measured:
+        return [*lines, "", "**Nothing was measured:** no run gave a number.", ""]
     if study.chosen is None:
-        return [*lines, "Nothing could be measured."] if study.knobs else lines
+        return lines
     if len(study.rows) > 1:
         lines += [""] if lines else []
         lines += [_worth(study, study.chosen) if _is_count(study) else _best(study, study.chosen)]
@@ -144,25 +167,35 @@ def _overlap(one: Estimate, other: Estimate) -> bool:
     return one.low <= other.high and other.low <= one.high
 
 
+_UNTRIED = "Not tried, for how long they last is said by their code or the world, and not by a `takes`"
+
+
 def _bottleneck(study: Study) -> list[str]:
-    if not study.slowest and not study.without_takes:
+    if study.chosen is None or not (study.slowest or study.without_takes):
         return []
-    at = f" with {_variant(study.chosen.variant)}" if study.chosen is not None and study.knobs else ""
+    at = f" with {_variant(study.chosen.variant)}" if study.knobs else ""
     lines = [f"## If an activity were {study.times:g} times as quick{at}", ""]
     if study.quicker and not study.slowest:
         lines += ["What they would gain cannot be told: there is nothing of which it were a share."]
     if study.slowest:
-        first = study.slowest[0]
-        if first.gain.mean > 0 and first.gain.is_told_from_none:
-            lines += [f"**The bottleneck is {first.activity}.**", ""]
-        else:
-            lines += ["No single activity is a bottleneck: none would gain more than chance may do.", ""]
+        lines += [_slowest(study), ""]
         width = max(len(item.activity) for item in study.slowest)
         lines += [f"- {item.activity:<{width}}  {_share(item.gain)}" for item in study.slowest]
     if study.without_takes:
         names = ", ".join(study.without_takes)
-        lines += ["", f"Not tried, for they say no `takes`: {names}."]
+        lines += ["", f"{_UNTRIED}: {names}."]
     return lines
+
+
+def _slowest(study: Study) -> str:
+    names = [item.activity for item in study.slowest if item.is_bottleneck]
+    tried = f"the {len(study.slowest)} that could be tried" if study.without_takes else ""
+    if not names:
+        return f"None of {tried or 'them'} is a bottleneck: none would gain more than chance may do."
+    among = f"Of {tried}, the" if tried else "The"
+    if len(names) == 1:
+        return f"**{among} bottleneck is {names[0]}.**"
+    return f"**{among} bottleneck is {', '.join(names[:-1])} or {names[-1]}**: these runs do not tell which."
 
 
 def _variant(variant: Variant) -> str:
@@ -186,7 +219,9 @@ def _percent(share: float) -> str:
 
 
 def _interval(item: Estimate) -> str:
-    return "exactly" if item.low == item.high else f"{_number(item.low)} to {_number(item.high)}"
+    if item.runs == 1:
+        return ""
+    return "all the same" if item.low == item.high else f"{_number(item.low)} to {_number(item.high)}"
 
 
 def _share(gain: Estimate) -> str:
@@ -222,6 +257,7 @@ def as_json(study: Study) -> dict[str, Any]:
         "quicker": {
             "times": study.times,
             "gains": [{"activity": item.activity, **(_estimate(item.gain) or {})} for item in study.slowest],
+            "bottleneck": [item.activity for item in study.slowest if item.is_bottleneck],
             "untried": list(study.without_takes),
         },
         "runs": [

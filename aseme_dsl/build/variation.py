@@ -63,8 +63,10 @@ def knob(text: str) -> Knob:
             values.append(item)
             continue
         first, last = int(span[1]), int(span[2])
-        if last < first or last - first >= _MOST_VALUES:
+        if last < first:
             raise VariationError(f"{text!r}: {item} is no range from the smaller to the larger")
+        if last - first >= _MOST_VALUES:
+            raise VariationError(f"{text!r}: {item} are more than {_MOST_VALUES} values, which is the most")
         values += [str(number) for number in range(first, last + 1)]
     if "" in values:
         raise VariationError(f"{text!r} lacks a value")

@@ -21,7 +21,7 @@ from aseme_dsl.cli.shared import (
     print_diagnostics,
     print_json,
 )
-from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.diagnostics import Diagnostic, has_errors
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
@@ -128,6 +128,8 @@ def command(
     from aseme_dsl.cli.playing import is_function
     from aseme_dsl.diagnostics import Severity
 
+    if duration == 0:
+        raise click.BadParameter("in 0s nothing can be measured.", param_hint="'--for'")
     if measure is not None and ":" in measure and not is_function(measure):
         raise click.BadParameter(f"{measure!r} is not MODULE:FUNCTION.", param_hint="'--measure'")
     compiled = one_system(target)
@@ -151,6 +153,10 @@ def command(
         quicker,
         min(jobs or os.cpu_count() or 1, runs),
     )
+    folder = output or home / "optimise"
+    in_the_way = _in_the_way(folder)
+    if in_the_way is not None:
+        return refuse((in_the_way,), as_json, colour)
     progress = _Progress(quiet or as_json or not sys.stderr.isatty())
     try:
         study = optimise(compiled.system, question, plan, choice, total=progress.total, told=progress.told)
@@ -160,7 +166,20 @@ def command(
         raise click.ClickException(f"{problem}{'' if str(problem).endswith('?') else '.'}") from problem
     finally:
         progress.end()
-    return _leave(study, output or home / "optimise", as_json, colour)
+    return _leave(study, folder, as_json, colour)
+
+
+def _in_the_way(folder: Path) -> Diagnostic | None:
+    """Why nothing can be written there, as far as that is known before all is played."""
+    around = (folder, *folder.absolute().parents)
+    there = next(place for place in around if os.path.exists(place))  # noqa: PTH110  raises nothing
+    if not there.is_dir():
+        why = "there is a file where its folder should be" if there != folder else "it is a file"
+    elif not os.access(there, os.W_OK | os.X_OK):
+        why = "its folder is read-only" if there != folder else "it is read-only"
+    else:
+        return None
+    return Diagnostic("E009", f"{folder} cannot be written: {why}", None, path=str(folder))
 
 
 def _measures(system: System) -> str:
@@ -217,16 +236,21 @@ def _leave(study: Study, folder: Path, as_json: bool, colour: str) -> int:
             files["bottleneck.svg"] = gains_plot(study.slowest, study.times, study.what)
     except PlotsMissing as problem:
         missing = str(problem)
-    for name, content in files.items():
+    problems: tuple[Diagnostic, ...] = ()
+    left: list[str] = []
+    for name, content in sorted(files.items()):
         problems = write_file(folder / name, content).diagnostics
         if has_errors(problems):
-            return refuse(problems, as_json, colour)
+            break
+        left.append(name)
     if as_json:
-        result: dict[str, Any] = {**data, "folder": str(folder), "files": sorted(files)}
-        print_json({"result": result, **diagnostics_json(())})
+        result: dict[str, Any] = {**data, "folder": str(folder), "files": left}
+        print_json({"result": result, **diagnostics_json(problems)})
     else:
         click.echo(text)
-        click.echo(f"{', '.join(sorted(files))} -> {folder}")
+        if left:
+            click.echo(f"{', '.join(left)} -> {folder}")
+        print_diagnostics(problems, colour)
     if missing:
         click.echo(missing, err=True)
-    return 0
+    return 1 if has_errors(problems) else 0

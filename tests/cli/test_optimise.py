@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -216,6 +217,7 @@ def test_what_is_not_there_is_said_before_anything_is_played(
     [
         ("carrier", "is not written carrier=1..8"),
         ("carrier=8..1", "8..1 is no range"),
+        ("carrier=1..1000000", "1..1000000 are more than 1000 values, which is the most"),
         ("carrier=0..2", "a number from 1 on"),
         ("carrier=1-3", "or a range as 1..8"),
         ("carrier=1,1", "has the value 1 twice"),
@@ -240,3 +242,87 @@ def test_a_value_of_another_type_is_refused(here: Here, trips: Path) -> None:
     done = here("optimise", trips, "--vary", "one.trips=many", "--measure", "Walk")
     assert done.code == 1
     assert "'many' is no int, which trips of walker is" in done.err
+
+
+def test_where_the_report_cannot_go_nothing_is_played(
+    here: Here, feed: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("aseme_dsl.build.study.run", None)
+    (feed.parent / "file").write_text("mine", "utf-8")
+    for folder, why in (
+        ("file", "it is a file"),
+        ("file/of/it", "there is a file where its folder should be"),
+    ):
+        done = here("optimise", feed, "--measure", "Carry", "-j", "1", "-o", feed.parent / folder)
+        assert done.code == 1 and done.out == ""
+        assert f"error[E009]: {feed.parent / folder} cannot be written: {why}" in done.err
+
+
+def test_a_report_that_cannot_be_left_is_printed(here: Here, feed: Path) -> None:
+    out = feed.parent / "found"
+    (out / "report.md").mkdir(parents=True)
+    base = ("optimise", feed, "--measure", "Carry", "--runs", "1", "--for", "5s", "-o", out)
+    done = here(*base)
+    assert done.code == 1
+    assert "| Carry per minute |" in done.out
+    assert "report.md is a folder, and a file must go there" in done.err
+    told = here(*base, "--json")
+    assert told.code == 1 and told.json["diagnostics"][0]["code"] == "E009"
+    assert told.json["result"]["rows"][0]["measure"]["runs"] == 1
+
+
+def test_activities_that_gain_the_same_are_named_together_and_one_run_has_no_interval(
+    here: Here, feed: Path
+) -> None:
+    done = here(
+        *("optimise", feed, "--vary", "carrier=1,2", "--measure", "Carry", "--runs", "1", "--for", "10s"),
+        *("-o", feed.parent / "found"),
+    )
+    assert "**The bottleneck is Carry, Come or Press**: these runs do not tell which." in done.out
+    assert "1 run of each, seed 1, 10 s of virtual time. One run has no interval" in done.out
+    assert "95 % (boot" not in done.out and "all the same" not in done.out
+    data = json.loads((feed.parent / "found" / "report.json").read_text("utf-8"))
+    assert data["quicker"]["bottleneck"] == ["Carry", "Come", "Press"]
+
+
+def test_what_was_not_tried_may_be_the_bottleneck(here: Here, trips: Path) -> None:
+    base = ("optimise", trips, "--runs", "2", "--for", "9s", "-j", "1", "-o", trips.parent / "found")
+    trips.write_text(TRIPS.replace("Rest takes 1s", ""), "utf-8")
+    done = here(*base, "--measure", "time")
+    assert "**Of the 1 that could be tried, the bottleneck is Walk.**" in done.out
+    why = "for how long they last is said by their code or the world, and not by a `takes`"
+    assert f"Not tried, {why}: Rest." in done.out
+    trips.write_text(
+        "system Loops\nsrm robot {\n  liveness { robot = Rest~ || Walk~ }\n  activities { Walk takes 2s }\n"
+        "}\nteam Loops { one : robot }\n",
+        "utf-8",
+    )
+    other = here(*base, "--measure", "Rest")
+    assert "None of the 1 that could be tried is a bottleneck" in other.out
+
+
+def test_if_nothing_was_measured_nothing_is_concluded(here: Here, feed: Path) -> None:
+    done = here(
+        *("optimise", feed, "--measure", "time", "--runs", "2", "--for", "5s", "-j", "1"),
+        *("-o", feed.parent / "found"),
+    )
+    assert done.code == 0, done.err
+    assert "**Nothing was measured:** no run gave a number." in done.out
+    assert "Every seed gave the same" not in done.out and "times as quick" not in done.out
+
+
+def test_a_run_of_no_time_is_refused(here: Here, feed: Path) -> None:
+    done = here("optimise", feed, "--measure", "Carry", "--for", "0s")
+    assert done.code == 2
+    assert "in 0s nothing can be measured" in done.err
+
+
+def test_what_an_agent_does_several_times_at_once_is_counted_as_often(here: Here, trips: Path) -> None:
+    trips.write_text(
+        "system Loads\nsrm porter {\n  liveness { porter = Carry || Lift || Lift }\n"
+        "  activities { Carry takes 1s  Lift takes 1s }\n}\nteam Loads { one : porter }\n",
+        "utf-8",
+    )
+    done = here("optimise", trips, "--measure", "time", "--runs", "1", "-o", trips.parent / "found")
+    assert "Lift 200 %, Carry 100 %" in done.out
+    assert "what an agent does several times at once is counted as often" in done.out
