@@ -69,9 +69,10 @@ def generate_batch(code: PlainCode, variables: Sequence[Array], constants: Mappi
     `variables` are those on its blackboard, `constants` the numbers of enum constants by their names there.
     """
     functions = _functions(code, constants)
-    kinds = {item.name: item.dtype for item in variables}
     arrays = [*variables, *_slots(code, variables), Array("stuck", "?")]
-    places = {("bb" if item.seen else "self", item.name): _place(item, arrays) for item in arrays}
+    owners = {("bb" if item.seen else "self", item.name): item for item in arrays}
+    kinds = {key: item.dtype for key, item in owners.items()}
+    places = {key: _place(item, arrays) for key, item in owners.items()}
     pending = sorted({item.name.removeprefix("p_") for item in arrays if item.name.startswith("p_")})
     known = _Known(kinds, tuple(pending), frozenset(functions), places)
     events = {name.removeprefix(_ON): name for name in functions if name.startswith(_ON)}
@@ -112,17 +113,12 @@ class _Function:
 class _Known:
     """What a translation has to know of the whole."""
 
-    kinds: Mapping[str, str]
-    """The NumPy type of each variable."""
+    kinds: Mapping[tuple[str, str], str]
+    """The NumPy type of what the class (`self`) and its blackboard (`bb`) have."""
     pending: tuple[str, ...]
     functions: frozenset[str]
     places: Mapping[tuple[str, str], str]
-    """Where numba finds what the class (`self`) and its blackboard (`bb`) have."""
-
-    def kind(self, slot: str) -> str:
-        """The NumPy type of a slot of the class."""
-        copy = re.fullmatch(r"v\d+_(\w+)", slot)
-        return self.kinds[copy[1]] if copy is not None else "i8"
+    """Where numba finds it."""
 
 
 def _functions(code: PlainCode, constants: Mapping[str, int]) -> dict[str, _Function]:
@@ -200,7 +196,7 @@ def _slots(code: PlainCode, variables: Sequence[Array]) -> Iterator[Array]:
         if copy is not None:
             yield Array(name, by_name[copy[1]].dtype)
         elif name not in ("bb", "writes", "now", "faulty"):
-            yield Array(name, "i8")
+            yield Array(name, "?" if f"    {name}: bool" in code.body else "i8")
     for name in sorted(set(re.findall(r"self\.writes\.append\(\(\d+, '(\w+)'", "\n".join(code.body)))):
         yield Array(f"w_{name}", by_name[name].dtype)
         yield Array(f"p_{name}", "i8", -1)
@@ -281,10 +277,8 @@ class _Translation:
                 return "?"
             case ast.Constant(value=bool()):
                 return "?"
-            case ast.Attribute(value=ast.Name("bb"), attr=name):
-                return self.known.kinds[name]
-            case ast.Attribute(value=ast.Name("self"), attr=name):
-                return self.known.kind(name)
+            case ast.Attribute(value=ast.Name(owner), attr=name):
+                return self.known.kinds[owner, name]
             case ast.Name(id=name):
                 return "?" if name in self.truths else "i8"
         return "i8"

@@ -42,9 +42,10 @@ def leaves_of(labels: str) -> tuple[str, ...]:
 class Plain:
     """A running statechart. Subclasses are generated; `semantics.md` says what a step does.
 
-    A region is an integer slot with the number of its active leaf. Nothing is active before `start`: until
-    then these slots have no value (`AttributeError`). The methods may not be called while one of them runs
-    (from a function of a condition, or from the method of an activity): `Machine` is for that.
+    A region is a slot with the number of its active leaf, or a truth where it has two. Nothing is active
+    before `start`: until then these slots have no value (`AttributeError`). The methods may not be called
+    while one of them runs (from a function of a condition, or from the method of an activity): `Machine` is
+    for that.
     """
 
     __slots__ = ()
