@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.build.build import Choice, build
 from aseme_dsl.build.course import Course, begun, doings, plain_begun, plain_player, player
 from aseme_dsl.build.drawn import drawn
-from aseme_dsl.build.recorded import Recording, recorded
+from aseme_dsl.build.recorded import NobodyThere, Recording, recorded
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.loading import importing, load_system
 from aseme_dsl.runtime.machine import Machine
@@ -134,7 +134,7 @@ def bench(
     messages = vars(loaded.modules[f"monas.{system.name}.messages"])
     wanted = [chart for chart in system.iacs if not roles or chart.name in roles]
     kinds = {chart.name: loaded.charts[chart.name] for chart in wanted}
-    recordings = [recorded(trace, system.name, kinds, messages, steps) for trace in traces]
+    recordings = recordings_of(traces, system.name, kinds, messages, steps)
     plain, refused = plain_classes(system, folder, path)
     found: list[Measured] = []
     for chart in wanted:
@@ -159,6 +159,28 @@ def bench(
         tuple(str(item.path) for item in recordings),
         tuple(item.problem for item in recordings if item.problem is not None),
     )
+
+
+def recordings_of(
+    traces: Sequence[Path],
+    system: str,
+    kinds: Mapping[str, type[Chart]],
+    messages: Mapping[str, Any],
+    most: int | None = None,
+) -> list[Recording]:
+    """What the agents of these roles got, by the traces of one run or of several.
+
+    Raises:
+        NotPlayable: a trace cannot be played, or none of them has such agents.
+    """
+    found: list[Recording] = []
+    for number, trace in enumerate(traces, 1):
+        try:
+            found.append(recorded(trace, system, kinds, messages, most))
+        except NobodyThere:
+            if number == len(traces) and not found:
+                raise
+    return found
 
 
 def _courses(recordings: Sequence[Recording], role: str) -> tuple[list[Course], tuple[Played, ...]]:
@@ -392,4 +414,5 @@ __all__ = [
     "compare",
     "plain_classes",
     "plain_pass",
+    "recordings_of",
 ]

@@ -36,6 +36,10 @@ class NotPlayable(Exception):
     """A trace is not one of these roles as they are; the text says why."""
 
 
+class NobodyThere(NotPlayable):
+    """It has no agents of these roles: another trace of the same run may have them."""
+
+
 @dataclass(frozen=True, slots=True)
 class Recording:
     """What a trace gave: the courses by role, and what has to be said of the file."""
@@ -58,7 +62,8 @@ def recorded(
     `messages` are the classes of the messages and enums that the charts read.
 
     Raises:
-        NotPlayable: it is no trace, one of another system or of other models, or has no such agents.
+        NotPlayable: it is no trace, one of another system or of other models, or (`NobodyThere`) has no such
+            agents.
     """
     try:
         reader = TraceReader(path)
@@ -184,7 +189,7 @@ class _Reading:
             )
         if not self.agents:
             played = dict.fromkeys(str(item["role"]) for item in record["agents"])
-            raise NotPlayable(
+            raise NobodyThere(
                 f"{self.path} has no agent of {' or '.join(self.kinds)}, only of {', '.join(played)}"
             )
 
@@ -317,4 +322,4 @@ def _identity(value: Sequence[Any]) -> Identity:
     return str(name), int(number)
 
 
-__all__ = ["NotPlayable", "Recording", "recorded"]
+__all__ = ["NobodyThere", "NotPlayable", "Recording", "recorded"]

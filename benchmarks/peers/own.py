@@ -15,12 +15,12 @@ from typing import Any
 
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
-from aseme_dsl.build.bench import Different, compare, plain_classes, plain_pass
+from aseme_dsl.build.bench import Different, compare, plain_classes, plain_pass, recordings_of
 from aseme_dsl.build.build import Choice, build
 from aseme_dsl.build.course import Course
 from aseme_dsl.build.drawn import drawn
 from aseme_dsl.build.project import compile_root
-from aseme_dsl.build.recorded import NotPlayable, recorded
+from aseme_dsl.build.recorded import NotPlayable
 from aseme_dsl.diagnostics import has_errors, render_text
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.loading import Loaded, load_system
@@ -102,6 +102,11 @@ def measured(
             found.roles.append(role)
             try:
                 kind = loaded.charts[chart.name]
+                if len(courses[chart.name].steps) < 2:
+                    nothing = (
+                        "it does nothing in the trace" if traces else "there is nothing that it could take"
+                    )
+                    raise Refused(nothing)
                 course = one_by_one(kind, courses[chart.name])
                 behaviour = described(system, chart, kind, course)
             except Refused as refused:
@@ -131,8 +136,8 @@ def _courses(
         return {chart.name: drawn(system, chart, kinds[chart.name], messages, STEPS, 1) for chart in charts}
     found: dict[str, list[Course]] = {name: [] for name in kinds}
     try:
-        for trace in traces:
-            for name, courses in recorded(trace, system.name, kinds, messages).courses.items():
+        for recording in recordings_of(traces, system.name, kinds, messages):
+            for name, courses in recording.courses.items():
                 found[name] += courses
     except NotPlayable as problem:
         raise ValueError(str(problem)) from problem
@@ -159,9 +164,6 @@ def _compare(
     found: Found,
 ) -> None:
     """Check and time everybody with one role."""
-    if len(course.steps) < 2:
-        role.refused = "there is nothing that it could be given"
-        return
     messages = vars(loaded.modules[f"monas.{found.system}.messages"])
     entries, exits, trail = counts.counts_of(kind.PLAN, course, messages)
     if tuple(trail) != course.trail:

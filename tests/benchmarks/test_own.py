@@ -170,6 +170,25 @@ def test_a_file_with_mistakes_or_without_the_role(tmp_path: Path) -> None:
         measured(tmp_path / "lamp.aseme", [], [tmp_path / "nowhere.jsonl"], 1, print)
 
 
+def test_a_role_that_does_nothing_in_the_trace_is_not_compared(tmp_path: Path) -> None:
+    text = """
+system S
+function f() : bool = "m:f"
+srm r { liveness { r = A . B } activities { A takes 1ms } control r { enter B : [f()] } }
+srm q { liveness { q = A } }
+"""
+    made = generate(text + "team T { ann : r }")
+    team, records = make(made, {}, until=SECOND)
+    team.run()
+    (tmp_path / "test.aseme").write_text(text + "team T { ann : r }", "utf-8")
+    (tmp_path / "run.jsonl").write_text("".join(f"{json.dumps(record)}\n" for record in records), "utf-8")
+    found = measured(tmp_path / "test.aseme", [], [tmp_path / "run.jsonl"], 1, print)
+    assert [(role.name, role.refused.partition(" (")[0]) for role in found.roles] == [
+        ("r", "functions of its own"),
+        ("q", "it does nothing in the trace"),
+    ]
+
+
 def test_the_report_names_who_is_left_out_and_why(tmp_path: Path) -> None:
     role = Role("lamp", 7, 6, 500)
     for key, seconds in ((CORE_TYPED.key, 5e-7), (SEND.key, 1e-6), (SISMIC.key, 7e-5)):

@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from aseme_dsl.build.bench import recordings_of
 from aseme_dsl.build.course import Course
 from aseme_dsl.build.recorded import NotPlayable, recorded
 from aseme_dsl.runtime import Context
@@ -178,6 +179,17 @@ def test_a_course_ends_where_the_trace_does_not_say_what_came_or_what_follows(tm
     assert first([*records[:third], swap, *records[third:]]) == (2, "then it changed its plan")
     refused = {"kind": "swap", "time": 0, "what": "refused", "reasons": ["no"]}
     assert first([*records[:third], refused, *records[third:]])[1] == ""
+
+
+def test_of_several_traces_one_has_to_have_the_role(tmp_path: Path) -> None:
+    trace, records = run_of(tmp_path)
+    strangers = [{**item, "role": "Q"} for item in records[0]["agents"]]
+    other = written(tmp_path / "other.jsonl", [{**records[0], "agents": strangers}])
+    given = "S", MADE.charts, vars(MADE.messages)
+    for traces in ([trace, other], [other, trace]):
+        assert [item.path for item in recordings_of(traces, *given)] == [trace]
+    with pytest.raises(NotPlayable, match="has no agent of R, only of Q"):
+        recordings_of([other, other], *given)
 
 
 def test_a_trace_that_cannot_be_played_says_why(tmp_path: Path) -> None:
