@@ -56,12 +56,15 @@ def listening(control: Control, output: Path, name: str) -> Iterator[Path]:
     try:
         _make_private(folder.parent)
         _make_private(folder)
-        path.unlink(missing_ok=True)  # of an earlier process of this number
+        # Under its name it is found, and removed if nobody listens: it gets that when somebody does.
+        early = path.with_suffix(".new")
+        early.unlink(missing_ok=True)  # of an earlier process of this number
         server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         try:
-            server.bind(str(path))
-            path.chmod(0o600)
+            server.bind(str(early))
+            early.chmod(0o600)
             server.listen()
+            early.replace(path)
         except OSError:
             server.close()
             raise

@@ -272,6 +272,23 @@ class TestSocket:
             with pytest.raises(ControlError, match="cannot be reached"):
                 ask(path, {"request": "status"})
 
+    def test_who_looks_while_a_run_begins_does_not_take_its_socket_for_one_that_was_left(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        import socket
+
+        listen = socket.socket.listen
+
+        def looked_at(server: socket.socket) -> None:
+            endpoints(tmp_path / "out")
+            listen(server)
+
+        monkeypatch.setattr(socket.socket, "listen", looked_at)
+        with Running() as (team, _), listening(Control(team), tmp_path / "out", "team") as path:
+            assert endpoints(tmp_path / "out") == [path]
+            assert ask(path, {"request": "status"})["system"] == "S"
+            assert [item.name for item in path.parent.iterdir()] == [path.name]
+
     def test_what_a_killed_run_has_left_is_removed(self, tmp_path: Path) -> None:
         import socket
 
