@@ -124,7 +124,7 @@ class Started:
         """What a robot's trace says of its peers so far: `robot2 there`."""
         return [f"{r['peer']} {r['what']}" for r in self.trace(robot) if r["kind"] == "peer"]
 
-    def wait_for(self, condition: Callable[[], object], seconds: float = 30.0) -> None:
+    def wait_for(self, condition: Callable[[], object], seconds: float = 60.0) -> None:
         """Fails, with what was printed, if it does not happen."""
         end = time.monotonic() + seconds
         while not condition():
@@ -151,7 +151,7 @@ class Started:
         """End it, and wait for that."""
         if self.process.poll() is None:
             self.process.send_signal(number)
-        code = self.process.wait(30)
+        code = self.process.wait(60)
         self._reader.join(10)
         if self.process.stdout is not None:
             self.process.stdout.close()

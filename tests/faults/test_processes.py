@@ -17,7 +17,7 @@ from tests.runtime.playing import check_line
 zenoh = pytest.importorskip("zenoh")
 
 
-def gone(processes: list[psutil.Process], seconds: float = 10.0) -> bool:
+def gone(processes: list[psutil.Process], seconds: float = 60.0) -> bool:
     end = time.monotonic() + seconds
     while any(p.is_running() and p.status() != psutil.STATUS_ZOMBIE for p in processes):
         if time.monotonic() > end:
@@ -117,7 +117,7 @@ def test_a_robot_can_be_asked_over_the_network(tmp_path: Path) -> None:
         question = json.dumps({"version": 1, "request": "status"})
         replies = [
             json.loads(reply.ok.payload.to_string())
-            for reply in session.get("asemec/Talk/control/robot2", payload=question, timeout=5.0)
+            for reply in session.get("asemec/Talk/control/robot2", payload=question, timeout=30.0)
             if reply.ok is not None
         ]
         assert run.end() == 130

@@ -211,7 +211,7 @@ def part(
     return Part(team, post, records)
 
 
-def wait_until(condition: Any, seconds: float = 10.0) -> None:
+def wait_until(condition: Any, seconds: float = 60.0) -> None:
     """Wait for something to become true; fails loudly if it does not."""
     end = time.monotonic() + seconds
     while not condition():
