@@ -374,8 +374,17 @@ def test_without_numpy_it_is_said_what_to_install(tmp_path: Path, monkeypatch: p
         kind(2)
 
 
-def test_a_project_that_is_checked_by_mypy_may_have_batches_in_it(tmp_path: Path) -> None:
+def test_a_project_that_is_checked_may_have_batches_in_it(tmp_path: Path) -> None:
     _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    folder = Path(str(sys.modules[kind.__module__].__file__)).parent
+    linted = subprocess.run(
+        [sys.executable, "-m", "ruff", "check", "--isolated", "--no-cache", str(folder)],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert linted.returncode == 0, linted.stdout
     package = kind.__module__.rpartition(".")[0]
     user = tmp_path / "user.py"
     user.write_text(
