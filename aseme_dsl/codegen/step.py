@@ -551,7 +551,7 @@ class _Generator(Face):
             case Received() | Lost():
                 return f"self.waiting_mail({self._letter(source, event)}) is not None"
             case Raised(name=name):
-                return f"self.happened({region}, {name!r})"
+                return f"{name!r} in self.events and ({region}, {name!r}) not in self.spent"
             case Failed():
                 return f"self.failed_inside({source!r})"
 
@@ -787,7 +787,7 @@ class _Generator(Face):
             case Received() | Lost():
                 return f"self.take_mail({self._letter(source, event)})"
             case Raised(name=name):
-                return f"self.spend_event({region}, {name!r})"
+                return f"self.spent.add(({region}, {name!r}))"
         return "pass"
 
     def _leave_leaf(

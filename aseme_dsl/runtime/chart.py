@@ -58,7 +58,6 @@ class Chart:
     __slots__ = (
         "_faults",
         "_functions",
-        "_seen_events",
         "agent",
         "chance",
         "effects",
@@ -74,6 +73,7 @@ class Chart:
         "pending",
         "queue",
         "seed",
+        "spent",
         "started",
         "taken",
         "tokens",
@@ -116,7 +116,8 @@ class Chart:
         self.outcomes: dict[str, str | None] = {}
         """How the activities of states have ended, None for those that have not; the last is the newest."""
         self.events: set[str] = set()
-        self._seen_events: set[tuple[int, str]] = set()
+        self.spent: set[tuple[int, str]] = set()
+        """The events that a transition of a region has taken in this step."""
         self.mail: dict[str, list[Mail]] = {info.label: [] for info in self.PLAN.branches}
         self.writes: list[tuple[int, str, Any]] = []
         self.pending: Callable[[], Iterable[Arrived]] = tuple
@@ -201,7 +202,7 @@ class Chart:
             return outcome
         self.now = now
         for item in inputs:
-            self._receive(item)
+            self._RECEIVE[type(item)](self, item)
         if self.WITHIN:
             self._fail_the_late()
         if not self.started:
@@ -216,35 +217,48 @@ class Chart:
         self._end_step(outcome)
         return outcome
 
-    def _receive(self, item: Input) -> None:
-        match item:
-            case Arrived():
-                boards = self.boards()
-                for region in self.READERS.get(item.channel, ()):
-                    board = boards[region]
-                    if board is None or item.written_by == self.REGIONS[region]:
-                        continue
-                    if item.identity in board.ahead:
-                        board.ahead.discard(item.identity)
-                    else:
-                        self._put(region, board, item)
-            case Completed(label, token, outcome):
-                leaf, owner, number = self.RUNNING[label]
-                runs = getattr(self, leaf) == number and label not in self.failed
-                if runs and getattr(self, owner) == token:
-                    setattr(self, leaf, number + 1)
-                    if outcome is not None:
-                        self._ended(label, outcome)
-            case Crashed(label, token, reason):
-                leaf, owner, number = self.RUNNING[label]
-                if getattr(self, leaf) == number and getattr(self, owner) == token:
-                    self.failed[label] = reason
-            case Happened(name):
-                self.events.add(name)
-            case Written(variable, value):
-                self.set_variable(variable, value)
-            case Mail():
-                self.mail[item.branch].append(item)
+    def _arrived(self, item: Arrived) -> None:
+        boards = self.boards()
+        for region in self.READERS.get(item.channel, ()):
+            board = boards[region]
+            if board is None or item.written_by == self.REGIONS[region]:
+                continue
+            if item.identity in board.ahead:
+                board.ahead.discard(item.identity)
+            else:
+                self._put(region, board, item)
+
+    def _completed(self, item: Completed) -> None:
+        leaf, owner, number = self.RUNNING[item.label]
+        runs = getattr(self, leaf) == number and item.label not in self.failed
+        if runs and getattr(self, owner) == item.token:
+            setattr(self, leaf, number + 1)
+            if item.outcome is not None:
+                self._ended(item.label, item.outcome)
+
+    def _crashed(self, item: Crashed) -> None:
+        leaf, owner, number = self.RUNNING[item.label]
+        if getattr(self, leaf) == number and getattr(self, owner) == item.token:
+            self.failed[item.label] = item.reason
+
+    def _happened(self, item: Happened) -> None:
+        self.events.add(item.name)
+
+    def _written(self, item: Written) -> None:
+        for slot in self.VARIABLES[item.variable]:
+            setattr(self, slot, item.value)
+
+    def _mailed(self, item: Mail) -> None:
+        self.mail[item.branch].append(item)
+
+    _RECEIVE: ClassVar[Mapping[type[Input], Callable[[Any, Any], None]]] = {
+        Arrived: _arrived,
+        Completed: _completed,
+        Crashed: _crashed,
+        Happened: _happened,
+        Written: _written,
+        Mail: _mailed,
+    }
 
     def _put(self, region: int, board: Board, item: Arrived) -> None:
         """Put a message on a region's board, unless too many wait there that nobody takes."""
@@ -271,16 +285,17 @@ class Chart:
     def _end_step(self, outcome: Outcome) -> None:
         if self.writes:
             self._spread_writes()
-        for board in self.boards():
-            if board is not None and board.asked and board.end_step():
-                outcome.again = True
+        if self.READERS:
+            for board in self.boards():
+                if board is not None and board.asked and board.end_step():
+                    outcome.again = True
         if self.failed and self.failure is None:
             label, reason = next(iter(self.failed.items()))
             name = self.PLAN.by_label[label].name
             self._stop(f"activity {name} of state {label} failed: {reason}")
         if self.events:
             self.events.clear()
-            self._seen_events.clear()
+            self.spent.clear()
         if self._faults:
             self._faults.clear()
         self.finished = outcome.finished = self.is_finished()
@@ -382,14 +397,6 @@ class Chart:
         value = self.chance.random()
         self.effects.append(FunctionResult("random", value))
         return value
-
-    def happened(self, region: int, name: str) -> bool:
-        """Whether an event is there for a region that has not spent it."""
-        return name in self.events and (region, name) not in self._seen_events
-
-    def spend_event(self, region: int, name: str) -> None:
-        """An event has been taken by a transition of the region."""
-        self._seen_events.add((region, name))
 
     @staticmethod
     def is_news(mark: Seen | None, seen: Seen) -> bool:
