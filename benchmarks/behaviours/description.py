@@ -60,6 +60,10 @@ class Behaviour:
     steps: tuple[tuple[str, Change], ...]
     values: tuple[tuple[str, str], ...] = ()
     """What else is on the blackboard at first, in Python."""
+    functions: tuple[tuple[str, str], ...] = ()
+    """What conditions call, by the name that it has there: `module:function`."""
+    path: tuple[str, ...] = ()
+    """The folders in which these modules are found."""
 
     @property
     def counters(self) -> tuple[str, ...]:
@@ -156,6 +160,8 @@ def as_json(behaviour: Behaviour) -> dict[str, Any]:
         "counters": list(behaviour.counters),
         "steps": [[event, [list(part) for part in change]] for event, change in behaviour.steps],
         "values": [list(item) for item in behaviour.values],
+        "functions": [list(item) for item in behaviour.functions],
+        "path": list(behaviour.path),
     }
 
 
@@ -182,4 +188,7 @@ def from_json(data: dict[str, Any]) -> Behaviour:
 
     steps = tuple((event, tuple((flag, value) for flag, value in change)) for event, change in data["steps"])
     values = tuple((name, value) for name, value in data["values"])
-    return Behaviour(data["name"], "", state(data["root"]), tuple(data["flags"]), steps, values)
+    functions = tuple((name, target) for name, target in data["functions"])
+    path = tuple(data["path"])
+    root = state(data["root"])
+    return Behaviour(data["name"], "", root, tuple(data["flags"]), steps, values, functions, path)

@@ -11,9 +11,11 @@ from __future__ import annotations
 import ast
 import math
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass, fields, is_dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, fields, is_dataclass, replace
 from enum import IntEnum
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 from aseme_dsl.amola.expression import (
@@ -35,12 +37,12 @@ from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, T
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.plain.generate import problems_of
 from aseme_dsl.build.course import Course, Given, Recorder, begun, give, runs
-from aseme_dsl.codegen.expressions import Names, converted, enum_name, evaluate, holds
+from aseme_dsl.codegen.expressions import Names, converted, enum_name, evaluate, function_key, holds
 from aseme_dsl.codegen.flat import FlatChart, Way
 from aseme_dsl.codegen.place import place
 from aseme_dsl.diagnostics import render_text
 from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.inputs import Arrived, Completed, Crashed, Happened, Written
+from aseme_dsl.runtime.inputs import Arrived, Completed, Crashed, Happened, Input, Written
 from aseme_dsl.runtime.plain import NEVER
 from benchmarks.behaviours import description
 from benchmarks.behaviours.description import Action, Behaviour, Change, Guard, State
@@ -51,6 +53,9 @@ NO_EVENT = "go_on"
 FAILURE = "failure"
 """What waits for the failure of an activity waits for this: it is never sent."""
 
+
+_KNOWN = re.compile(r"bb|m\w*\d+|call_\d+|len|abs|min|max|float|int|tuple|map")
+"""What code may name: the blackboard, locals, functions, and what Python has."""
 
 KINDS: dict[NodeType, description.Kind] = {NodeType.OR: "or", NodeType.AND: "and"}
 
@@ -74,7 +79,7 @@ def one_by_one(kind: type[Chart], course: Course) -> Course:
     for given in course.steps:
         written = tuple(item for item in given.inputs if isinstance(item, Arrived | Written))
         others = [item for item in given.inputs if not isinstance(item, Arrived | Written)]
-        alone = [(item,) for item in others if not isinstance(item, Completed)]
+        alone: list[tuple[Input, ...]] = [(item,) for item in others if not isinstance(item, Completed)]
         for item in others:
             if isinstance(item, Crashed):
                 raise Refused("an activity crashes in it")
@@ -88,13 +93,18 @@ def one_by_one(kind: type[Chart], course: Course) -> Course:
     return recorder.course()
 
 
-def described(system: System, chart: Statechart, kind: type[Chart], course: Course) -> Behaviour:
+def described(
+    system: System, chart: Statechart, kind: type[Chart], course: Course, path: Sequence[Path] = ()
+) -> Behaviour:
     """The role as a behaviour whose steps are those of a course with one input a step (`one_by_one`).
+
+    `path` are the folders in which the functions of conditions are found.
 
     Raises:
         Refused: it is no plain statechart, or has what peers have no means for; all reasons at once.
     """
-    return _Describing(system, chart).behaviour(kind, course)
+    found = _Describing(system, chart).behaviour(kind, course)
+    return replace(found, path=tuple(str(folder.resolve()) for folder in path))
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,6 +150,8 @@ class _Describing:
             (self.flat.region_number[label], item.timer) for label, item in _timers(chart)
         )
         """By the numbers of the regions that they belong to."""
+        self.functions: dict[str, tuple[str, str]] = {}
+        """The functions that are called: by overload, the name in the code and where it is found."""
         problems = tuple(problems_of(system, chart))
         if problems:
             raise Refused("it is no plain statechart", render_text(problems))
@@ -165,7 +177,8 @@ class _Describing:
         values += [(name, str(value)) for name, value in before]  # the last one counts
         steps = tuple(self.step(given) for given in course.steps[1:])
         name = re.sub(r"\W", "_", self.chart.name)
-        return Behaviour(name, self.chart.name, root, tuple(flags), steps, tuple(values))
+        functions = tuple(self.functions.values())
+        return Behaviour(name, self.chart.name, root, tuple(flags), steps, tuple(values), functions)
 
     @property
     def is_timed(self) -> bool:
@@ -269,7 +282,14 @@ class _Describing:
         region = self.flat.region_number[label]
         slots = {key: f"bb[{slot!r}]" for key, slot in self.slots.items()}
         variables = {item.name: f"bb['var_{item.name}']" for item in self.chart.variables}
-        return Names(slots, variables, self.fields, timer=lambda timer: f"bb[{_timer(region, timer)!r}]")
+        timer = partial(_timer_code, region)
+        return Names(slots, variables, self.fields, timer=timer, called=self.called)
+
+    def called(self, call: Call, arguments: Sequence[str]) -> str:
+        """The code of a call of the document's functions."""
+        names = self.functions
+        name = names.setdefault(function_key(call), (f"call_{len(names) + 1}", call.function.target))[0]
+        return f"{name}({', '.join(arguments)})"
 
     def actions(self, transition: Transition, label: str) -> Iterator[Action]:
         """What a transition out of a state does."""
@@ -293,7 +313,9 @@ class _Describing:
         text = re.sub(r"(?<![.'\w])[A-Za-z]\w*\b(?!')", lambda found: known.get(found[0], found[0]), text)
         used = {node.id for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name)}
         strange = [
-            name for name in used if not re.fullmatch(r"bb|m\w*\d+|len|abs|min|max|float|int|sqrt", name)
+            name
+            for name in used
+            if not re.fullmatch(r"bb|m\w*\d+|call_\d+|len|abs|min|max|float|int|sqrt", name)
         ]
         if strange:
             raise Refused(f"what only its runtime has: {', '.join(sorted(strange))}")
@@ -331,8 +353,6 @@ def _refused(transition: Transition) -> Iterator[str]:
     for value in values_of(expression):
         for part in walk(value):
             match part:
-                case Call(function=function) if not function.target.startswith("builtin:"):
-                    yield "functions of its own"
                 case Random():
                     yield "chance"
                 case StateValue(question=question, state=state):
@@ -353,6 +373,10 @@ def _timers(chart: Statechart) -> Iterator[tuple[str, StartTimer | Expired]]:
             for part in walk(value):
                 if isinstance(part, Expired):
                     yield item.source, part
+
+
+def _timer_code(region: int, name: str) -> str:
+    return f"bb[{_timer(region, name)!r}]"
 
 
 def _timer(region: int, name: str) -> str:

@@ -34,7 +34,7 @@ from benchmarks.peers.environment import Environment, prepare
 from benchmarks.peers.measuring import Series
 
 STEPS = 500
-"""How many inputs are drawn."""
+"""How many inputs are drawn, and how many recorded steps are played at the most: some libraries are slow."""
 SLICE = 0.05
 """Seconds of CPU time that one measurement aims at."""
 MOST = 20
@@ -108,7 +108,7 @@ def measured(
                     )
                     raise Refused(nothing)
                 course = one_by_one(kind, courses[chart.name])
-                behaviour = described(system, chart, kind, course)
+                behaviour = described(system, chart, kind, course, path)
             except Refused as refused:
                 role.refused, role.places = str(refused), refused.places
                 say(f"{chart.name} is not compared: {refused}")
@@ -129,14 +129,14 @@ def measured(
 def _courses(
     system: System, charts: Sequence[Statechart], loaded: Loaded, traces: Sequence[Path]
 ) -> dict[str, Course]:
-    """One course of each role: drawn, or the longest that is recorded."""
+    """One course of each role: drawn, or the beginning of the longest that is recorded."""
     messages = vars(loaded.modules[f"monas.{system.name}.messages"])
     kinds = {chart.name: loaded.charts[chart.name] for chart in charts}
     if not traces:
         return {chart.name: drawn(system, chart, kinds[chart.name], messages, STEPS, 1) for chart in charts}
     found: dict[str, list[Course]] = {name: [] for name in kinds}
     try:
-        for recording in recordings_of(traces, system.name, kinds, messages):
+        for recording in recordings_of(traces, system.name, kinds, messages, STEPS):
             for name, courses in recording.courses.items():
                 found[name] += courses
     except NotPlayable as problem:

@@ -21,6 +21,7 @@ from importlib import metadata
 from typing import Any
 
 from benchmarks.behaviours.description import Behaviour, from_json
+from benchmarks.peers.adapters.python_code import know_functions
 from benchmarks.peers.driving import Running, blackboard, driver, follow, with_dictionary
 
 
@@ -46,6 +47,8 @@ class Worker:
             Exception: whatever the contender raises.
         """
         behaviour = from_json(order["behaviour"]) if "behaviour" in order else None
+        if behaviour is not None:
+            know_functions(behaviour)
         match order["do"]:
             case "version":
                 distribution = getattr(self.adapter, "DISTRIBUTION", None)

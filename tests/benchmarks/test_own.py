@@ -10,6 +10,7 @@ import pytest
 from aseme_dsl.build.course import Course
 from aseme_dsl.build.drawn import drawn
 from aseme_dsl.build.recorded import recorded
+from aseme_dsl.runtime.loading import importing
 from benchmarks.behaviours.counts import counts_of
 from benchmarks.behaviours.description import (
     Behaviour,
@@ -22,6 +23,7 @@ from benchmarks.behaviours.description import (
 )
 from benchmarks.behaviours.own import Refused, described, identifier, one_by_one
 from benchmarks.peers import own_report
+from benchmarks.peers.adapters.python_code import know_functions
 from benchmarks.peers.contenders import CORE_TYPED, SEND, SISMIC, TRANSITIONS
 from benchmarks.peers.measuring import Series
 from benchmarks.peers.own import Found, Role, measured
@@ -118,6 +120,26 @@ def test_a_description_enters_and_leaves_every_state_as_often(text: str, role: s
     assert from_json(as_json(behaviour)).root == behaviour.root
 
 
+def test_functions_of_the_file_are_called(tmp_path: Path) -> None:
+    (tmp_path / "weights.py").write_text("def is_heavy(thing):\n    return thing.kilos > 3\n", "utf-8")
+    text = """
+system S
+message Thing { int kilos  optional int parts }
+topic t { state Thing }
+function is_heavy(Thing thing) : bool = "weights:is_heavy"
+srm r { liveness { r = (Wait . Lift)~ } control r { enter Lift : when [is_heavy(t.state.Thing)] } }
+"""
+    made = generate(text)
+    with importing([tmp_path]):
+        course = told(made, "r")[1]
+        chart = made.system.iacs[0]
+        behaviour = described(made.system, chart, made.charts["r"], course, [tmp_path])
+        assert behaviour.functions == (("call_1", "weights:is_heavy"),)
+        assert from_json(as_json(behaviour)).functions == behaviour.functions
+        know_functions(behaviour)
+        assert differences(made, "r", behaviour, course) == []
+
+
 def test_what_an_agent_got_in_a_run_is_told_one_by_one(tmp_path: Path) -> None:
     made = generate(WORKER + "team T { ann : worker }")
     script = [
@@ -139,9 +161,8 @@ def test_what_an_agent_got_in_a_run_is_told_one_by_one(tmp_path: Path) -> None:
     ("text", "why"),
     [
         (
-            'system S\nfunction f() : bool = "m:f"\nsrm r { liveness { r = A . B }\n'
-            "control r { enter B : [f()] } }",
-            r"functions of its own \(test.aseme:4:13\)",
+            "system S\nsrm r { liveness { r = (A . B)~ }\n control r { enter B : [in(A)] } }",
+            r"`in\(A\)` \(test.aseme:3:14\)",
         ),
         ("system S\nsrm r { liveness { r = (A . B) [> C }\ncontrol r { enter C : go } }", "cutting short"),
         (
@@ -173,8 +194,7 @@ def test_a_file_with_mistakes_or_without_the_role(tmp_path: Path) -> None:
 def test_a_role_that_does_nothing_in_the_trace_is_not_compared(tmp_path: Path) -> None:
     text = """
 system S
-function f() : bool = "m:f"
-srm r { liveness { r = A . B } activities { A takes 1ms } control r { enter B : [f()] } }
+srm r { liveness { r = A . B } activities { A takes 1ms } control r { enter B : [count(A) > 0] } }
 srm q { liveness { q = A } }
 """
     made = generate(text + "team T { ann : r }")
@@ -184,7 +204,7 @@ srm q { liveness { q = A } }
     (tmp_path / "run.jsonl").write_text("".join(f"{json.dumps(record)}\n" for record in records), "utf-8")
     found = measured(tmp_path / "test.aseme", [], [tmp_path / "run.jsonl"], 1, print)
     assert [(role.name, role.refused.partition(" (")[0]) for role in found.roles] == [
-        ("r", "functions of its own"),
+        ("r", "`count(A)`"),
         ("q", "it does nothing in the trace"),
     ]
 

@@ -2,15 +2,34 @@
 
 from __future__ import annotations
 
+import importlib
+import sys
 from collections.abc import Callable, Iterable
 from types import SimpleNamespace
 from typing import Any
 
-from benchmarks.behaviours.description import Action, Guard
+from benchmarks.behaviours.description import Action, Behaviour, Guard
 
 Blackboard = dict[str, Any]
 Send = Callable[[str], object]
 """What sends a machine an event."""
+
+
+FUNCTIONS: dict[str, Callable[..., Any]] = {}
+"""What the conditions of the present behaviour call."""
+
+
+def know_functions(behaviour: Behaviour) -> None:
+    """Import what the conditions of a behaviour call.
+
+    Raises:
+        ImportError, AttributeError: there is no such function.
+    """
+    FUNCTIONS.clear()
+    sys.path += [folder for folder in behaviour.path if folder not in sys.path]
+    for name, target in behaviour.functions:
+        module, _, function_name = target.partition(":")
+        FUNCTIONS[name] = getattr(importlib.import_module(module), function_name)
 
 
 def condition(guard: Guard, blackboard: str = "bb") -> str:
@@ -39,7 +58,7 @@ def function(parameters: str, lines: list[str], bb: Blackboard) -> Callable[...,
     """A function with these statements, that knows the blackboard as `bb`."""
     body = "".join(f"        {line}\n" for line in lines or ["pass"])
     code = f"def outer(bb):\n    def inner({parameters}):\n{body}    return inner\n"
-    namespace: dict[str, Any] = {"Message": SimpleNamespace}
+    namespace: dict[str, Any] = {"Message": SimpleNamespace, **FUNCTIONS}
     exec(code, namespace)
     made: Callable[..., Any] = namespace["outer"](bb)
     return made

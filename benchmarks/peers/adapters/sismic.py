@@ -15,7 +15,7 @@ from sismic.model import (
 )
 
 from benchmarks.behaviours.description import Behaviour, State
-from benchmarks.peers.adapters.python_code import Blackboard, Send, condition, statements
+from benchmarks.peers.adapters.python_code import FUNCTIONS, Blackboard, Send, condition, statements
 
 DISTRIBUTION = "sismic"
 
@@ -49,7 +49,7 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
     events = {event: Event(event) for event, _ in behaviour.steps}
 
     def start() -> Send:
-        interpreter = Interpreter(chart, initial_context={"bb": bb})
+        interpreter = Interpreter(chart, initial_context={"bb": bb, **FUNCTIONS})
         interpreter.execute()
         queue, execute = interpreter.queue, interpreter.execute
 
