@@ -25,7 +25,6 @@ from aseme_dsl.build.recorded import NobodyThere, Recording, recorded
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.loading import importing, load_system
 from aseme_dsl.runtime.machine import Machine
-from aseme_dsl.runtime.naming import class_name
 from aseme_dsl.runtime.plain import ActivityFailed
 
 if TYPE_CHECKING:
@@ -196,6 +195,7 @@ def plain_classes(
     system: System, folder: Path, path: Sequence[Path]
 ) -> tuple[dict[str, type[Plain]], dict[str, tuple[str, ...]]]:
     """The plain class of each role that has one; of the others, what they do that plain ones cannot."""
+    from aseme_dsl.backends.plain.generate import class_names
     from aseme_dsl.codegen.plain_limits import limits
 
     refused: dict[str, tuple[str, ...]] = {}
@@ -209,7 +209,7 @@ def plain_classes(
     build(possible, folder / "alone", Choice(only=frozenset({"plain"}), backends=("plain",)))
     with importing([folder / "alone" / "plain", *path]):
         package = import_module(system.name)
-    return {chart.name: getattr(package, class_name(chart.name)) for chart in possible.iacs}, refused
+    return {role: getattr(package, name) for role, name in class_names(possible).items()}, refused
 
 
 # ---- measuring ---------------------------------------------------------------------------------

@@ -13,6 +13,7 @@ region that uses it has a copy (`v3_x`) during the step.
 
 from __future__ import annotations
 
+import builtins
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -37,6 +38,7 @@ from aseme_dsl.amola.expression import (
     VariableValue,
     values_of,
 )
+from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, TransitionKind
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.expressions import (
@@ -81,6 +83,23 @@ _BB = f"{LOCAL}bb"
 _NOW = f"{LOCAL}now"
 """The locals that a method has if its lines use them."""
 
+TAKEN = frozenset(dir(builtins)) | {
+    *(
+        "ABSENT",
+        "NEVER",
+        "ROUNDS",
+        "ActivityFailed",
+        "Any",
+        "Callable",
+        "ClassVar",
+        "Mapping",
+        "Plain",
+        "Random",
+    ),
+    *("Unsettled", "annotations", "cache", "function_at", "leaves_of", "logging"),
+}
+"""What other names mean in a module, also in one of machine code, which has the class `Plain` in it."""
+
 STEP = ""
 """The mode of a step without an event."""
 
@@ -108,6 +127,7 @@ class PlainCode:
     class_name: str
     board_name: str
     messages: tuple[str, ...]
+    """What it imports of these, `Any as Any_` where a name is taken."""
     constants: tuple[tuple[str, str], ...]
     """Module-level names of enum constants with the expression they stand for."""
     functions: tuple[tuple[str, tuple[str, str, str]], ...]
@@ -203,9 +223,11 @@ class _Generator(Face):
         """The regions with two leaves, of which neither has two numbers."""
         self.class_name = class_name
         self.board_name = board_name
+        self.document_types = {item.name for item in system.messages} | {item.name for item in system.enums}
         self.options = options
         self.board_names = Identifiers()
-        for name in ("tracked", "changed"):
+        # The blackboard of the watched class is that of the other one, which may have these.
+        for name in ("tracked", "changed") if options.gates or options.watched else ():
             self.board_names.name(("reserved", name), name)
         for name in self.variables:
             self._on_board(name)
@@ -285,6 +307,17 @@ class _Generator(Face):
         name = self.function_names.name(key, f"_{call.function.name}")
         self.functions[name] = (call.function.target, key, str(call.type))
         return f"{name}({', '.join(arguments)})"
+
+    def _python(self, kind: Type) -> str:
+        name = super()._python(kind)
+        return self._imported(name) if kind.kind in (Kind.ENUM, Kind.MESSAGE) else name
+
+    def _imported(self, name: str) -> str:
+        """What a message or an enum is called in the module."""
+        called = name
+        while called in TAKEN or (called != name and called in self.document_types):
+            called += "_"
+        return called
 
     def _held(self, region: int) -> tuple[str, str]:
         return f"bb: {self._board_type()}", _BB
@@ -570,14 +603,17 @@ class _Generator(Face):
         board = tuple(self._board())
         body = [line for method in [head, *methods] for line in [*method, ""]]
         constants = tuple(
-            (enum_name(enum, constant), f"{enum}.{constant}") for enum, constant in sorted(self.enums)
+            (enum_name(enum, constant), f"{self._imported(enum)}.{constant}")
+            for enum, constant in sorted(self.enums)
         )
         functions = tuple(sorted(self.functions.items()))
         used = self.messages | {enum for enum, _ in self.enums}
         return PlainCode(
             self.class_name,
             self.board_name,
-            tuple(sorted(used)),
+            tuple(
+                name if name not in TAKEN else f"{name} as {self._imported(name)}" for name in sorted(used)
+            ),
             constants,
             functions,
             board,
@@ -606,8 +642,14 @@ class _Generator(Face):
         ]
         for slot, message in self._message_slots().values():
             self.messages.add(message)
-            values.append((slot, f"{message} | None", "None"))
-        document = f'"""What {docstring(self.chart.name)} knows."""'
+            values.append((slot, f"{self._imported(message)} | None", "None"))
+        called = [
+            f"The variable `{name}` is `{own}`."
+            for name in self.variables
+            if (own := self._on_board(name)) != name
+        ]
+        knows = " ".join([f"What {docstring(self.chart.name)} knows.", *called])
+        document = f'"""{knows}"""'
         if self.options.mapping:
             entries = ", ".join(f"{name!r}: {initial}" for name, _, initial in values)
             return [

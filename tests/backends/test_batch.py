@@ -403,3 +403,55 @@ def test_a_project_that_is_checked_may_have_batches_in_it(tmp_path: Path) -> Non
     )
     assert "Found 1 error in 1 file (checked 4 source files)" in done.stdout, done.stdout + done.stderr
     assert 'user.py:5: error: Incompatible types in assignment (expression has type "str"' in done.stdout
+
+
+NAMES = ("bb", "now", "r0", "r1", "t_0_2", "stuck", "moved", "writes", "w_n", "size", "sel")
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_a_variable_may_have_any_name(tmp_path: Path, engine: str) -> None:
+    lines = "".join(f"  var {name} : int = {number}\n" for number, name in enumerate(NAMES))
+    text = f"""
+system S
+srm R {{
+{lines}  var n : int = 0
+  liveness {{ R = (A . both . D)~  both = B . E || C . F }}
+  control R {{
+    enter both : go [{" + ".join(NAMES)} > 3] / {"; ".join(f"{name} = {name} + 1" for name in NAMES)}
+    enter D : go [n > 1] / n = 0
+    enter D : after(3s)
+  }}
+  control both {{ enter E : tick / n = n + 1  enter F : tick [n < 5] / n = n + 2 }}
+}}
+"""
+    plain, batch = made(system_of(text), tmp_path, "R")
+    together = Together(plain, batch, 3, (engine,))
+    together.start()
+    draw = random.Random(3)
+    for step in range(30):
+        together.time(step * 500_000_000)
+        together.set(draw.randrange(3), "r0", draw.randrange(4))
+        together.send(draw.choice(("tick", "go")))
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_what_a_plain_blackboard_calls_otherwise_is_called_as_in_the_document(
+    tmp_path: Path, engine: str
+) -> None:
+    text = """
+system S
+srm R {
+  var changed : int = 0
+  var tracked : int = 7
+  liveness { R = A . (B || C) . D }
+  control R {
+    enter (B || C) : go [tracked > 0] / changed = changed + 1; tracked = changed
+    enter D : go / tracked = 5
+  }
+}
+"""
+    _, batch = made(system_of(text), tmp_path, "R")
+    robots = batch(2, engine)
+    robots.start()
+    assert robots.send("go").tolist() == [True, True]
+    assert (robots.bb.changed.tolist(), robots.bb.tracked.tolist()) == ([1, 1], [1, 1])

@@ -12,7 +12,9 @@ import pytest
 
 from aseme_dsl.backends.backend import BackendOptions, Refused
 from aseme_dsl.backends.plain import BACKEND
-from aseme_dsl.codegen.plain import PlainOptions
+from aseme_dsl.backends.plain import generate as generate_module
+from aseme_dsl.codegen.plain import TAKEN, PlainOptions
+from aseme_dsl.runtime import plain as runtime
 from tests.support.generated import generate, system_of
 from tests.support.plain_engine import plain_class
 
@@ -308,3 +310,80 @@ def test_a_method_that_raises_leaves_every_region_somewhere(wrong: str) -> None:
         if chart.finished:
             chart.start()
     assert seen
+
+
+def test_a_variable_that_cannot_keep_its_name_is_told_of(tmp_path: Path) -> None:
+    text = """
+system S
+srm R {
+  var changed : int = 0
+  var n : int = 0
+  liveness { R = A . B }
+  control R { enter B : go / changed = changed + 1; n = changed }
+}
+"""
+    module = (built(tmp_path, text) / "S" / "R.py").read_text("utf-8")
+    assert '"""What R knows. The variable `changed` is `changed_2`."""' in module
+
+
+COLLIDING = """
+system B
+
+enum Any { RED }
+message Light { bool on }
+message Random { int x }
+message Plain { int x  Random inner }
+topic room { state Light, Random, Plain }
+
+srm light {
+  var shown : Any = Any.RED
+  var chance : double = 0.0
+  liveness { light = A . B . C }
+  control light {
+    enter B : ev [room.state.Light.on && room.state.Random.x > 1 && shown == Any.RED]
+    enter C : ev [room.state.Plain.inner.x > 1] / chance = random()
+  }
+}
+srm fast_lane { liveness { fast_lane = A . B } control fast_lane { enter B : ev } }
+srm FastLane { liveness { FastLane = A . B } control FastLane { enter B : ev } }
+srm any { liveness { any = A . B } control any { enter B : ev } }
+srm plain { liveness { plain = A . B } control plain { enter B : ev } }
+srm Exception { liveness { Exception = A . B } control Exception { enter B : ev [1 / 0 > 1] } }
+"""
+
+
+def test_no_class_has_the_name_of_another_or_of_a_message(tmp_path: Path) -> None:
+    folder = built(tmp_path, COLLIDING)
+    program = """
+import B
+from B.messages import Light, Plain, Random
+
+chart = B.LightChart()
+chart.start()
+chart.bb.room_state_Light = Light(on=True)
+chart.bb.room_state_Random = Random(x=2)
+print(chart.send("ev"))
+chart.bb.room_state_Plain = Plain(x=1, inner=Random(x=3))
+print(chart.send("ev"), chart.configuration())
+print([name for name in B.__all__ if not name.endswith("Blackboard")])
+for kind in (B.AnyChart, B.PlainChart, B.FastLane, B.FastLaneChart, B.ExceptionChart):
+    one = kind()
+    one.start()
+    print(one.send("ev"), end=" ")
+"""
+    done = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True)
+    assert done.stdout.splitlines() == [
+        "True",
+        "True ('0.4',)",
+        "['AnyChart', 'ExceptionChart', 'FastLane', 'FastLaneChart', 'LightChart', 'PlainChart']",
+        "True True True True False ",
+    ], done.stderr
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "B"], cwd=folder, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stdout
+
+
+def test_what_is_taken_is_all_that_a_module_has() -> None:
+    assert {name for name in vars(runtime) if not name.startswith("_")} <= TAKEN
+    assert {*generate_module._RUNTIME, *(n for _, names in generate_module._STANDARD for n in names)} <= TAKEN

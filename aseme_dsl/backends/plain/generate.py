@@ -10,7 +10,7 @@ from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions, Refused
 from aseme_dsl.backends.shared.generate import environment, messages_file, rendered, source_of, tidy
-from aseme_dsl.codegen.plain import PlainOptions, generate_plain
+from aseme_dsl.codegen.plain import TAKEN, PlainOptions, generate_plain
 from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.runtime.naming import class_name, usable
@@ -43,7 +43,10 @@ class PlainBackend:
         if problems:
             raise Refused(tuple(problems))
         templates = environment(options, Path(__file__).parent / "templates")
-        roles = [(chart.name, module_of(chart.name), classes_of(chart)) for chart in system.iacs]
+        called = class_names(system)
+        roles = [
+            (chart.name, module_of(chart.name), classes_of(called[chart.name])[:2]) for chart in system.iacs
+        ]
         names = sorted(name for _, _, classes in roles for name in classes)
         exported = f"[{', '.join(map(_quoted, names))}]"
         known = {"system": system, "source": source_of(system), "roles": roles, "exported": exported}
@@ -53,16 +56,31 @@ class PlainBackend:
         ]
         for chart in system.iacs:
             path = f"{system.name}/{module_of(chart.name)}"
-            artefacts.append(Artefact(f"{path}.py", module_text(system, chart, options)))
-            told = module_text(system, chart, options, PlainOptions(watched=True, gates=False), board=True)
+            name = called[chart.name]
+            artefacts.append(Artefact(f"{path}.py", module_text(system, chart, options, name=name)))
+            watched = PlainOptions(watched=True, gates=False)
+            told = module_text(system, chart, options, watched, board=True, name=name)
             artefacts.append(Artefact(f"{path}{WATCHED}.py", told))
         return tuple(artefacts)
 
 
-def classes_of(chart: Statechart) -> tuple[str, str]:
-    """The classes of the module of a role: its statechart, and its blackboard."""
-    name = class_name(chart.name)
-    return name, f"{name}Blackboard"
+def class_names(system: System) -> dict[str, str]:
+    """The class of each role: no other class of the package, no message and no enum is called so."""
+    found: dict[str, str] = {}
+    taken = TAKEN.union((m.name for m in system.messages), (e.name for e in system.enums))
+    for chart in system.iacs:
+        wish = name = class_name(chart.name)
+        number = 1
+        while not taken.isdisjoint(classes_of(name)):
+            name, number = f"{wish}Chart{number if number > 1 else ''}", number + 1
+        taken |= {*classes_of(name)}
+        found[chart.name] = name
+    return found
+
+
+def classes_of(name: str) -> tuple[str, str, str]:
+    """The class of a role's statechart and what belongs to it: its blackboard, the class that is watched."""
+    return name, f"{name}Blackboard", f"Watched{name}"
 
 
 def _quoted(name: str) -> str:
@@ -81,13 +99,19 @@ def module_text(
     plain: PlainOptions | None = None,
     *,
     board: bool = False,
+    name: str = "",
 ) -> str:
-    """The module with the class of a role; with `board`, the blackboard is of the role's other module."""
+    """The module with the class of a role; with `board`, the blackboard is of the role's other module.
+
+    `name` is what `class_names` calls it, if that is known.
+    """
     templates = environment(options, Path(__file__).parent / "templates")
-    name, its_board = classes_of(chart)
-    prefix = "Watched" if plain is not None and plain.watched else ""
-    code = generate_plain(system, chart, prefix + name, plain, its_board)
-    used_messages = code.messages if not board else tuple(item for item in code.messages if code.needs(item))
+    name, its_board, watched = classes_of(name or class_names(system)[chart.name])
+    is_watched = plain is not None and plain.watched
+    code = generate_plain(system, chart, watched if is_watched else name, plain, its_board)
+    used_messages = (
+        code.messages if not board else tuple(item for item in code.messages if code.needs(item.split()[-1]))
+    )
     standard = [
         f"from {module} import {', '.join(found)}"
         for module, names in _STANDARD
