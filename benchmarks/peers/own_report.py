@@ -32,7 +32,7 @@ def written(found: Found, into: Path) -> Path:
                 run = "peers" if contender.group == "peer" else "ours"
                 results.series[run, role.name, contender.key] = role.series[contender.key]  # type: ignore[index]
     if results.series:
-        (into / f"{stem}.svg").write_text(plot_of(results, titles, "Machine.send"), encoding="utf-8")
+        (into / f"{stem}.svg").write_text(plot_of(results, titles, BESIDE), encoding="utf-8")
     (into / f"{stem}.json").write_text(json.dumps(asdict(found), indent=1) + "\n", encoding="utf-8")
     report = into / f"{stem}.md"
     text = "\n".join(lines(found, f"{stem}.svg" if results.series else ""))
