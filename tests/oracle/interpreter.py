@@ -417,11 +417,13 @@ class Reference:
         without one, T's region's entry." """
         inside = [label, *self.around(label)]
         inside = inside[: inside.index(self.region_of(label)) + 1]
-        for state, parent in pairwise(inside):
-            ways = [way for way in self.plan.transitions if way.kind == "way"]
-            if any((way.source, way.target) == (state, state) for way in ways):
-                return parent
-        return inside[-1]
+        return next((parent for state, parent in pairwise(inside) if state in self.repeated), inside[-1])
+
+    @cached_property
+    def repeated(self) -> set[str]:
+        """The states with a transition to themselves."""
+        ways = [way for way in self.plan.transitions if way.kind == "way"]
+        return {way.source for way in ways if way.source == way.target}
 
     def count_entry(self, label: str) -> None:
         self.entries |= dict.fromkeys(self.counted_in.get(label, ()), 0)
