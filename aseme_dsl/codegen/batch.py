@@ -17,6 +17,7 @@ import ast
 import operator
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from copy import deepcopy
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -149,14 +150,47 @@ class _Constants(ast.NodeTransformer):
         return ast.Constant(self._constants[node.id]) if node.id in self._constants else node
 
 
+_PRESENT = ast.Constant(True)
+"""What is no longer asked."""
+
+
 class _WithoutFaults(ast.NodeTransformer):
-    """What may fail is refused: so what is tried is simply done, and a condition has no arguments."""
+    """What may fail or be absent is refused: what is tried is done, and a condition has no arguments.
+
+    What is true, false or absent is `(v := True if C else False if D else None) is not None` before it is
+    used. Here it is never absent, and `v` is C.
+    """
+
+    def __init__(self) -> None:
+        self._truths: dict[str, ast.expr] = {}
 
     def visit_Try(self, node: ast.Try) -> list[ast.stmt]:
-        return [self.visit(item) for item in node.body]
+        self.generic_visit(node)
+        return node.body
 
-    def visit_If(self, node: ast.If) -> ast.AST | None:
-        return None if ast.unparse(node.test) == "self.faulty" else self.generic_visit(node)
+    def visit_If(self, node: ast.If) -> ast.AST | list[ast.stmt] | None:
+        if ast.unparse(node.test) == "self.faulty":
+            return None
+        self.generic_visit(node)
+        return node.body if node.test is _PRESENT else node
+
+    def visit_Compare(self, node: ast.Compare) -> ast.AST:
+        match node:
+            case ast.Compare(
+                left=ast.NamedExpr(target=target, value=ast.IfExp(test=test)), ops=[ast.IsNot()]
+            ):
+                self._truths[target.id] = self.visit(test)
+                return _PRESENT
+        return self.generic_visit(node)
+
+    def visit_BoolOp(self, node: ast.BoolOp) -> ast.AST:
+        self.generic_visit(node)
+        if isinstance(node.op, ast.And):
+            node.values = [value for value in node.values if value is not _PRESENT] or [_PRESENT]
+        return node if len(node.values) > 1 else node.values[0]
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        return deepcopy(self._truths[node.id]) if node.id in self._truths else node
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
         if re.fullmatch(r"self\._holds_\d+", ast.unparse(node.func)):

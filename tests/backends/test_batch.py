@@ -338,6 +338,8 @@ srm adder {
     enter B : back [pause / 2 > 1s || near] / real = level / 3; pause = pause * 0.3
     enter B : less [min(level, 3) < max(real, level) && abs(real) < 9] / real = min(real, level) - abs(real)
     enter B : same [min(1, 2) == 1 && 7 % -4 == -1 && abs(-2) == 2] / pause = 1s / 3 + 2s * 0.25
+    enter B : truths [(pause + 1s > 2s && near) != (level % 2 == 0)] / near = pause + 1s > 3s && !near
+    enter B : also / near = ((pause - 1s > 1s || near) == (level % 3 > 1)) != near
     leave B : go [pause - 1s < 5s] / pause = pause * 2 / -3
     leave B :
     repeat (A . B) : / real = real % -0.7; level = level - 3
@@ -348,12 +350,13 @@ srm adder {
     together = Together(plain, kind, 8, ("numpy", "numba"))  # numba compiles
     together.start()
     draw = random.Random(3)
-    for _ in range(40):
+    for _ in range(60):
         for instance in range(8):
+            together.set(instance, "near", draw.random() < 0.5)
             together.set(instance, "level", draw.randrange(-9, 9))
             together.set(instance, "real", draw.uniform(-5, 5))
             together.set(instance, "pause", draw.randrange(-4 * 10**9, 4 * 10**9))
-        together.send(draw.choice(("go", "back", "less", "same")))
+        together.send(draw.choice(("go", "back", "less", "same", "truths", "also")))
     assert len(set(together.batches["numpy"].bb.real)) > 4
 
 
