@@ -17,6 +17,7 @@ from aseme_dsl.build.write import DISK, Disk, Planned, Written, write
 from aseme_dsl.diagnostics import NO_POLICY, Diagnostic, Policy, has_errors, in_order
 
 if TYPE_CHECKING:
+    from aseme_dsl.amola.statechart import Statechart
     from aseme_dsl.amola.system import System
     from aseme_dsl.backends.backend import Artefact, Known
     from aseme_dsl.diagrams import Drawing
@@ -41,7 +42,9 @@ class Choice:
     backends: tuple[str, ...] = ("monas",)
     """The first that makes agents is the one whose agents are played."""
     roles: Mapping[str, str] = field(default_factory=dict)
-    """The backend of a role, where it is not that one."""
+    """The backend whose agents play a role, where it is not that one."""
+    classes: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Of backends that make no agents and are not asked for all roles: for which."""
     activities: Path | None = None
     templates: Path | None = None
     expressions: str = "numbered"
@@ -64,7 +67,7 @@ class Choice:
     @property
     def generated(self) -> tuple[str, ...]:
         """All backends that are to generate something."""
-        return tuple(dict.fromkeys((*self.backends, *self.roles.values())))
+        return tuple(dict.fromkeys((*self.backends, *self.roles.values(), *self.classes)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +112,7 @@ def build(
     system = with_labels(system, choice.labels)
     backends = [name for name in choice.generated if not choice.only or name in choice.only]
     backends += sorted(name for name in choice.only if name not in (*PARTS, *backends))
+    backends = [name for name in backends if _charts(system, name, choice)]
     parts = [part for part in PARTS if not choice.only or part in choice.only]
     files: list[Planned] = []
     notes: list[str] = []
@@ -172,14 +176,22 @@ def choose(
     Of the `backends`, those that are `ROLE=NAME` are for a role; one for all makes what the project says of
     its roles void.
     """
+    from aseme_dsl.backends.backend import AGENTS
+
     given = tuple(dict.fromkeys(backends))
-    plain = tuple(name for name in given if "=" not in name)
-    roles = {} if plain else dict(configuration.roles)
-    roles |= dict(name.split("=", 1) for name in given if "=" in name)
+    for_all = tuple(name for name in given if "=" not in name)
+    for_roles = [] if for_all else list(configuration.roles.items())
+    for_roles += [(role, name) for role, _, name in (item.partition("=") for item in given) if name]
+    chosen = for_all or configuration.backends or ("monas",)
+    classes: dict[str, frozenset[str]] = {}
+    for role, name in for_roles:
+        if name not in (*AGENTS, *chosen):
+            classes[name] = classes.get(name, frozenset()) | {role}
     return Choice(
         frozenset(only),
-        plain or configuration.backends or ("monas",),
-        roles,
+        chosen,
+        {role: name for role, name in for_roles if name in AGENTS},
+        classes,
         activities or configuration.activities,
         templates or configuration.templates,
         configuration.expressions or "numbered",
@@ -295,12 +307,20 @@ def _proto(system: System, known: Known) -> Iterator[Planned]:
             yield _planned(known, f"{PROTO}/{file.name}", file.text, PROTO)
 
 
+def _charts(system: System, name: str, choice: Choice) -> tuple[Statechart, ...]:
+    """The statecharts of which a backend is to make code."""
+    roles = choice.classes.get(name)
+    return system.iacs if roles is None else tuple(chart for chart in system.iacs if chart.name in roles)
+
+
 def _code(system: System, name: str, folder: Path, choice: Choice, known: Known) -> tuple[Planned, ...]:
     """What a backend generates, in a folder of its name; what is the user's goes among the activities."""
     from aseme_dsl.backends.backend import AGENTS, BackendOptions, find_backend
 
     activities = activities_folder(folder, choice, name)
     owner = AGENTS[0] if name in AGENTS else name
+    if name in choice.classes:
+        system = replace(system, iacs=_charts(system, name, choice))
     artefacts = find_backend(name).generate(system, BackendOptions(choice.templates, known))
     whole = [(artefact, known.whole(artefact.text)) for artefact in artefacts]
     return known.each(_of_artefact, whole, name, owner, str(folder), str(activities))

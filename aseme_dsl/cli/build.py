@@ -164,6 +164,7 @@ def _built(
                 choice,
                 chosen["backends"],
                 [c.name for one in compiled if one.system for c in one.system.iacs],
+                plays=False,
             )
             if choice.native:
                 _check_native(choice)

@@ -246,19 +246,18 @@ def play_backend_option(command: CommandT) -> CommandT:
     return backend_option(text)(command)
 
 
-def check_choice(choice: Choice, asked: Iterable[str], roles: Iterable[str]) -> None:
-    """Refuse, as wrong use, backends that there are not, or that make no agents for a role, and roles that
-    were `asked` for (`ROLE=NAME`) and are not in the system."""
+def check_choice(choice: Choice, asked: Iterable[str], roles: Iterable[str], *, plays: bool = True) -> None:
+    """Refuse, as wrong use, backends that there are not, and of those `asked` for (`ROLE=NAME`) roles that
+    are not in the system and, for what `plays` agents, backends that make none."""
     from aseme_dsl.backends.backend import AGENTS
 
     check_backends(choice.generated)
-    for role, name in choice.roles.items():
-        if name not in AGENTS:
-            raise click.UsageError(f"{name} makes no agents: {role} can have one of {', '.join(AGENTS)}.")
     known = list(roles)
     for item in asked:
-        role = item.partition("=")[0]
-        if "=" in item and role not in known:
+        role, given, name = item.partition("=")
+        if given and plays and name not in AGENTS:
+            raise click.UsageError(f"{name} makes no agents: {role} can have one of {', '.join(AGENTS)}.")
+        if given and role not in known:
             near = closest(role, known)
             hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(known) or 'none'}."
             raise click.UsageError(f"There is no role {role!r}. {hint}")

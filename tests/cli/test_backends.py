@@ -235,7 +235,6 @@ def test_a_role_of_one_of_several_systems(here: Here, folder: Path) -> None:
         (["--backend", "jadelike"], "There is no backend 'jadelike'. Did you mean 'jade_like'?"),
         (["--backend", "robot=jadelike"], "There is no backend 'jadelike'. Did you mean 'jade_like'?"),
         (["--backend", "robt=jade_like"], "There is no role 'robt'. Did you mean 'robot'?"),
-        (["--backend", "robot=plain"], "plain makes no agents: robot can have one of monas, jade_like."),
     ],
 )
 @pytest.mark.parametrize("command", ["build", "run"])
@@ -271,3 +270,37 @@ def test_packages_of_different_models_are_no_team(here: Here, folder: Path) -> N
     done = here("run", "out", "--backend", "monas", "--backend", "robot=jade_like")
     assert done.code == 1
     assert "are of different models: build both" in done.err
+
+
+LISTENS = TWO.replace("state Seen }", "state Seen  signal Seen }").replace(
+    "srm watcher {", "srm watcher { control watcher { enter Watch : [eyes.signal.Seen.ball] }"
+)
+
+
+def test_a_plain_class_is_made_of_the_roles_that_are_asked_for(here: Here, folder: Path) -> None:
+    (folder / "pair.aseme").write_text(LISTENS)
+    refused = here("build", "pair.aseme", "--only", "plain")
+    assert (refused.code, "E320" in refused.err) == (1, True)
+    done = here("build", "pair.aseme", "--only", "plain", "--backend", "walker=plain")
+    assert done.code == 0, done.err
+    package = {"plain/Pair/__init__.py", "plain/Pair/messages.py"}
+    assert files(folder / "out") == package | {"plain/Pair/walker.py", "plain/Pair/walker_watched.py"}
+    assert (folder / "out/plain/Pair/__init__.py").read_text().count("Watcher") == 0
+
+
+def test_plain_classes_of_some_roles_are_made_beside_the_agents_of_all(here: Here, folder: Path) -> None:
+    (folder / "pair.aseme").write_text(LISTENS)
+    (folder / "pyproject.toml").write_text('[tool.asemec.roles]\nwalker = "plain"\n')
+    done = here("build", "pair.aseme")
+    assert done.code == 0, done.err
+    made = files(folder / "out")
+    assert {"monas/Pair/walker/step.py", "monas/Pair/watcher/step.py", "plain/Pair/walker.py"} <= made
+    assert "plain/Pair/watcher.py" not in made
+    played = here("run", "pair.aseme", "--for", "1s")
+    assert played.code == 0, played.err
+
+
+def test_what_plays_agents_has_no_use_for_a_plain_class(here: Here, folder: Path) -> None:
+    done = here("run", "good.aseme", "--backend", "robot=plain")
+    assert done.code == 2
+    assert "plain makes no agents: robot can have one of monas, jade_like." in done.err

@@ -138,7 +138,7 @@ def problems_of(system: System, chart: Statechart) -> Iterator[Diagnostic]:
         limits(chart, system.activities),
         "E320",
         what,
-        "the other backends make agents of the roles, which can",
+        "another backend makes agents of the roles, which can; `--backend ROLE=plain` leaves other roles out",
     )
 
 
