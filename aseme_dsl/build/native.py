@@ -46,7 +46,7 @@ def compiled(files: Iterable[Planned]) -> Iterator[Planned]:
     modules = [file for file in files if _is_chart(file)]
     if not modules:
         return
-    _check_mypyc()
+    check_installed()
     others = {file.path: file.content for file in files}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for made in pool.map(lambda file: _compiled(file, others), modules):
@@ -60,11 +60,17 @@ def _is_chart(file: Planned) -> bool:
     return f"from {_BASE} import ".encode() in file.content
 
 
-def _check_mypyc() -> None:
+def check_installed() -> None:
+    """Look whether what the extra `native` brings is there.
+
+    Raises:
+        NativeError: it is not.
+    """
     from importlib.util import find_spec
 
-    if find_spec("mypyc") is None:
-        raise NativeError("--native needs mypyc: pip install 'aseme-dsl[native]'")
+    for name in ("mypyc", "setuptools"):
+        if find_spec(name) is None:
+            raise NativeError(f"--native needs {name}: pip install 'aseme-dsl[native]'")
 
 
 def _compiled(file: Planned, others: dict[str, bytes]) -> list[Planned]:
@@ -134,8 +140,6 @@ def _reason(done: subprocess.CompletedProcess[str]) -> str:
     """The last line that says something is wrong."""
     lines = [line for line in (done.stdout + done.stderr).splitlines() if line.strip()]
     wrong = [line for line in lines if re.search(r"error|No module|not found|failed", line)]
-    if any("setuptools" in line for line in wrong):
-        return "setuptools is missing: pip install 'aseme-dsl[native]'"
     return (wrong or lines or [f"mypyc ended with {done.returncode}"])[-1].strip()
 
 
@@ -163,4 +167,4 @@ def _is_left_out(node: ast.stmt, others: Iterable[str]) -> bool:
     return False
 
 
-__all__ = ["NativeError", "compiled", "native_source", "run_mypyc"]
+__all__ = ["NativeError", "check_installed", "compiled", "native_source", "run_mypyc"]

@@ -177,11 +177,15 @@ def _built(
 
 
 def _check_native(choice: Choice) -> None:
-    """Raises a usage error if nothing is generated that could be compiled."""
-    from aseme_dsl.build.native import BACKEND
+    """Raises a usage error if nothing is generated that could be compiled; another where mypyc is missing."""
+    from aseme_dsl.build.native import BACKEND, NativeError, check_installed
 
     if BACKEND not in (choice.only or choice.generated):
         raise click.UsageError(f"--native compiles what --backend {BACKEND} makes: ask for that, too.")
+    try:
+        check_installed()
+    except NativeError as problem:
+        raise click.ClickException(str(problem)) from problem
 
 
 def _once(do: Callable[[Workshop], _Done], workshop: Workshop) -> Done:

@@ -16,7 +16,7 @@ import pytest
 from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.plain.generate import module_text
 from aseme_dsl.build.native import native_source, run_mypyc
-from tests.cli.support import asemec
+from tests.cli.support import Here, asemec
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices
 from tests.oracle.plain import without_limits
@@ -116,16 +116,44 @@ print(json.dumps([module.__file__, seen]))
 """
 
 
-def play(folder: Path) -> tuple[str, object]:
+TYPES = """\
+from plain.Room import Lamp
+from plain.Room.messages import Light
+
+lamp = Lamp()
+lamp.start()
+
+def tell(call):
+    try:
+        call()
+    except TypeError as error:
+        print(type(error).__name__)
+    else:
+        print("taken")
+
+for name, value in (("notes", 2.5), ("notes", None), ("tired", 1), ("held", "x"), ("notes", "3")):
+    tell(lambda: setattr(lamp.bb, name, value))
+lamp.bb.room_state_Light = Light(spots=[3])
+reach = lamp.configuration()[-1]
+tell(lambda: lamp.done(reach))
+tell(lambda: type("Own", (Lamp,), {})())
+"""
+
+
+def run(program: str, folder: Path) -> str:
     root = str(Path(__file__).parents[2])
     done = subprocess.run(
-        [sys.executable, "-c", GAME],
+        [sys.executable, "-c", program],
         cwd=folder,
         env={**os.environ, "PYTHONPATH": root},
         capture_output=True,
     )
     assert done.returncode == 0, done.stderr.decode()
-    file, seen = json.loads(done.stdout)
+    return done.stdout.decode()
+
+
+def play(folder: Path) -> tuple[str, object]:
+    file, seen = json.loads(run(GAME, folder))
     return file, seen
 
 
@@ -140,6 +168,8 @@ def test_machine_code_does_the_same_and_goes_when_it_is_not_asked_for(tmp_path: 
     assert done.code == 0, done.err
     file, native = play(folder)
     assert not file.endswith(".py")
+    checked = run(TYPES, folder)
+    assert checked.splitlines() == ["TypeError"] * 7, checked
     again = asemec(*build, cwd=tmp_path)
     assert again.code == 0, again.err
     file, plain = play(folder)
@@ -205,11 +235,14 @@ def test_a_compiler_that_fails_leaves_nothing(tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
-def test_mypyc_that_is_missing_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    from aseme_dsl.build import native
-    from aseme_dsl.build.write import Planned
-
-    monkeypatch.setitem(sys.modules, "mypyc", None)
-    file = Planned("plain/Room/lamp.py", b"from aseme_dsl.runtime.plain import Plain\n", "plain")
-    with pytest.raises(native.NativeError, match=r"pip install 'aseme-dsl\[native\]'"):
-        list(native.compiled([file]))
+@pytest.mark.parametrize("name", ["mypyc", "setuptools"])
+def test_what_is_missing_is_said_as_elsewhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    (tmp_path / "room.aseme").write_text(ROOM, "utf-8")
+    monkeypatch.setitem(sys.modules, name, None)
+    build = ("build", tmp_path / "room.aseme", "--only", "plain", "--native", "-o", tmp_path / "out")
+    done = Here(capsys)(*build)
+    assert done.code == 1
+    assert done.err.strip() == f"Error: --native needs {name}: pip install 'aseme-dsl[native]'"
+    assert not (tmp_path / "out").exists()
