@@ -231,7 +231,7 @@ def _slots(code: PlainCode, variables: Sequence[Array]) -> Iterator[Array]:
             yield Array(name, by_name[copy[1]].dtype)
         elif name not in ("bb", "writes", "now", "faulty"):
             yield Array(name, "?" if f"    {name}: bool" in code.body else "i8")
-    for name in sorted(set(re.findall(r"self\.writes\.append\(\(\d+, '(\w+)'", "\n".join(code.body)))):
+    for name in sorted(set(re.findall(r"self\.writes = \(\d+, '(\w+)'", "\n".join(code.body)))):
         yield Array(f"w_{name}", by_name[name].dtype)
         yield Array(f"p_{name}", "i8", -1)
 
@@ -318,17 +318,13 @@ class _Translation:
         return "i8"
 
     def writes(self, node: ast.stmt) -> tuple[int, str, ast.expr] | None:
-        """The region, the variable and the value of `self.writes.append((region, name, value))`."""
+        """The region, the variable and the value of `self.writes = (region, name, value, self.writes)`."""
         match node:
-            case ast.Expr(
-                value=ast.Call(
-                    func=ast.Attribute(value=ast.Attribute(attr="writes"), attr="append"),
-                    args=[
-                        ast.Tuple(
-                            elts=[ast.Constant(value=int(region)), ast.Constant(value=str(name)), value]
-                        )
-                    ],
-                )
+            case ast.Assign(
+                targets=[ast.Attribute(attr="writes")],
+                value=ast.Tuple(
+                    elts=[ast.Constant(value=int(region)), ast.Constant(value=str(name)), value, _]
+                ),
             ):
                 return region, name, value
         return None
@@ -343,7 +339,7 @@ class _Translation:
 
 
 def _is_spreading(node: ast.stmt) -> bool:
-    return isinstance(node, ast.If) and ast.unparse(node.test) == "self.writes"
+    return isinstance(node, ast.If) and ast.unparse(node.test) == "self.writes is not None"
 
 
 def _exits(node: ast.stmt) -> bool:
@@ -669,7 +665,7 @@ class _Elements(ast.NodeTransformer):
         assert isinstance(node.func, ast.Name) and node.func.id in _BUILT_IN, ast.unparse(node)
         return self.generic_visit(node)
 
-    def visit_Expr(self, node: ast.Expr) -> ast.AST | list[ast.stmt]:
+    def visit_Assign(self, node: ast.Assign) -> ast.AST | list[ast.stmt]:
         written = self._translation.writes(node)
         if written is None:
             return self.generic_visit(node)

@@ -79,6 +79,10 @@ def _of_board(timer: str) -> str:
     return f"b.timers.get({timer!r}, NEVER)"
 
 
+def _of_engine(labels: tuple[str, ...]) -> str:
+    return f"self.outcomes.get({labels[0]!r})" if len(labels) == 1 else f"self.last_outcome({labels!r})"
+
+
 @dataclass
 class Names:
     """The names of one generated method and what the emitted code turned out to use."""
@@ -92,6 +96,8 @@ class Names:
     enums: set[tuple[str, str]] = field(default_factory=set)
     outcomes: Callable[[str], tuple[str, ...]] = _none
     """The states whose outcome is asked for by an activity's name."""
+    last_outcome: Callable[[tuple[str, ...]], str] = _of_engine
+    """The code for the outcome of that of some states which was entered or has ended last."""
     states: Callable[[StateValue], str] = _nowhere
     """The code that answers a question about a state."""
     timer: Callable[[str], str] = _of_board
@@ -363,9 +369,8 @@ def _contains(value: Contains, word: str, names: Names, known: Known) -> Piece:
 
 def _outcome(activity: str, names: Names, known: Known) -> Piece:
     labels = names.outcomes(activity)
-    asked = f"outcomes.get({labels[0]!r})" if len(labels) == 1 else f"last_outcome({labels!r})"
     local = names.local()
-    return Piece(local, (f"({local} := self.{asked}) is not None",), known)
+    return Piece(local, (f"({local} := {names.last_outcome(labels)}) is not None",), known)
 
 
 def _call(value: Call, names: Names, known: Known) -> Piece:

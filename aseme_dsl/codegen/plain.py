@@ -241,16 +241,24 @@ class _Generator(Face):
         self.gates: dict[str, frozenset[str]] = {}
         """What says of many conditions that they still do not hold, with what on the blackboard they read."""
         self.modes = self._modes()
-        self.timed_regions = self._timed_regions()
+        self.timers = self._timers()
         self.times = frozenset(map(self._entered_now, self.flat.timed))
-        self.is_timed = bool(self.flat.timed or self.timed_regions)
+        self.is_timed = bool(self.flat.timed or self.timers)
         self.may_fail = options.watched or any(
             isinstance(event, Failed) for item in chart.transitions for event in item.expression.events
         )
-        self.has_outcomes = any(isinstance(value, Outcome) for _, value in chart.values())
+        self.asked = tuple(
+            dict.fromkeys(
+                self.flat.asked_of(source, value.activity)
+                for source, value in chart.values()
+                if isinstance(value, Outcome)
+            )
+        )
+        """The groups of states of which somebody asks how the last that was active has ended."""
         self.has_chance = any(isinstance(value, Random) for _, value in chart.values())
         self.faults = any(may_fail(value) for _, value in chart.values())
         self.copied = self._copied()
+        """The variables of which some regions need a copy during the step, with these regions."""
         self.seen = {key: self._place_on_board(slot) for key, (slot, _) in self._message_slots().items()}
         self.names = {region.number: self._names_of(region.number) for region in self.flat.regions}
 
@@ -289,7 +297,7 @@ class _Generator(Face):
     def _names_of(self, region: int) -> dict[str, str]:
         return {
             name: f"self.{self._copy(name, region)}"
-            if name in self.copied
+            if region in self.copied.get(name, ())
             else self._place_on_board(self._on_board(name))
             for name in self.variables
         }
@@ -298,8 +306,26 @@ class _Generator(Face):
         variables = self.names[region]
         names = Names(self.seen, variables, self.fields, self.enums, called=self._called_by, prefix=prefix)
         names.now = _NOW
-        names.timer = lambda timer: f"self.timers.get({(region, timer)!r}, NEVER)"
+        names.timer = lambda timer: f"self.{self._timer(region, timer)}"
+        names.last_outcome = lambda labels: f"self.{self._outcome(labels)}"
         return names
+
+    def _time(self, label: str) -> str:
+        """When a state was entered; states of which one is active at most have one place for that."""
+        region = self.flat.region_number[label]
+        deep = sum(around.label in self.flat.timed for around in self.flat.around(label))
+        if label != self.flat.regions[region].label and self.flat.regions[region].label in self.flat.timed:
+            deep += 1
+        return self.identifiers.name(("time", region, deep), f"t{region}_{deep}")
+
+    def _timer(self, region: int, timer: str) -> str:
+        return self.identifiers.name(("timer", region, timer), f"timer{region}_{timer}")
+
+    def _outcome(self, labels: tuple[str, ...]) -> str:
+        number = self.asked.index(labels)
+        return self.identifiers.name(
+            ("outcome", labels), f"outcome{number}_{self.chart.node(labels[0]).name}"
+        )
 
     def _called_by(self, call: Call, arguments: Sequence[str]) -> str:
         """The call of a function of the document, which stands under a name of its own in the module."""
@@ -385,19 +411,24 @@ class _Generator(Face):
             found.append("    " * depth + "now = self.now")
         return found
 
-    def _timed_regions(self) -> frozenset[int]:
-        """The regions that have timers."""
-        return frozenset(
-            self.flat.region_number[transition.source]
-            for transition in self.chart.transitions
-            for item in (*transition.expression.actions, *values_of(transition.expression))
-            if isinstance(item, StartTimer | Expired)
-        )
+    def _timers(self) -> dict[int, tuple[str, ...]]:
+        """The timers of the regions that have some."""
+        found: dict[int, dict[str, None]] = {}
+        for transition in self.chart.transitions:
+            for item in (*transition.expression.actions, *values_of(transition.expression)):
+                if isinstance(item, StartTimer | Expired):
+                    region = self.flat.region_number[transition.source]
+                    found.setdefault(region, {}).setdefault(item.timer)
+        return {region: tuple(sorted(found[region])) for region in sorted(found)}
 
     # ---- what may follow -------------------------------------------------------------------
 
-    def _copied(self) -> frozenset[str]:
-        """The variables of which each region needs a copy during the step."""
+    def _copied(self) -> dict[str, tuple[int, ...]]:
+        """The variables that some regions may look at after others wrote them, with those that need a copy.
+
+        Who does not write, and is not inside a region that does, finds on the blackboard what there was when
+        the step began.
+        """
         found: set[str] = set()
         for mode in self.modes:
             reads, writes = self._uses(mode)
@@ -407,14 +438,27 @@ class _Generator(Face):
                 others = {(w, u) for w in writers for u in readers | (writers if loops else set()) if u != w}
                 if any(loops or self._looks_later(u, w) for w, u in others):
                     found.add(name)
+        written: dict[str, set[int]] = {}
         for transition in self.chart.transitions:
-            if transition.kind is TransitionKind.EXIT:
-                found |= {
-                    name
-                    for name in _written_by(transition.expression)
-                    if len(self.flat.variable_regions[name]) > 1
-                }
-        return frozenset(found)
+            for name in _written_by(transition.expression):
+                written.setdefault(name, set()).add(self.flat.region_number[transition.source])
+                if transition.kind is TransitionKind.EXIT and len(self.flat.variable_regions[name]) > 1:
+                    found.add(name)
+        return {
+            name: tuple(
+                region
+                for region in self.flat.variable_regions[name]
+                if any(around in written[name] for around in self._with_around(region))
+            )
+            for name in sorted(found)
+        }
+
+    def _with_around(self, region: int) -> Iterator[int]:
+        """A region and those around it, innermost first."""
+        around: int | None = region
+        while around is not None:
+            yield around
+            around = self.flat.enclosing(around)
 
     def _uses(self, mode: str) -> tuple[dict[str, set[int]], dict[str, set[int]]]:
         """The regions that may read, and those that may write each variable in a step of a mode."""
@@ -684,29 +728,31 @@ class _Generator(Face):
         annotations += [
             f"    r{region.number}: {'bool' if region.number in self.truths else 'int'}" for region in regions
         ]
-        for label in sorted(self.flat.timed):
-            slots.append(self._time(label))
-            annotations.append(f"    {self._time(label)}: int")
+        for time in sorted({self._time(label) for label in self.flat.timed}, key=_naturally):
+            slots.append(time)
+            annotations.append(f"    {time}: int")
         if self.is_timed:
             slots.append("now")
-        fields = [("timers", "dict[tuple[int, str], int]", "{}", bool(self.timed_regions))]
-        fields.append(("failures", "dict[str, str]", "{}", self.may_fail))
-        fields.append(("outcomes", "dict[str, str | None]", "{}", self.has_outcomes))
-        fields.append(("chance", "Random", "Random(1)", self.has_chance))
+        fields = [
+            (self._timer(region, timer), "int", "NEVER", True)
+            for region, timers in self.timers.items()
+            for timer in timers
+        ]
+        fields += [(self._outcome(labels), "str | None", "None", True) for labels in self.asked]
+        fields.append(("failures", "dict[str, str] | None", "None", self.may_fail))
+        fields.append(("chance", "Random | None", "None", self.has_chance))
+        fields.append(("writes", "tuple[int, str, Any, Any] | None", "None", bool(self.copied)))
+        fields.append(("faulty", "tuple[int, ...]", "()", self.faults))
         fields = [item for item in fields if item[3]]
         slots += [name for name, *_ in fields]
         for label in self.flat.counted:
             slots.append(self._count(label))
             annotations.append(f"    {self._count(label)}: int")
         kinds = {name: self._python(self.variables[name].type) for name in self.copied}
-        for name in sorted(self.copied):
-            for region in self.flat.variable_regions[name]:
+        for name, copies in self.copied.items():
+            for region in copies:
                 slots.append(self._copy(name, region))
                 annotations.append(f"    {self._copy(name, region)}: {kinds[name]}")
-        if self.copied:
-            slots.append("writes")
-        if self.faults:
-            slots.append("faulty")
         if self.spends:
             slots.append("spent")
             annotations.append("    spent: int")
@@ -741,6 +787,13 @@ class _Generator(Face):
             lines.append(f"    INNER: ClassVar[Mapping[tuple[int, int], tuple[int, ...]]] = {table!r}")
         if running:
             lines.append(f"    RUNNING: ClassVar[Mapping[str, tuple[int, int]]] = {running!r}")
+        outcomes = {
+            node.label: tuple(self._outcome(labels) for labels in self.asked if node.label in labels)
+            for node in self.chart.nodes
+            if any(node.label in labels for labels in self.asked)
+        }
+        if outcomes:
+            lines.append(f"    OUTCOMES: ClassVar[Mapping[str, tuple[str, ...]]] = {outcomes!r}")
         messages = tuple((slot, *key) for key, (slot, _) in self._message_slots().items())
         if messages:
             lines.append(f"    MESSAGES = {messages!r}")
@@ -756,10 +809,6 @@ class _Generator(Face):
         if self.is_timed:
             lines.append("        self.now = 0")
         lines += [f"        self.{name}: {kind} = {value}" for name, kind, value, _ in fields]
-        if self.copied:
-            lines.append("        self.writes: list[tuple[int, str, Any]] = []")
-        if self.faults:
-            lines.append("        self.faulty: set[int] = set()")
         return lines
 
     def _leaf_labels(self) -> list[str]:
@@ -779,7 +828,7 @@ class _Generator(Face):
         """The method that enters the root and goes on until nothing is enabled."""
         root = self.chart.root
         lines = [f"self.{self._count(label)} = 0" for label in self.flat.counted]
-        for name in sorted(self.copied):
+        for name in self.copied:
             lines += self._taken_copies(name)
         lines += [*self._on_entry(0, root), *self._enter_inside(0, root.label)]
         rest = self._rest(root.label)
@@ -809,7 +858,7 @@ class _Generator(Face):
             at = (
                 f"self.{self._time(wait.source)} + {wait.amount}"
                 if wait.kind == "after"
-                else f"self.timers.get({(self.flat.region_number[wait.source], wait.name)!r}, NEVER)"
+                else f"self.{self._timer(self.flat.region_number[wait.source], wait.name)}"
             )
             body = [f"at = {at}", "if now < at < best:", "    best = at"]
             lines += body if where == "True" else [f"if {where}:", *_indented(body, 1)]
@@ -884,11 +933,11 @@ class _Generator(Face):
             )
             return [*_indented(lines, 2), *ends], mode
         head: list[str] = []
-        for name in sorted(self.copied):
+        for name in self.copied:
             head += self._taken_copies(name)
         tail = list(_EPILOGUE_OF_COPIES) if self.copied else []
         if self.faults:
-            tail += ["if self.faulty:", "    self.faulty.clear()"]
+            tail += ["if self.faulty:", "    self.faulty = ()"]
         if mode.loops:
             every = [lines, *mode.functions.values()]
             if any("self.spent" in line for text in every for line in text):
@@ -907,7 +956,7 @@ class _Generator(Face):
 
     def _taken_copies(self, name: str) -> list[str]:
         """The copies of a variable at the beginning of a step."""
-        copies = [f"self.{self._copy(name, region)}" for region in self.flat.variable_regions[name]]
+        copies = [f"self.{self._copy(name, region)}" for region in self.copied[name]]
         return [f"{' = '.join(copies)} = {self._place_on_board(self._on_board(name))}"]
 
     def _region(self, mode: _Mode, region: int, depth: int) -> list[str]:
@@ -1399,8 +1448,10 @@ class _Generator(Face):
                 stack.append((region, self.rests.passed[target].target, number))
             else:
                 stands += self._stand(region, node, number)
-                if target in self.flat.ending and self.has_outcomes:
-                    lines.append(f"self.await_outcome({target!r})")
+                if target in self.flat.ending:
+                    lines += [
+                        f"self.{self._outcome(labels)} = None" for labels in self.asked if target in labels
+                    ]
                 if node.type is NodeType.BASIC and self.options.watched:
                     lines += self._begin(region, node)
                 elif node.type is NodeType.AND:
@@ -1440,17 +1491,16 @@ class _Generator(Face):
     def _begin_region(self, region: int) -> list[str]:
         """What a region of an AND begins with: its copies of variables, no timers."""
         lines: list[str] = []
-        outer = self.flat.enclosing(region)
-        for name in sorted(self.copied):
+        for name, copies in self.copied.items():
             regions = self.flat.variable_regions[name]
-            if region in regions:
-                around = outer
-                while around is not None and around not in regions:
-                    around = self.flat.enclosing(around)
-                if around is not None:
-                    lines.append(f"self.{self._copy(name, region)} = self.{self._copy(name, around)}")
-        if region in self.timed_regions:
-            lines.append(f"self.drop_timers({region})")
+            around = next(
+                (item for item in self._with_around(region) if item != region and item in regions), None
+            )
+            if region in copies and around is not None:
+                lines.append(f"self.{self._copy(name, region)} = {self.names[around][name]}")
+        if region in self.timers:
+            timers = [f"self.{self._timer(region, timer)}" for timer in self.timers[region]]
+            lines.append(f"{' = '.join(timers)} = NEVER")
         return [*lines, *self._on_entry(region, self.chart.node(self.flat.regions[region].label))]
 
     def _on_entry(self, region: int, node: Node) -> list[str]:
@@ -1489,7 +1539,8 @@ class _Generator(Face):
             return stop
         if not stop:
             return ["if self.failures:", f"    self.failures.pop({node.label!r}, None)"]
-        return [f"if self.failures.pop({node.label!r}, None) is None:", *_indented(stop, 1)]
+        test = f"if not self.failures or self.failures.pop({node.label!r}, None) is None:"
+        return [test, *_indented(stop, 1)]
 
     def _hooks(self) -> Iterator[list[str]]:
         """What subclasses override: `took`, and two methods for each activity."""
@@ -1538,7 +1589,7 @@ class _Generator(Face):
             case Evaluate(value=value):
                 self._computed(method, 0, number, (value,), lambda piece: [piece.code])
             case StartTimer(timer=timer, duration=duration):
-                place = f"self.timers[{(region, timer)!r}]"
+                place = f"self.{self._timer(region, timer)}"
                 self._computed(
                     method, 0, number, (duration,), lambda piece: [f"{place} = {_NOW} + {piece.code}"]
                 )
@@ -1553,7 +1604,7 @@ class _Generator(Face):
         copy = f"self.{self._copy(target.name, region)}"
         return [
             f"{copy} = {code}",
-            f"self.writes.append(({region}, {self._on_board(target.name)!r}, {copy}))",
+            f"self.writes = ({region}, {self._on_board(target.name)!r}, {copy}, self.writes)",
         ]
 
 
@@ -1566,7 +1617,7 @@ _UNLESS = f"if not {_BB}.still_"
 _WROTE = "@wrote "
 """Stands where something on the blackboard was written, until it is known which conditions read it."""
 _NOTHING = ["        return False"]
-_EPILOGUE_OF_COPIES = ["if self.writes:", f"    self.spread({_BB})"]
+_EPILOGUE_OF_COPIES = ["if self.writes is not None:", f"    self.spread({_BB})", "    self.writes = None"]
 
 
 def _only(test: str, body: _Body) -> list[str]:
@@ -1589,9 +1640,13 @@ def _is_dynamic(event: Event, mode: str) -> bool:
     return isinstance(event, After) or (isinstance(event, Failed) and mode == STEP)
 
 
+def _naturally(name: str) -> list[tuple[int, str]]:
+    return natural((name, "", None))
+
+
 def _tuple(names: Iterable[str]) -> str:
     """Names as a tuple of texts, in order."""
-    found = [f'"{name}"' for name in sorted(names, key=lambda name: natural((name, "", None)))]
+    found = [f'"{name}"' for name in sorted(names, key=_naturally)]
     return f"({', '.join(found)}{',' if len(found) == 1 else ''})"
 
 

@@ -50,18 +50,15 @@ class Plain:
 
     __slots__ = ()
 
-    writes: list[tuple[int, str, Any]]
-    """What regions have written that others see in the next step."""
-    faulty: set[int]
+    # Subclasses have those of these slots that they need: hence `setattr`, for mypy.
+    writes: tuple[int, str, Any, Any] | None
+    """What a region has written last that others see in the next step, and what was written before."""
+    faulty: tuple[int, ...]
     """The transitions of which something could not be done in this step."""
-    failures: dict[str, str]
-    """The states whose activity has failed, with the reason."""
-    outcomes: dict[str, str | None]
-    """How the activities of states have ended, None for those that have not; the last is the newest."""
-    timers: dict[tuple[int, str], int]
-    """When the timers of each region run out, in ns."""
-    chance: Random
-    """What `random()` draws from."""
+    failures: dict[str, str] | None
+    """The states whose activity has failed, with the reason; None while there are none."""
+    chance: Random | None
+    """What `random()` draws from: 2.5 kB, made at the first draw if nobody sets it before."""
 
     EVENTS: ClassVar[tuple[str, ...]] = ()
     """The events that transitions wait for. Another one is no mistake: it is a step without an event."""
@@ -71,6 +68,8 @@ class Plain:
     """For each AND, as its region and number, the regions inside it."""
     RUNNING: ClassVar[Mapping[str, tuple[int, int]]] = {}
     """The BASIC states whose completion matters: their region, and their number until they are complete."""
+    OUTCOMES: ClassVar[Mapping[str, tuple[str, ...]]] = {}
+    """The states whose last outcome somebody asks for, and the slots that hold it."""
     MESSAGES: ClassVar[tuple[tuple[str, str, str | None], ...]] = ()
     """The places of messages on the blackboard, each with its channel, and whose it is (None: anybody's)."""
     TRANSITIONS: ClassVar[tuple[str, ...]] = ()
@@ -107,9 +106,8 @@ class Plain:
         if found is not None:
             region, number = found
             setattr(self, f"r{region}", number + 1)
-            if outcome is not None and hasattr(self, "outcomes"):  # somebody asks for one
-                self.outcomes.pop(label, None)
-                self.outcomes[label] = outcome
+            for slot in self.OUTCOMES.get(label, ()) if outcome is not None else ():
+                setattr(self, slot, outcome)
         return self.step()
 
     def failed(self, label: str, reason: str) -> bool:
@@ -124,10 +122,12 @@ class Plain:
         found = self._running(label)
         takes = hasattr(self, "failures")  # there is an `error` transition
         if takes and found is not None:
-            self.failures[label] = reason
+            setattr(self, "failures", {**(self.failures or {}), label: reason})  # noqa: B010
         taken = self.step()
         if self.failures if takes else label in self.configuration():
             raise ActivityFailed(f"the activity of {label} failed: {reason}")
+        if takes:
+            setattr(self, "failures", None)  # noqa: B010
         return taken
 
     def _running(self, label: str) -> tuple[int, int] | None:
@@ -165,12 +165,19 @@ class Plain:
 
     def spread(self, board: Any) -> None:
         """Let all regions see what some have written: of several writes, the last in document order."""
-        for _, name, value in sorted(self.writes, key=lambda write: write[0]):
+        write = self.writes
+        found = []
+        while write is not None:
+            found.append(write)
+            write = write[3]
+        if len(found) > 1:
+            found.reverse()
+            found.sort(key=lambda write: write[0])
+        for _, name, value, _ in found:
             if isinstance(board, dict):
                 board[name] = value
             else:
                 setattr(board, name, value)
-        self.writes.clear()
 
     def fault(self, transition: int, reason: object) -> bool:
         """Something of a transition could not be done; always False.
@@ -178,33 +185,22 @@ class Plain:
         Told to the logger `aseme_dsl.plain`, once a step; override it to do something else.
         """
         if transition not in self.faulty:
-            self.faulty.add(transition)
+            setattr(self, "faulty", (*self.faulty, transition))  # noqa: B010
             text = f"{type(reason).__name__}: {reason}" if isinstance(reason, Exception) else str(reason)
             _log.warning("%s, transition %d: %s", type(self).__name__, transition, text)
         return False
 
     def failed_inside(self, label: str) -> bool:
         """Whether an activity of the state or inside it has failed."""
-        return any(item == label or item.startswith(label + ".") for item in self.failures)
-
-    def await_outcome(self, label: str) -> None:
-        """A state whose activity ends with an outcome is entered: there is none until it has."""
-        self.outcomes.pop(label, None)
-        self.outcomes[label] = None
-
-    def last_outcome(self, labels: tuple[str, ...]) -> str | None:
-        """The outcome of that of the states which ended or was entered last; None if it has not ended."""
-        last = next((label for label in reversed(self.outcomes) if label in labels), "")
-        return self.outcomes.get(last)
-
-    def drop_timers(self, region: int) -> None:
-        """A region begins without timers."""
-        for key in [key for key in self.timers if key[0] == region]:
-            del self.timers[key]
+        return any(item == label or item.startswith(label + ".") for item in self.failures or ())
 
     def random(self) -> float:
         """The next number in [0, 1)."""
-        return self.chance.random()
+        chance = self.chance
+        if chance is None:
+            chance = Random(1)
+            setattr(self, "chance", chance)  # noqa: B010
+        return chance.random()
 
     def unsettled(self) -> Unsettled:
         """The error of a step that does not settle."""

@@ -111,7 +111,7 @@ for step in range(600):
     taken = move(draw.choice(kinds))
     bb = lamp.bb
     seen.append([taken, lamp.configuration(), bb.notes, bb.tired, int(bb.colour), bb.held])
-    seen.append([lamp.outcomes, lamp.failures, lamp.finished, lamp.due()])
+    seen.append([lamp.failures, lamp.finished, lamp.due()])
 print(json.dumps([module.__file__, seen]))
 """
 

@@ -173,7 +173,7 @@ def _telling(kind: Any, engine: PlainEngine) -> Any:
 
     def fault(self: Any, transition: int, reason: object) -> bool:
         if transition not in self.faulty:
-            self.faulty.add(transition)
+            self.faulty = (*self.faulty, transition)
             engine.outcome.effects.append(Fault(transition, str(reason)))
         return False
 
