@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import PurePath
 
 from aseme_dsl.amola.messages import EnumType, Field, Kind, Message
@@ -12,6 +12,7 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.place import in_docstring, place
 from aseme_dsl.codegen.proto import descriptor_set, full_name
 from aseme_dsl.codegen.radio import codes
+from aseme_dsl.source import Span
 
 _PYTHON = {
     Kind.BOOL: ("bool", "False"),
@@ -31,13 +32,18 @@ def generate_messages(system: System) -> str:
 
     The same system gives the same text, which passes ruff (check and format) and mypy --strict.
     """
-    return "\n".join(_lines(system)) + "\n"
+    return "\n".join(_lines(system, place)) + "\n"
 
 
-def _lines(system: System) -> Iterator[str]:
+def meaning_of_messages(system: System) -> str:
+    """What that module means: a text that is another one if it does, wherever the messages stand."""
+    return "\n".join(_lines(system, lambda span: ""))
+
+
+def _lines(system: System, shown: Callable[[Span], str]) -> Iterator[str]:
     messages = in_order(system.messages)
     spans = [enum.span for enum in system.enums] + [message.span for message in messages]
-    sources = dict.fromkeys(PurePath(span.source.path).name for span in spans)
+    sources = dict.fromkeys(PurePath(span.source.path).name for span in spans if shown(span))
     yield f'"""Messages of {system.name}. Generated: a change here is lost with the next build.'
     yield ""
     yield from textwrap.wrap(in_docstring(f"From {', '.join(sources) or 'no declarations'}."), _WIDTH)
@@ -53,9 +59,9 @@ def _lines(system: System) -> Iterator[str]:
         yield ""
     yield "from aseme_dsl.runtime import wire"
     for enum in system.enums:
-        yield from _enum(enum)
+        yield from _enum(enum, shown(enum.span))
     for message in messages:
-        yield from _message(system, message)
+        yield from _message(system, message, shown(message.span))
     yield from _schema(system, messages)
 
 
@@ -78,22 +84,22 @@ def in_order(messages: tuple[Message, ...]) -> tuple[Message, ...]:
     return tuple(found.values())
 
 
-def _enum(enum: EnumType) -> Iterator[str]:
+def _enum(enum: EnumType, shown: str) -> Iterator[str]:
     yield ""
     yield ""
     yield f"class {enum.name}(enum.IntEnum):"
-    yield f'    """{in_docstring(place(enum.span))}"""'
+    yield f'    """{in_docstring(shown)}"""'
     yield ""
     for name, number in enum.constants:
         yield f"    {name} = {number}"
 
 
-def _message(system: System, message: Message) -> Iterator[str]:
+def _message(system: System, message: Message, shown: str) -> Iterator[str]:
     yield ""
     yield ""
     yield "@dataclasses.dataclass(frozen=True, slots=True)"
     yield f"class {message.name}:"
-    yield f'    """{in_docstring(place(message.span))}"""'
+    yield f'    """{in_docstring(shown)}"""'
     if message.fields:
         yield ""
     for field in message.fields:

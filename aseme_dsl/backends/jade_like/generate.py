@@ -82,7 +82,7 @@ class JadeLikeBackend:
         """The package of a system, and among the activities a class a role that is the user's."""
         templates = environment(options, Path(__file__).parent / "templates")
         messages = messages_file(system, options.known)
-        roles = role_files(templates, system, messages, options)
+        roles = role_files(templates, system, options)
         kept = list(activity_files(templates, system, options))
         taken = {artefact.path for artefact in kept}
         artefacts = [system_file(templates, system, roles, shown=True), messages]

@@ -32,7 +32,7 @@ class MonasBackend:
         """The package of a system, and the activities under `activities/`."""
         templates = environment(options)
         messages = messages_file(system, options.known)
-        roles = role_files(templates, system, messages, options)
+        roles = role_files(templates, system, options)
         artefacts = [system_file(templates, system, roles), messages]
         seen = [(system if options.templates else role.seen, role.seen) for role in roles]
         packages = options.known.each(_package, seen, templates, source_of(system))

@@ -16,7 +16,7 @@ from aseme_dsl.amola.srm import Activity, Module
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import ACTIVITIES, DEFAULT, NOTHING_KNOWN, Artefact, BackendOptions, Known
-from aseme_dsl.codegen.messages import generate_messages
+from aseme_dsl.codegen.messages import generate_messages, meaning_of_messages
 from aseme_dsl.codegen.place import in_docstring
 from aseme_dsl.codegen.plan import Sections, branch_texts, plan_sections, protocol_versions
 from aseme_dsl.codegen.seen import seen_by_roles
@@ -95,15 +95,14 @@ def with_types(system: System) -> System:
     )
 
 
-def role_files(
-    templates: Environment, system: System, messages: Artefact, options: BackendOptions
-) -> list[Filled]:
+def role_files(templates: Environment, system: System, options: BackendOptions) -> list[Filled]:
     """The plan of each role, to read, and the class that runs it."""
     known = options.known
     roles = seen_roles(system, known)
     branches = known.each(_branches, zip(roles))
     versions = protocol_versions(system, branches)
-    types, source = known.whole(messages.text), source_of(system)
+    types = known.recall(meaning_of_messages, known.same("of messages", with_types(system)))
+    source = source_of(system)
     played = {
         seen.iacs[0].name: tuple((name, versions[name]) for name, _ in texts)
         for seen, texts in zip(roles, branches, strict=True)
