@@ -70,7 +70,7 @@ class Watch:
     _rarely: list[str] = field(default_factory=list)
     _next: int = 0  # of those
     _edited: list[str] = field(default_factory=list)  # of those that need not be looked at often
-    _cost: float = 0.0  # of looking at one, in s
+    _cost: float = 4e-6  # of looking at one, in s: what is usual, until it is known
     _begun: int = 0
     _is_new: bool = False  # whether everything has been looked at since the command did something
 
@@ -109,7 +109,7 @@ class Watch:
             always = len(self._often) * self._cost
             pause = max(_INTERVAL, _SHARE * always)
             time.sleep(pause)
-            number = _FEWEST if not self._cost else max(_FEWEST, int((pause / _SHARE - always) / self._cost))
+            number = max(_FEWEST, int((pause / _SHARE - always) / self._cost))
             some = self._rarely[self._next : self._next + number]
             self._next = self._next + number if some else 0
             if any(stamp_of(path) != self._stamps[path] for path in (*self._often, *some)):
@@ -140,7 +140,7 @@ class Watch:
             found[path] = known if stamp == known else stamp
         self._stamps = found
         if found:
-            self._cost = (time.thread_time() - begun) / len(found)
+            self._cost = max(1e-6, (time.thread_time() - begun) / len(found))
 
 
 def _changes(before: Stamps, now: Stamps) -> Changes:

@@ -78,6 +78,7 @@ def watch(
                 if not news:
                     number = sum(Path(path).is_file() for path in paths)
                     click.echo(f"watching {plural(number, 'file')}; Ctrl-C ends it")
+                    gc.freeze()
             sys.stdout.flush()
             gc.collect(0)
             changes = watcher.wait()
@@ -87,6 +88,7 @@ def watch(
         click.echo("\nasemec: no longer watching", err=True)
         return 0
     finally:
+        gc.unfreeze()
         gc.enable()
 
 
