@@ -13,6 +13,7 @@ import pytest
 from aseme_dsl.backends.backend import BackendOptions, Refused
 from aseme_dsl.backends.plain import BACKEND
 from aseme_dsl.backends.plain import generate as generate_module
+from aseme_dsl.codegen import plain_limits
 from aseme_dsl.codegen.plain import TAKEN, PlainOptions
 from aseme_dsl.runtime import plain as runtime
 from tests.support.generated import generate, system_of
@@ -387,3 +388,29 @@ for kind in (B.AnyChart, B.PlainChart, B.FastLane, B.FastLaneChart, B.ExceptionC
 def test_what_is_taken_is_all_that_a_module_has() -> None:
     assert {name for name in vars(runtime) if not name.startswith("_")} <= TAKEN
     assert {*generate_module._RUNTIME, *(n for _, names in generate_module._STANDARD for n in names)} <= TAKEN
+
+
+REFUSED = {
+    plain_limits.AGENT_MESSAGES: "the messages of agents",
+    plain_limits.AGENTS: "variables of type `agent`",
+    plain_limits.PROTOCOLS: "protocols",
+    plain_limits.PUBLISHING: "publishing",
+    plain_limits.SIGNALS: "signals",
+    plain_limits.DATA: "measurements (`data`, `at`, `mean`)",
+    plain_limits.AGES: "how old a message is (`age`)",
+    plain_limits.DEADLINES: "deadlines of activities",
+    plain_limits.GIVEN: "arguments of activities that may be absent or fail",
+    plain_limits.NUMBERS: "`index`",
+    plain_limits.STAYING: "`on` without an event",
+    plain_limits.RESUMING: "`resume`",
+    plain_limits.READING: "`read_messages`",
+}
+"""Everything that is refused, and what the page calls it."""
+
+
+def test_the_page_names_everything_that_is_refused() -> None:
+    said = {value for name, value in vars(plain_limits).items() if name.isupper() and name != "AGENT"}
+    assert said == set(REFUSED)
+    page = (Path(__file__).parents[2] / "docs" / "plain.md").read_text("utf-8")
+    text = " ".join(page.partition("## What is refused")[2].split())
+    assert [phrase for phrase in REFUSED.values() if phrase not in text] == []
