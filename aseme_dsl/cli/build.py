@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -168,12 +169,27 @@ def _built(
             )
             if choice.native:
                 _check_native(choice)
-            folder = output or item.configuration.output or Path(OUTPUT)
-            folder = folder / item.system.name if len(compiled) > 1 else folder
+            alone = output or item.configuration.output or Path(OUTPUT)
+            among = alone / item.system.name
+            folder, other = (among, alone) if len(compiled) > 1 else (alone, among)
             earlier = None if workshop is None else workshop.about(path_of(item.root)).begin(item.layout)
-            built.append(build(item.system, folder, choice, earlier=earlier))
+            done = build(item.system, folder, choice, earlier=earlier)
+            built.append(replace(done, notes=(*done.notes, *_left_behind(item.system.name, folder, other))))
             found += built[-1].diagnostics
     return inputs, compiled, built, found
+
+
+def _left_behind(system: str, folder: Path, other: Path) -> Iterator[str]:
+    """What is to be said if there is a build of a system where it is written when it is built with others,
+    or alone, which this one leaves as it is: programs may still import it."""
+    from aseme_dsl.build.manifest import DamagedManifest, read_manifest
+
+    try:
+        before = read_manifest(other).system
+    except (DamagedManifest, OSError):
+        return  # whoever builds into it is told
+    if before == system:
+        yield f"{other} has an earlier build of {system}, which stays as it is: the one of now is in {folder}"
 
 
 def _check_native(choice: Choice) -> None:

@@ -250,6 +250,18 @@ def test_several_systems_get_a_folder_each(here: Here, folder: Path) -> None:
     assert (folder / "out/Runner/monas/Runner/robot/step.py").exists()
 
 
+def test_what_an_earlier_build_left_elsewhere_is_told(here: Here, folder: Path) -> None:
+    (folder / "pair.aseme").write_text(PROTOCOL)
+    assert here("build", "good.aseme", "-o", "out", "--only", "monas").err.count("earlier build") == 0
+    both = here("build", "good.aseme", "pair.aseme", "-o", "out", "--only", "monas")
+    assert (
+        "note: out has an earlier build of Walker, which stays as it is: the one of now is in out/Walker"
+        in both.err
+    )
+    alone = here("build", "pair.aseme", "-o", "out", "--only", "monas", "--force")
+    assert "note: out/Pair has an earlier build of Pair" in alone.err
+
+
 def test_of_several_systems_one_with_an_error_stops_all(here: Here, folder: Path) -> None:
     assert here("build", "good.aseme", "bad.aseme", "-o", "out").code == 1
     assert not (folder / "out").exists()
