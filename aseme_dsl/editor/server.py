@@ -857,6 +857,7 @@ def _drawings(server: Server) -> None:
             if view is None:
                 return None
             offset = server.offset(view, position)
+            view.occurrence_at(offset)  # it is looked up here: only one thread may ask the compiler's memory
             # Graphviz is another program: what is typed meanwhile is not kept waiting.
             found = await asyncio.to_thread(server.diagrams.at, view, offset)
         return None if found is None else (view, found)
