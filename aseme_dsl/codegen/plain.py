@@ -138,15 +138,23 @@ class PlainCode:
 
     def uses(self, name: str) -> bool:
         """Whether the module's lines mention a name."""
-        pattern = re.compile(rf"\b{name}\b")
-        return any(pattern.search(line) for line in (*self.board, *self.body, *self.tables))
+        return _mentioned(name, (*self.board, *self.body, *self.tables))
 
     def needs(self, name: str) -> bool:
         """Whether a constant or the parameter of a method is of that type, not only the blackboard has it."""
-        pattern = re.compile(rf"\b{name}\b")
         constants = (value for _, value in self.constants)
         methods = (line for line in self.body if line.startswith("    def "))
-        return any(pattern.search(line) for line in (*constants, *methods))
+        return _mentioned(name, (*constants, *methods))
+
+
+_NO_CODE = re.compile(r"""'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|#.*""")
+"""A text or a comment on a line."""
+
+
+def _mentioned(name: str, lines: Iterable[str]) -> bool:
+    """Whether the code on some line has a name that is no member of something."""
+    pattern = re.compile(rf"(?<![\w.]){name}\b")
+    return any(name in line and pattern.search(_NO_CODE.sub("", line)) for line in lines)
 
 
 def generate_plain(

@@ -414,3 +414,24 @@ def test_the_page_names_everything_that_is_refused() -> None:
     page = (Path(__file__).parents[2] / "docs" / "plain.md").read_text("utf-8")
     text = " ".join(page.partition("## What is refused")[2].split())
     assert [phrase for phrase in REFUSED.values() if phrase not in text] == []
+
+
+def test_a_word_in_a_text_imports_nothing(tmp_path: Path) -> None:
+    text = """
+system U
+message Any { int Callable }
+topic t { state Any }
+srm R {
+  var Mapping : string = "Random NEVER"
+  liveness { R = A . B }
+  control R { enter B : go [t.state.Any.Callable > 1 && Mapping == "ROUNDS: don't ABSENT"] }
+}
+"""
+    built(tmp_path, text)
+    done = subprocess.run(
+        [sys.executable, "-m", "ruff", "check", "--isolated", "plain"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stdout
