@@ -99,6 +99,9 @@ class FlatChart:
         """The first and last number of the leaves of each state inside its region."""
         self.regions: tuple[FlatRegion, ...] = self._number()
         self.transition_number = {id(t): n for n, t in enumerate(chart.transitions)}
+        self._around: dict[str, list[Node]] = {}
+        self._ways: dict[str, tuple[Way, ...]] = {}
+        self._first_ways: dict[str, tuple[Way, ...]] = {}
 
     def _number(self) -> tuple[FlatRegion, ...]:
         labels: list[str] = []
@@ -137,15 +140,23 @@ class FlatChart:
 
     def around(self, label: str) -> list[Node]:
         """The OR states around a leaf inside its region, innermost first, the region itself excluded."""
-        return [self.chart.node(item) for item in list(self._inside_region(label))[1:-1]]
+        found = self._around.get(label)
+        if found is None:
+            found = [self.chart.node(item) for item in list(self._inside_region(label))[1:-1]]
+            self._around[label] = found
+        return found
 
     def leaves(self, region: int) -> list[Node]:
         """The leaves of a region in document order."""
-        return [
-            node
-            for node in self.chart.nodes
-            if node.label in self.leaf and self.region_number[node.label] == region
-        ]
+        return self._leaves[region]
+
+    @cached_property
+    def _leaves(self) -> list[list[Node]]:
+        found: list[list[Node]] = [[] for _ in self.regions]
+        for node in self.chart.nodes:
+            if node.label in self.leaf:
+                found[self.region_number[node.label]].append(node)
+        return found
 
     def regions_of(self, label: str) -> list[FlatRegion]:
         """The regions of an AND."""
@@ -208,15 +219,23 @@ class FlatChart:
 
     def ways(self, label: str) -> tuple[Way, ...]:
         """The ways out of a source in the order in which they are tried, without those that are `first`."""
-        return tuple(self._way(item) for item in self.chart.outgoing(label) if not item.first)
+        found = self._ways.get(label)
+        if found is None:
+            found = tuple(self._way(item) for item in self.chart.outgoing(label) if not item.first)
+            self._ways[label] = found
+        return found
 
     def first_ways(self, label: str) -> tuple[Way, ...]:
         """The ways that are tried before anything inside the source."""
-        return tuple(
-            self._way(item)
-            for item in self.chart.outgoing(label)
-            if item.first and item.expression is not NEVER
-        )
+        found = self._first_ways.get(label)
+        if found is None:
+            found = tuple(
+                self._way(item)
+                for item in self.chart.outgoing(label)
+                if item.first and item.expression is not NEVER
+            )
+            self._first_ways[label] = found
+        return found
 
     def _way(self, transition: Transition) -> Way:
         target = self.chart.node(transition.target)

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import builtins
 import re
+from bisect import bisect_right
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -102,6 +103,9 @@ TAKEN = frozenset(dir(builtins)) | {
 
 STEP = ""
 """The mode of a step without an event."""
+
+OTHER = "*"
+"""The mode of a step with an event that no transition waits for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,6 +211,15 @@ class _Mode:
 
 
 @dataclass(frozen=True, slots=True)
+class _Use:
+    """A variable is read or written in a region."""
+
+    variable: str
+    region: int
+    writes: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class _Body:
     """What a round does while a region has one of these numbers."""
 
@@ -215,6 +228,38 @@ class _Body:
     title: str
     lines: tuple[str, ...]
     is_and: bool = False
+
+
+@dataclass(slots=True)
+class _Untouched:
+    """What is done in a region, leaf by leaf, with an event that nothing there waits for.
+
+    It is the same for all such events. In `all` of them, those of a leaf begin at `first`, and such as do
+    the same as their neighbours at `starts`.
+    """
+
+    pieces: list[list[_Body] | None] = field(default_factory=list)
+    all: list[_Body] = field(default_factory=list)
+    first: list[int] = field(default_factory=list)
+    starts: list[int] = field(default_factory=list)
+
+    def join(self) -> None:
+        """Find the neighbours that do the same."""
+        for of in self.pieces:
+            self.first.append(len(self.all))
+            self.all += of or ()
+        self.first.append(len(self.all))
+        same = (n for n in range(1, len(self.all)) if self.all[n].lines != self.all[n - 1].lines)
+        self.starts = [0, *same, len(self.all)]
+
+    def between(self, begin: int, end: int) -> Iterator[_Body]:
+        """The bodies from one leaf to before another."""
+        place, last = self.first[begin], self.first[end]
+        run = bisect_right(self.starts, place)
+        while place < last:
+            until = min(self.starts[run], last)
+            yield _joined(self.all[place], self.all[until - 1]) if until - place > 1 else self.all[place]
+            place, run = until, run + 1
 
 
 class _Generator(Face):
@@ -250,6 +295,11 @@ class _Generator(Face):
         """What says of many conditions that they still do not hold, with what on the blackboard they read."""
         self.modes = self._modes()
         self.timers = self._timers()
+        self.uses = self._all_uses()
+        self.touched = self._touched()
+        self.untouched: dict[tuple[int, bool, bool, tuple[str, ...]], _Untouched] = {}
+        self.looping: frozenset[str] | None = None
+        """The leaves at which a step with an event that they do not wait for may need another round."""
         self.times = frozenset(map(self._entered_now, self.flat.timed))
         self.is_timed = bool(self.flat.timed or self.timers)
         self.may_fail = options.watched or any(
@@ -472,24 +522,63 @@ class _Generator(Face):
         """The regions that may read, and those that may write each variable in a step of a mode."""
         reads: dict[str, set[int]] = {}
         writes: dict[str, set[int]] = {}
+        for use in (*self.uses.get(None, ()), *(self.uses.get(mode, ()) if mode else ())):
+            (writes if use.writes else reads).setdefault(use.variable, set()).add(use.region)
+        return reads, writes
+
+    def _all_uses(self) -> dict[str | None, tuple[_Use, ...]]:
+        """The uses of variables that only an event opens, by the event; None for all others."""
+        found: dict[str | None, dict[_Use, None]] = {}
         for transition in self.chart.transitions:
             expression = transition.expression
-            raised = [event for event in expression.events if isinstance(event, Raised)]
+            raised = [event.name for event in expression.events if isinstance(event, Raised)]
             only_raised = raised and len(raised) == len(expression.events) and not expression.when
-            if only_raised and not any(event.name == mode for event in raised):
-                continue
             region = self.flat.region_number[transition.source]
-            for value in values_of(expression):
-                if isinstance(value, VariableValue):
-                    reads.setdefault(value.name, set()).add(region)
-            for name in _written_by(expression):
-                writes.setdefault(name, set()).add(region)
+            uses = [_Use(v.name, region) for v in values_of(expression) if isinstance(v, VariableValue)]
+            uses += [_Use(name, region, writes=True) for name in _written_by(expression)]
+            for event in raised if only_raised else (None,):
+                found.setdefault(event, {}).update(dict.fromkeys(uses))
         for node in self.chart.nodes if self.options.watched else ():
             for argument in node.arguments:
                 for value in values_of(TransitionExpression(condition=argument.value)):
                     if isinstance(value, VariableValue):
-                        reads.setdefault(value.name, set()).add(self.flat.region_number[node.label])
-        return reads, writes
+                        use = _Use(value.name, self.flat.region_number[node.label])
+                        found.setdefault(None, {}).setdefault(use)
+        return {event: tuple(uses) for event, uses in found.items()}
+
+    def _touched(self) -> dict[str, dict[int, tuple[int, ...]]]:
+        """The leaves for which it makes a difference which event it is: their places in their regions."""
+        own: dict[str, frozenset[str]] = {}
+        """The events that the transitions of a state wait for, and those of the states around it."""
+        for node in self.chart.nodes:  # parents come before children
+            around = own[node.parent] if node.parent is not None else frozenset()
+            events = {
+                event.name
+                for segment in self.flat.segments(node.label)
+                for event in segment.expression.events
+                if isinstance(event, Raised)
+            }
+            own[node.label] = around | events
+        found: dict[str, dict[int, list[int]]] = {}
+        for region in self.flat.regions:
+            for place, leaf in enumerate(self.flat.leaves(region.number)):
+                events = set(own[leaf.label])
+                for source in (leaf, *self.flat.around(leaf.label)):
+                    for segment in self.flat.segments(source.label):
+                        if self.chart.node(segment.target).type is not NodeType.CONDITION:
+                            events.update(*(own[label] for label in self._rests_in(segment.target)))
+                for event in events:
+                    found.setdefault(event, {}).setdefault(region.number, []).append(place)
+        return {event: {r: tuple(places) for r, places in item.items()} for event, item in found.items()}
+
+    def _rests_in(self, target: str) -> Iterator[str]:
+        """The leaves at which regions rest when `target` has been entered."""
+        stack = [target]
+        while stack:
+            label = self._rest(stack.pop())
+            yield label
+            if self.chart.node(label).type is NodeType.AND:
+                stack += [region.label for region in self.flat.regions_of(label)]
 
     def _looks_later(self, region: int, writer: int) -> bool:
         """Whether a region is looked at after another in a round in which both may move."""
@@ -500,25 +589,41 @@ class _Generator(Face):
 
     def _may_loop(self, mode: str) -> bool:
         """Whether some transition of a mode may need another round after it."""
-        for leaf in self.chart.nodes:
-            if leaf.label not in self.flat.leaf:
-                continue
-            region = self.flat.region_number[leaf.label]
-            for source in (leaf, *self.flat.around(leaf.label)):
-                if source is leaf:
-                    complete = leaf.type is not NodeType.BASIC or not (mode and self._is_left(leaf))
-                else:
-                    complete = leaf.type is NodeType.END and leaf.parent == source.label
-                for way in (*self.flat.first_ways(source.label), *self.flat.ways(source.label)):
-                    if not complete and not self.flat.waits_for_event(way):
-                        continue
-                    for taken in _paths(way):
-                        spends = self._spends(mode, taken)
-                        if self.flat.transition(way.number).kind is TransitionKind.ON:
-                            if spends is not None and self._again_at(mode, leaf, spends == "yes"):
-                                return True
-                        elif spends is not None and self._again(mode, region, taken, spends == "yes"):
+        if not mode:
+            return any(self._loops_at(mode, leaf) for leaves in self._all_leaves() for leaf in leaves)
+        if self.looping is None:
+            self.looping = frozenset(
+                leaf.label for leaves in self._all_leaves() for leaf in leaves if self._loops_at(OTHER, leaf)
+            )
+        touched = [
+            self.flat.leaves(region)[place]
+            for region, places in self.touched.get(mode, {}).items()
+            for place in places
+        ]
+        others = self.looping.difference(leaf.label for leaf in touched)
+        return bool(others) or any(self._loops_at(mode, leaf) for leaf in touched)
+
+    def _all_leaves(self) -> list[list[Node]]:
+        return [self.flat.leaves(region.number) for region in self.flat.regions]
+
+    def _loops_at(self, mode: str, leaf: Node) -> bool:
+        """Whether a transition that is taken while a leaf is active may need another round after it."""
+        region = self.flat.region_number[leaf.label]
+        for source in (leaf, *self.flat.around(leaf.label)):
+            if source is leaf:
+                complete = leaf.type is not NodeType.BASIC or not (mode and self._is_left(leaf))
+            else:
+                complete = leaf.type is NodeType.END and leaf.parent == source.label
+            for way in (*self.flat.first_ways(source.label), *self.flat.ways(source.label)):
+                if not complete and not self.flat.waits_for_event(way):
+                    continue
+                for taken in _paths(way):
+                    spends = self._spends(mode, taken)
+                    if self.flat.transition(way.number).kind is TransitionKind.ON:
+                        if spends is not None and self._again_at(mode, leaf, spends == "yes"):
                             return True
+                    elif spends is not None and self._again(mode, region, taken, spends == "yes"):
+                        return True
         return False
 
     def _spends(self, mode: str, taken: tuple[int, ...]) -> str | None:
@@ -988,20 +1093,49 @@ class _Generator(Face):
 
     def _bodies(self, mode: _Mode, region: int, depth: int) -> list[_Body]:
         """What is done for each number of a region; neighbours that do the same are one."""
+        leaves = self.flat.leaves(region)
+        if not mode.event:
+            return _merged(body for leaf in leaves for body in self._pieces(mode, region, leaf, depth))
+        touched = set(self.touched.get(mode.event, {}).get(region, ()))
+        touched.update(place for place, leaf in enumerate(leaves) if leaf.type is NodeType.AND)
+        others = self.untouched.setdefault((region, mode.loops, mode.direct, mode.flags), _Untouched())
+        other = replace(mode, event=OTHER)
+        if not others.pieces:
+            others.pieces = [None] * len(leaves)
+            found: list[_Body] = []
+            for place, leaf in enumerate(leaves):
+                of = self._pieces(mode if place in touched else other, region, leaf, depth)
+                found += of
+                others.pieces[place] = None if place in touched else of
+            return _merged(found)
+        if not others.starts:
+            for place, leaf in enumerate(leaves):
+                if others.pieces[place] is None:
+                    is_and = leaf.type is NodeType.AND  # it is never used then
+                    of = (
+                        [_Body(0, 0, "", (f"{place}",))]
+                        if is_and
+                        else self._pieces(other, region, leaf, depth)
+                    )
+                    others.pieces[place] = of
+            others.join()
+        found = []
+        begin = 0
+        for place in sorted(touched):
+            found += others.between(begin, place)
+            found += self._pieces(mode, region, leaves[place], depth)
+            begin = place + 1
+        return _merged([*found, *others.between(begin, len(leaves))])
+
+    def _pieces(self, mode: _Mode, region: int, leaf: Node, depth: int) -> list[_Body]:
+        """What is done for each number of a leaf."""
         found: list[_Body] = []
-        for leaf in self.flat.leaves(region):
-            for number in range(self.flat.leaf[leaf.label], self._last(leaf) + 1):
-                if mode.event and self._is_left(leaf) and number > self.flat.leaf[leaf.label]:
-                    if found:
-                        found[-1] = replace(found[-1], last=number)
-                    continue
-                lines = tuple(self._from_leaf(mode, region, leaf, number, depth + 3))
-                title = self._title(leaf, number)
-                if found and found[-1].lines == lines:
-                    begin = found[-1].title.split(" to ")[0]
-                    found[-1] = _Body(found[-1].first, number, f"{begin} to {title}", lines)
-                else:
-                    found.append(_Body(number, number, title, lines, leaf.type is NodeType.AND))
+        for number in range(self.flat.leaf[leaf.label], self._last(leaf) + 1):
+            if mode.event and self._is_left(leaf) and number > self.flat.leaf[leaf.label]:
+                found[-1] = replace(found[-1], last=number)
+                continue
+            lines = tuple(self._from_leaf(mode, region, leaf, number, depth + 3))
+            found.append(_Body(number, number, self._title(leaf, number), lines, leaf.type is NodeType.AND))
         return found
 
     def _is_left(self, leaf: Node) -> bool:
@@ -1637,6 +1771,22 @@ def _only(test: str, body: _Body) -> list[str]:
     if head.startswith(_UNLESS) and all(line.startswith(" ") for line in rest):
         return [head, f"    if {test}:  # {body.title}", *_indented(rest, 1)]
     return [f"if {test}:  # {body.title}", *_indented(body.lines, 1)]
+
+
+def _merged(bodies: Iterable[_Body]) -> list[_Body]:
+    """Bodies, neighbours that do the same as one."""
+    found: list[_Body] = []
+    for body in bodies:
+        if found and found[-1].lines == body.lines:
+            found[-1] = _joined(found[-1], body)
+        else:
+            found.append(body)
+    return found
+
+
+def _joined(one: _Body, other: _Body) -> _Body:
+    title = f"{one.title.split(' to ')[0]} to {other.title.split(' to ')[-1]}"
+    return _Body(one.first, other.last, title, one.lines)
 
 
 def _indented(lines: Iterable[str], depth: int) -> list[str]:
