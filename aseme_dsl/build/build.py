@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path, PurePath
@@ -117,22 +118,23 @@ def build(
     files: list[Planned] = []
     notes: list[str] = []
     diagnostics: list[Diagnostic] = []
-    if MODELS in parts:
-        files += _models(system, known)
-    if DIAGRAMS in parts:
-        files += _diagrams(system, choice, before, notes, diagnostics)
-    if PROTO in parts:
-        files += _proto(system, known)
+    drawings = _drawings(system, choice, known) if DIAGRAMS in parts else []
     refused = False
-    for name in backends:
-        homes = {file.home for file in files if file.home is not None}
-        try:
-            code = _code(system, name, folder, choice, known)
-        except Refused as refusal:
-            diagnostics += refusal.diagnostics
-            refused = True
-            continue
-        files += (file for file in code if file.home not in homes)
+    with _drawn(drawings, before.pictures) as results:  # Graphviz draws while the others are made
+        if MODELS in parts:
+            files += _models(system, known)
+        if PROTO in parts:
+            files += _proto(system, known)
+        for name in backends:
+            homes = {file.home for file in files if file.home is not None}
+            try:
+                code = _code(system, name, folder, choice, known)
+            except Refused as refusal:
+                diagnostics += refusal.diagnostics
+                refused = True
+                continue
+            files += (file for file in code if file.home not in homes)
+        files += _pictures(drawings, results(), known, notes, diagnostics)
     generated = [file for file in files if file.part in backends]
     if choice.native and not refused:
         from aseme_dsl.build.native import NativeError, compiled
@@ -248,20 +250,62 @@ def _of_text(path: str, text: str, part: str) -> Planned:
     return Planned(path, _bytes(text), part)
 
 
-def _diagrams(
-    system: System, choice: Choice, before: Earlier, notes: list[str], diagnostics: list[Diagnostic]
-) -> Iterator[Planned]:
-    """One drawing a model; where Graphviz cannot draw, its text, with a warning."""
-    from aseme_dsl.diagrams import DrawingFailed, Expressions, GraphvizMissing, Options, draw, makers
+def _drawings(system: System, choice: Choice, known: Known) -> list[Drawing]:
+    """One drawing a model."""
+    from aseme_dsl.diagrams import Expressions, Options, makers
 
-    known = before.known
-    drawings = [
+    return [
         drawing
         for make, inputs in makers(system, Options(Expressions(choice.expressions)))
         for drawing in _made(known, (make, str(getattr(inputs[0], "name", ""))), make, inputs)
     ]
+
+
+@contextmanager
+def _drawn(
+    drawings: Sequence[Drawing], before: dict[str, tuple[Drawing, Drawn]]
+) -> Iterator[Callable[[], list[Result]]]:
+    """Draw while something else is done; what is given waits, and says what came of each drawing.
+
+    It is taken from `before` where it is the same; afterwards, `before` has them all.
+    """
+    from aseme_dsl.diagrams.drawn import Drawn, drawing
+
+    known = {
+        item.name: found[1] for item in drawings if (found := before.get(item.name)) and found[0] == item
+    }
+    new = [item for item in drawings if item.name not in known]
+    with drawing(new) as results:
+
+        def all_results() -> list[Result]:
+            made: dict[str, Result] = {
+                **known,
+                **dict(zip((item.name for item in new), results(), strict=True)),
+            }
+            found = [made[item.name] for item in drawings]
+            before.clear()
+            before.update(
+                (item.name, (item, result))
+                for item, result in zip(drawings, found, strict=True)
+                if isinstance(result, Drawn)
+            )
+            return found
+
+        yield all_results
+
+
+def _pictures(
+    drawings: Sequence[Drawing],
+    results: Sequence[Result],
+    known: Known,
+    notes: list[str],
+    diagnostics: list[Diagnostic],
+) -> Iterator[Planned]:
+    """The files of the drawings; where Graphviz cannot draw, the text of one, with a warning."""
+    from aseme_dsl.diagrams import DrawingFailed, GraphvizMissing, draw
+
     missing = False
-    for drawing, made in zip(drawings, _pictures(drawings, before.pictures), strict=True):
+    for drawing, made in zip(drawings, results, strict=True):
         drawn = draw(drawing, "dot") if missing else made
         if isinstance(drawn, DrawingFailed):
             missing = isinstance(drawn, GraphvizMissing)
@@ -273,28 +317,6 @@ def _diagrams(
         notes += drawn.notes
         for name, content in drawn.files:
             yield known.recall(Planned, f"{DIAGRAMS}/{name}", content, DIAGRAMS)
-
-
-def _pictures(drawings: Sequence[Drawing], before: dict[str, tuple[Drawing, Drawn]]) -> list[Result]:
-    """What came of each drawing, from `before` where it is the same; afterwards, `before` has them all."""
-    from aseme_dsl.diagrams.drawn import Drawn, draw_together
-
-    known = {
-        item.name: found[1] for item in drawings if (found := before.get(item.name)) and found[0] == item
-    }
-    new = [item for item in drawings if item.name not in known]
-    made: dict[str, Result] = {
-        **known,
-        **dict(zip((item.name for item in new), draw_together(new), strict=True)),
-    }
-    results = [made[item.name] for item in drawings]
-    before.clear()
-    before.update(
-        (item.name, (item, result))
-        for item, result in zip(drawings, results, strict=True)
-        if isinstance(result, Drawn)
-    )
-    return results
 
 
 def _proto(system: System, known: Known) -> Iterator[Planned]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 from aseme_dsl.diagrams.drawing import Drawing
@@ -54,14 +55,19 @@ Result = Drawn | DrawingFailed
 """What came of a drawing."""
 
 
-def draw_together(drawings: Sequence[Drawing], format: str = "svg") -> list[Result]:
-    """What comes of each drawing, as many at a time as there are processors: Graphviz is what takes long."""
-    if len(drawings) < 2:
-        return [_result(item, format) for item in drawings]
+@contextmanager
+def drawing(drawings: Sequence[Drawing], format: str = "svg") -> Iterator[Callable[[], list[Result]]]:
+    """Draw while something else is done; what is given waits, and says what came of each drawing.
+
+    As many are drawn at a time as there are processors: Graphviz is what takes long.
+    """
+    if not drawings:
+        yield list
+        return
     with ThreadPoolExecutor(min(len(drawings), os.cpu_count() or 1)) as workers:
         waiting = [workers.submit(_result, item, format) for item in drawings]
         try:
-            return [item.result() for item in waiting]
+            yield lambda: [item.result() for item in waiting]
         except BaseException:  # Ctrl-C, say: nobody wants the others any more
             workers.shutdown(wait=False, cancel_futures=True)
             end_all()
