@@ -17,7 +17,7 @@ import builtins
 import re
 from bisect import bisect_right
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola.expression import (
@@ -73,6 +73,9 @@ GUARDS = 8
 
 With fewer, asking for that costs those who do not track theirs more than it saves those who do.
 """
+
+LEGEND = 16
+"""So many states are named where the class says what its slots mean."""
 
 NESTED = 6
 """Regions in so many others, and in twice as many, have methods of their own."""
@@ -828,10 +831,13 @@ class _Generator(Face):
         elif values:
             lines += ["", "    def __init__(self) -> None:"]
         lines += [f"        self.{name}: {kind} = {initial}" for name, kind, initial in values]
+        shown = "".join(f" {name}={{self.{name}!r}}" for name, *_ in values)
         if gates:
             lines += [f"        self.{' = self.'.join(gates)} = False", "", "    def changed(self) -> None:"]
             lines.append('        """Something was written: look at all conditions again."""')
             lines.append(f"        self.{' = self.'.join(gates)} = False")
+        lines += ["", "    def __repr__(self) -> str:"]
+        lines.append(f'        return {"f" * bool(shown)}"<{self.board_name}{shown}>"')
         return lines
 
     def _head(self) -> list[str]:
@@ -888,11 +894,15 @@ class _Generator(Face):
             f"class {self.class_name}(Plain):",
             f'    """The statechart {docstring(self.chart.name)} of {self.chart.system}."""',
             "",
+            *(f"    # {line}" for line in self._legend()),
             f"    __slots__ = {_tuple(slots)}",
             "",
             f"    EVENTS = {_tuple(sorted(event for event in self.modes if event != STEP))}",
+            "    NAMES = (",
+            *(f"        {names!r}," for names in self._of_leaves(_leaf_name)),
+            "    )",
             "    LEAVES = (",
-            *(f"        {labels!r}," for labels in self._leaf_labels()),
+            *(f"        {labels!r}," for labels in self._of_leaves(lambda node: node.label)),
             "    )",
         ]
         if inner:
@@ -924,13 +934,39 @@ class _Generator(Face):
         lines += [f"        self.{name}: {kind} = {value}" for name, kind, value, _ in fields]
         return lines
 
-    def _leaf_labels(self) -> list[str]:
-        """The labels of each region's leaves by their numbers."""
+    def _legend(self) -> Iterator[str]:
+        """What the slots mean, for people who look at an instance."""
+        for region in self.flat.regions:
+            if region.size > 1:
+                shown = [
+                    f"{number} {_leaf_name(leaf)}{' (complete)' * (number > self.flat.leaf[leaf.label])}"
+                    for leaf in self.flat.leaves(region.number)
+                    for number in range(self.flat.leaf[leaf.label], self._last(leaf) + 1)
+                ]
+                where = f"{region.label} {_leaf_name(self.chart.node(region.label))}"
+                yield f"r{region.number}: what is active in {where}: {', '.join(_first(shown))}"
+        for time in sorted({self._time(label) for label in self.flat.timed}, key=_naturally):
+            states = [label for label in sorted(self.flat.timed) if self._time(label) == time]
+            shown = [f"{label} {_leaf_name(self.chart.node(label))}" for label in states]
+            yield f"{time}: when (ns) it was entered: {', '.join(_first(shown))}"
+        for number, timers in self.timers.items():
+            for timer in timers:
+                yield f"{self._timer(number, timer)}: when (ns) the timer {timer} of region {number} runs out"
+        for labels in self.asked:
+            yield f"{self._outcome(labels)}: how the activity of {' or '.join(_first(labels))} has ended"
+        for label in self.flat.counted:
+            yield f"{self._count(label)}: how often {label} {_leaf_name(self.chart.node(label))} was entered"
+        for name, copies in self.copied.items():
+            for number in copies:
+                yield f"{self._copy(name, number)}: {name} during a step, as region {number} sees it"
+        if self.spends:
+            yield "spent: the regions that have taken the event of this step (1 region 0, 2 region 1, 4 ...)"
+
+    def _of_leaves(self, word: Callable[[Node], str]) -> list[str]:
+        """A word for each of a region's leaves by their numbers."""
         return [
             " ".join(
-                label
-                for node in self.flat.leaves(region.number)
-                for label in [node.label] * self.rests.width(node)
+                word(node) for node in self.flat.leaves(region.number) for _ in range(self.rests.width(node))
             )
             for region in self.flat.regions
         ]
@@ -1796,6 +1832,16 @@ def _indented(lines: Iterable[str], depth: int) -> list[str]:
 def _is_dynamic(event: Event, mode: str) -> bool:
     """Whether only a running chart knows if an event is there; a failure makes a step without an event."""
     return isinstance(event, After) or (isinstance(event, Failed) and mode == STEP)
+
+
+def _leaf_name(node: Node) -> str:
+    """What a leaf is called; what has no name, by what it is."""
+    return node.name if node.name.isidentifier() else node.type.value
+
+
+def _first(words: Sequence[str]) -> list[str]:
+    """Not too many words for a line."""
+    return [*words[:LEGEND], *["..."] * (len(words) > LEGEND)]
 
 
 def _naturally(name: str) -> list[tuple[int, str]]:

@@ -64,6 +64,8 @@ class Plain:
     """The events that transitions wait for. Another one is no mistake: it is a step without an event."""
     LEAVES: ClassVar[tuple[str, ...]] = ()
     """The labels of each region's leaves by their numbers, in one text: that is loaded faster than many."""
+    NAMES: ClassVar[tuple[str, ...]] = ()
+    """The same leaves, by their names."""
     INNER: ClassVar[Mapping[tuple[int, int], tuple[int, ...]]] = {}
     """For each AND, as its region and number, the regions inside it."""
     RUNNING: ClassVar[Mapping[str, tuple[int, int]]] = {}
@@ -140,6 +142,29 @@ class Plain:
     def configuration(self) -> tuple[str, ...]:
         """The labels of the active leaves, region by region in document order."""
         return tuple(leaves_of(self.LEAVES[region])[number] for region, number in sorted(self._active()))
+
+    def names(self) -> tuple[str, ...]:
+        """The names of the active leaves, in the same order; with the label where several have that name."""
+        return tuple(self._called(region, number) for region, number in sorted(self._active()))
+
+    def _called(self, region: int, number: int) -> str:
+        """The name of a leaf, with its label where others have that name, too."""
+        label, name = leaves_of(self.LEAVES[region])[number], leaves_of(self.NAMES[region])[number]
+        others = (
+            place
+            for labels, names in zip(self.LEAVES, self.NAMES, strict=True)
+            for place, other in zip(leaves_of(labels), leaves_of(names), strict=True)
+            if other == name and place != label
+        )
+        return name if next(others, None) is None else f"{name} {label}"
+
+    def __repr__(self) -> str:
+        """For debuggers: which states are active."""
+        try:
+            active = [self._called(*item) for item in sorted(self._active()) if item not in self.INNER]
+            return f"<{type(self).__name__}: {', '.join(active)}>"
+        except AttributeError:  # a region has no number yet
+            return f"<{type(self).__name__}: not started>"
 
     @property
     def finished(self) -> bool:

@@ -435,3 +435,44 @@ srm R {
         text=True,
     )
     assert done.returncode == 0, done.stdout
+
+
+NAMED = """
+system S
+srm R {
+  var tries : int = 0
+  liveness { R = x || y . x  x = (A . B)~  y = C . D }
+  control y { enter D : next }
+  control x { enter B : go / tries = tries + 1 }
+}
+"""
+
+
+def test_a_debugger_shows_names() -> None:
+    kind = plain_class(generate(NAMED), "R", PlainOptions(watched=True))
+    seen: list[str] = []
+
+    class Telling(kind):  # type: ignore[misc, valid-type]
+        def took(self, *transitions: int) -> None:
+            seen.append(repr(self))
+
+    chart = Telling()
+    assert repr(chart) == "<Telling: not started>"
+    chart.start()
+    chart.send("next")
+    chart.send("go")
+    assert all(text.startswith("<Telling: ") for text in seen)
+    assert chart.names()[0] == "AND"
+    assert repr(chart).startswith("<Telling: B 0.2.1")
+    assert "D" in chart.names()
+    assert repr(chart.bb) == "<RBlackboard tries=1>"
+    while not chart.finished and chart.RUNNING:
+        active = [label for label in chart.configuration() if label in chart.RUNNING]
+        if not any(chart.done(label) for label in active):
+            break
+    assert repr(chart).startswith("<Telling: ")
+
+
+def test_a_class_says_what_its_slots_mean(tmp_path: Path) -> None:
+    text = (built(tmp_path, LAMP) / "Lamp" / "lamp.py").read_text("utf-8")
+    assert "    # r0: what is active in 0 lamp: 0 Dark, 1 Shine\n" in text
