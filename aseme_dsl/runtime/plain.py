@@ -119,7 +119,9 @@ class Plain:
 
         Raises:
             KeyError: the statechart has no such state, or can never be in it.
-            ActivityFailed: the step has not left the state: no `error` transition has taken it.
+            ActivityFailed: the step has not left the state: no `error` transition has taken it. A chart
+                without such transitions keeps no account: one that was left and entered again in the same
+                step counts as not left.
         """
         found = self._running(label)
         takes = hasattr(self, "failures")  # there is an `error` transition
