@@ -148,7 +148,7 @@ class Doing(NamedTuple):  # unpacked in the loop that is timed: a tuple is the q
 
     now: int
     puts: tuple[tuple[str, Any], ...]
-    calls: tuple[tuple[Callable[..., object], tuple[str, ...]], ...]
+    calls: tuple[tuple[Callable[..., object], tuple[str | None, ...]], ...]
 
 
 def plain_begun(kind: type[Plain], course: Course, like_this: Chart) -> Plain:
@@ -175,7 +175,7 @@ def doings(chart: Plain, runner: Any, course: Course, reference: Chart, send: st
     found: list[Doing] = []
     for given in course.steps:
         puts: list[tuple[str, Any]] = []
-        calls: list[tuple[Callable[..., object], tuple[str, ...]]] = []
+        calls: list[tuple[Callable[..., object], tuple[str | None, ...]]] = []
         for item in given.inputs:
             match item:
                 case Arrived(channel, message, sender):
@@ -189,10 +189,9 @@ def doings(chart: Plain, runner: Any, course: Course, reference: Chart, send: st
                 case Happened(name):
                     calls.append((getattr(runner, send), (name,)))
                 case Completed(label, token, outcome) if runs(reference, label, token):
-                    done = runner.done if outcome is None else chart.done
-                    calls.append((done, (label,) if outcome is None else (label, outcome)))
+                    calls.append((runner.done, (label, outcome)))
                 case Crashed(label, token, reason) if runs(reference, label, token):
-                    calls.append((chart.failed, (label, reason)))
+                    calls.append((runner.failed, (label, reason)))
         if not found:
             calls = [(runner.start, ()), *calls]
         give(reference, given)
@@ -201,8 +200,9 @@ def doings(chart: Plain, runner: Any, course: Course, reference: Chart, send: st
 
 
 def _slot(board: Any, variable: str) -> str | None:
-    """What a variable is called on a blackboard: as in the document, unless Python has that word."""
-    return next((name for name in (variable, f"{variable}_") if hasattr(board, name)), None)
+    """What a variable is called on a blackboard: as in the document, unless that word is taken there."""
+    slots = type(board).__slots__
+    return next((name for name in (variable, f"{variable}_", f"{variable}_2") if name in slots), None)
 
 
 def runs(chart: Chart, label: str, token: int) -> bool:

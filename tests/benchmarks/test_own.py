@@ -30,23 +30,10 @@ from benchmarks.peers.own import Found, Role, measured
 from tests.benchmarks.following import Follower
 from tests.runtime.playing import SECOND, make
 from tests.support.generated import Generated, generate
+from tests.support.lamp import LAMP
 
 ROOT = Path(__file__).parents[2]
 
-LAMP = """
-system Lamp
-enum Colour { WHITE RED }
-message Room { bool dark  Colour colour }
-topic room { state Room }
-srm lamp {
-  var touched : int = 0
-  liveness { lamp = (Dark . Shine)~ }
-  control lamp {
-    enter Shine : touch [room.state.Room.dark && room.state.Room.colour == Colour.RED] / touched = touched + 1
-    leave Shine : touch or after(100ms)
-  }
-}
-"""
 
 WORKER = """
 system Par

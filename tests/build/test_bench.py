@@ -15,27 +15,13 @@ from aseme_dsl.build.drawn import drawn
 from aseme_dsl.build.project import compile_root
 from aseme_dsl.runtime.loading import load_system
 from tests.cli.support import BAD, GOOD, asemec
+from tests.support.lamp import LAMP
 
 ROOT = Path(__file__).parents[2]
 FILES = [
     *sorted((ROOT / "tests" / "acceptance").glob("*.aseme")),
     *sorted((ROOT / "examples" / "home").glob("*.aseme")),
 ]
-
-LAMP = """
-system Lamp
-enum Colour { WHITE RED }
-message Room { bool dark  Colour colour }
-topic room { state Room }
-srm lamp {
-  var touched : int = 0
-  liveness { lamp = (Dark . Shine)~ }
-  control lamp {
-    enter Shine : touch [room.state.Room.dark && room.state.Room.colour == Colour.RED] / touched = touched + 1
-    leave Shine : touch or after(100ms)
-  }
-}
-"""
 
 
 def measured(root: Path, folder: Path, steps: int = 60, seed: int = 1) -> Bench:
@@ -66,6 +52,15 @@ def test_a_plain_statechart_is_compared_and_timed_beside(tmp_path: Path) -> None
     assert (item.steps, item.visited, item.activities, item.refused) == (400, 2, 2, ())
     assert item.taken == item.transitions
     assert item.ways["Machine.send"].memory > item.ways["plain"].memory + 500  # it has a queue
+
+
+def test_variables_that_are_called_otherwise_on_the_blackboard(tmp_path: Path) -> None:
+    """`changed` is a method of a blackboard that is told of changes: the variable is `changed_2` there."""
+    text = LAMP.replace("touched", "changed").replace("touch [", "touch [changed < 2 && ")
+    text = text.replace("liveness", "activities { Dark writes changed }\n  liveness")
+    (tmp_path / "lamp.aseme").write_text(text, "utf-8")
+    item = measured(tmp_path / "lamp.aseme", tmp_path / "out", steps=400).roles[0]
+    assert list(item.ways) == ["agent", "plain", "Machine.send", "Machine.post"]
 
 
 def test_a_seed_draws_the_same(tmp_path: Path) -> None:
