@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import shutil
 import socket
@@ -191,6 +192,13 @@ def test_what_is_not_for_it_is_refused(wire: Generated, mouth: Mouth) -> None:
 # ---- a link that breaks ------------------------------------------------------------------------
 
 
+def sever(*ends: socket.socket) -> None:
+    """Shut both ends of a connection, which wakes the threads that read from them; they close them."""
+    for end in ends:
+        with contextlib.suppress(OSError):  # shut, or closed, already
+            end.shutdown(socket.SHUT_RDWR)
+
+
 class Proxy:
     """A wire between two ports that can be cut, or kept so that nothing comes through."""
 
@@ -210,13 +218,15 @@ class Proxy:
             except OSError:
                 return
             try:
-                if self.cut_off:
-                    raise OSError("cut off")
                 there = socket.create_connection(("127.0.0.1", self.to))
             except OSError:
                 here.close()
                 continue
+            # Noted before it is asked whether the wire is cut; a cut is said before it looks at what is noted. So
+            # one of the two sees a connection that is made meanwhile.
             self.pairs.append((here, there))
+            if self.cut_off:
+                sever(here, there)
             for a, b in ((here, there), (there, here)):
                 threading.Thread(target=self._pass, args=(a, b), daemon=True).start()
 
@@ -228,15 +238,13 @@ class Proxy:
                 b.sendall(data)
         except OSError:
             pass
-        for end in (a, b):
-            end.close()
+        sever(a, b)
+        a.close()
 
     def cut(self) -> None:
         self.cut_off = True
         for pair in self.pairs:
-            for end in pair:
-                end.close() if end.fileno() < 0 else end.shutdown(socket.SHUT_RDWR)
-        self.pairs.clear()
+            sever(*pair)
 
     def mend(self) -> None:
         self.cut_off = False
