@@ -222,8 +222,8 @@ class Proxy:
             except OSError:
                 here.close()
                 continue
-            # Noted before it is asked whether the wire is cut; a cut is said before it looks at what is noted. So
-            # one of the two sees a connection that is made meanwhile.
+            # Noted before it is asked whether the wire is cut; a cut is said before looking at what is noted.
+            # So one of the two sees a connection that is made meanwhile.
             self.pairs.append((here, there))
             if self.cut_off:
                 sever(here, there)
