@@ -17,7 +17,7 @@ class TraceFollower:
     """A trace that a run writes, or will write: `NAME.part` until it is complete, `NAME` then.
 
     Whoever begins before the run waits for it; one that begins anew in the same place is followed from its
-    begin. What is there already when it is looked at for the first time is told, too.
+    begin. What is there already when it is looked at for the first time is told, too. A folder is no trace.
     """
 
     def __init__(self, path: Path) -> None:
@@ -61,7 +61,7 @@ class TraceFollower:
         self._rest = b""
         self.finished = False
         for path in (part_of(self.path), self.path):
-            with suppress(FileNotFoundError):
+            with suppress(FileNotFoundError, IsADirectoryError):
                 self._file = path.open("rb")
                 return
 

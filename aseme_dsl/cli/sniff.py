@@ -134,7 +134,9 @@ def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool) -> int:
     width = 5
     try:
         while not all(item.finished for item in followers):
-            for item in followers:
+            for number, item in enumerate(followers):
+                if item.path.is_dir():  # whoever begins before the first run cannot know it
+                    item = followers[number] = TraceFollower(*_traces(item.path, follow=True))
                 for record in item.poll():
                     if record["kind"] == "header":
                         began[item.path] = _start(record)

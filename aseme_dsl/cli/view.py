@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import queue
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,9 +16,6 @@ if TYPE_CHECKING:
     from aseme_dsl.editor.diagram import Diagrams, LiveDrawing
     from aseme_dsl.editor.program import Program
     from aseme_dsl.editor.workspace import Workspace
-
-_PAUSE = 0.2
-"""Seconds between two looks at the files."""
 
 
 @click.command(
@@ -52,14 +49,11 @@ def command(file: Path, model: str | None, port: int, opens: bool) -> int:
         click.echo(f"{file}: {viewer.url} (Ctrl-C ends it)")
         if opens:
             click.launch(viewer.url)
-        watched = _Watched(file, Workspace(project()), Diagrams(), model)
+        watched = Watched(file, Workspace(project()), Diagrams(), model)
         viewer.show(watched.state())
         while True:
-            try:
-                watched.act(said.get(timeout=_PAUSE))
-            except queue.Empty:
-                if not watched.has_changed():
-                    continue
+            if not watched.wait(lambda: not said.empty()):
+                watched.act(said.get())
             viewer.show(watched.state())
     except KeyboardInterrupt:
         return 0
@@ -67,18 +61,20 @@ def command(file: Path, model: str | None, port: int, opens: bool) -> int:
         viewer.close()
 
 
-class _Watched:
+class Watched:
     """A file that is looked at, and what is shown of it."""
 
     def __init__(self, file: Path, workspace: Workspace, diagrams: Diagrams, model: str | None) -> None:
+        from aseme_dsl.build.watch import Watch
+
         self._path = str(file)
         self._workspace = workspace
         self._diagrams = diagrams
         self._model = model
         self._part: str | None = None
         self._clicked: str | None = None
+        self._watch = Watch()
         self._program = self._compiled()
-        self._stamp = self._stamps()
 
     def act(self, said: Mapping[str, Any]) -> None:
         """What somebody does on the page."""
@@ -90,13 +86,11 @@ class _Watched:
             case {"act": "enter", "id": str(element)} if element.startswith("n"):
                 self._part, self._clicked = element[1:], None
 
-    def has_changed(self) -> bool:
-        """Whether a file is another one than before; then it has been compiled again."""
-        stamp = self._stamps()
-        if stamp == self._stamp:
+    def wait(self, until: Callable[[], bool]) -> bool:
+        """Wait for a file that is another one than before, and compile; False as soon as `until` says so."""
+        if self._watch.wait(until) is None:
             return False
         self._program = self._compiled()
-        self._stamp = self._stamps()
         return True
 
     def state(self) -> dict[str, Any]:
@@ -140,13 +134,12 @@ class _Watched:
         return None
 
     def _compiled(self) -> Program:
-        """The program as the files are now."""
+        """The program as the files are now; from now on, they and those that were looked for are watched."""
+        self._watch.begin()
         self._workspace.forget()
-        return self._workspace.program(str(Path(self._path).resolve()))
-
-    def _stamps(self) -> tuple[object, ...]:
-        """What changes when one of the files does that were read or looked for."""
-        return tuple(map(_stamp, self._program.inspection.loaded.paths.values()))
+        program = self._workspace.program(str(Path(self._path).resolve()))
+        self._watch.depend(program.inspection.loaded.paths.values())
+        return program
 
 
 def _place(drawing: LiveDrawing, element: str) -> str:
@@ -164,12 +157,4 @@ def _problems(program: Program) -> str:
     return render_text(item for item in program.diagnostics if item.severity is Severity.ERROR)
 
 
-def _stamp(path: str) -> object:
-    try:
-        found = Path(path).stat()
-    except (OSError, ValueError):
-        return None
-    return found.st_mtime_ns, found.st_size, found.st_ino
-
-
-__all__ = ["command"]
+__all__ = ["Watched", "command"]

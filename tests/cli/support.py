@@ -74,6 +74,13 @@ def command(*arguments: object) -> list[str]:
     return [sys.executable, "-m", "aseme_dsl", *(str(argument) for argument in arguments)]
 
 
+def save(path: Path, text: str) -> None:
+    """Write a file as many editors do: a new one takes its name, so that nobody ever sees half of it."""
+    new = path.with_name(f".{path.name}.new")
+    new.write_text(text, "utf-8")
+    new.replace(path)
+
+
 class Here:
     """Calls asemec in this process: far faster, with the same streams and exit codes.
 

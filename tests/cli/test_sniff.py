@@ -11,6 +11,7 @@ import threading
 import time
 from collections.abc import Sequence
 from pathlib import Path
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
@@ -340,20 +341,43 @@ def test_a_run_is_followed_from_before_its_begin_to_its_end(folder: Path) -> Non
             sniffing.kill()
 
 
+WAIT = """
+from pathlib import Path
+class CarryOut:
+    def execute(self, context):
+        while not Path("seen").exists():
+            context.wait(0.05)
+"""
+
+
+def test_a_run_is_followed_from_before_its_folder(
+    folder: Path, here: Here, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def begin(_: float) -> None:
+        """While nobody looks, the run begins, and ends."""
+        Path("out").mkdir()
+        write(Path("out/trace.jsonl"), header("one", "two"), mail(1, "one", ["two"], 1), FINISH)
+
+    monkeypatch.setattr("aseme_dsl.cli.sniff.time", SimpleNamespace(sleep=begin))
+    done = here("sniff", "out", "--follow")
+    assert lines(done.out) == ["1 s one -- inform Note (n 1) --> two [talk-one-2]"], done.err
+
+
 def test_a_team_that_runs_is_followed(run: Path) -> None:
     """In real time: what is said is seen before the run is over."""
-    Path("activities/carry_out.py").unlink()
+    Path("activities/carry_out.py").write_text(WAIT, "utf-8")
     (run / "trace.jsonl").unlink()
     asemec = [sys.executable, "-m", "aseme_dsl"]
-    command = [*asemec, "run", "kitchen.aseme", "--activities", "activities", "--real", "-q", "--for", "20s"]
+    command = [*asemec, "run", "kitchen.aseme", "--activities", "activities", "--real", "-q"]
     playing = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     sniffing = subprocess.Popen([*asemec, "sniff", "out", "-f"], stdout=subprocess.PIPE, encoding="utf-8")
-    watch = threading.Timer(60, lambda: (playing.kill(), sniffing.kill()))
+    watch = threading.Timer(300, lambda: (playing.kill(), sniffing.kill()))
     watch.start()
     try:
         assert sniffing.stdout is not None
         assert "cfp Job" in sniffing.stdout.readline()
         assert playing.poll() is None
+        Path("seen").touch()
         assert "failure Outcome" in sniffing.stdout.read()
         assert sniffing.wait(20) == 0
     finally:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.support import BAD, GOOD, Here, asemec, command
+from tests.cli.support import BAD, GOOD, Here, asemec, command, save
 
 PATIENCE = 60.0
 """How long a line may take, in s: an answer to whether it comes at all."""
@@ -89,13 +89,6 @@ def watching(project: Path) -> Iterator[Watching]:
     with Watching(project, *arguments) as found:
         found.until("watching")
         yield found
-
-
-def save(path: Path, text: str) -> None:
-    """Write a file as many editors do: a new one takes its name."""
-    new = path.with_name(f".{path.name}.new")
-    new.write_text(text, "utf-8")
-    new.replace(path)
 
 
 def contents(folder: Path) -> dict[str, bytes]:
@@ -191,21 +184,22 @@ def test_what_is_no_longer_generated_is_removed_and_told(project: Path, watching
 
 
 def test_configuration_activities_and_output_count_too(project: Path, watching: Watching) -> None:
-    (project / "pyproject.toml").write_text('[tool.asemec]\nlabels = "wrong"\n', "utf-8")
+    save(project / "pyproject.toml", '[tool.asemec]\nlabels = "wrong"\n')
     said = watching.until("what was built stays")
     assert "pyproject.toml is new" in said and "pyproject.toml:2" in said
     (project / "pyproject.toml").unlink()
     assert "pyproject.toml is gone" in watching.until("Walker -> out")
     activity = project / "out" / "monas" / "activities" / "walk.py"
     text = activity.read_text("utf-8")
-    activity.write_text(f"{text}        context.read('eyes.state.Seem')\n", "utf-8")
-    said = watching.until("Walker -> out")
-    assert "walk.py changed" in said and "W530" in said
-    activity.write_text(text, "utf-8")
+    save(activity, f"{text}        context.read('eyes.state.Seem')\n")
+    said = watching.until("W530")
+    assert "walk.py changed" in said
+    watching.until("Walker -> out")
+    save(activity, text)
     watching.until("Walker -> out")
     step = project / "out" / "monas" / "Walker" / "robot" / "plan.py"
     mine = step.read_text("utf-8") + "# mine\n"
-    step.write_text(mine, "utf-8")
+    save(step, mine)
     save(project / "robot.aseme", LIBRARY.replace("Walk takes 1s", "Walk takes 5s"))
     assert "was edited since it was generated" in watching.until("what was built stays")
     assert step.read_text("utf-8") == mine
@@ -215,7 +209,7 @@ def test_configuration_activities_and_output_count_too(project: Path, watching: 
     find_spec("grpc_tools") is None, reason="grpcio-tools is not installed: no .proto imports"
 )
 def test_imported_proto_files_count_with_those_behind_them(project: Path) -> None:
-    (project / "inner.proto").write_text('syntax = "proto3";\nmessage Point { double x = 1; }\n', "utf-8")
+    save(project / "inner.proto", 'syntax = "proto3";\nmessage Point { double x = 1; }\n')
     (project / "seen.proto").write_text(
         'syntax = "proto3";\nimport "inner.proto";\nmessage Spot { Point at = 1; }\n', "utf-8"
     )
@@ -223,13 +217,13 @@ def test_imported_proto_files_count_with_those_behind_them(project: Path) -> Non
     (project / "walker.aseme").write_text(f'import "seen.proto"\n{text}', "utf-8")
     with Watching(project, "build", "walker.aseme", "--only", "monas") as watching:
         watching.until("watching")
-        (project / "inner.proto").write_text('syntax = "proto3";\nmessage Point { double y = 1; }\n', "utf-8")
+        save(project / "inner.proto", 'syntax = "proto3";\nmessage Point { double y = 1; }\n')
         said = watching.until("Walker -> out")
         assert "inner.proto changed" in said and "changed monas/Walker/__init__.py" in said
         assert "y: float" in (project / "out" / "monas" / "Walker" / "messages.py").read_text("utf-8")
         (project / "inner.proto").unlink()
         assert "error[E007]" in watching.until("what was built stays")
-        (project / "inner.proto").write_text('syntax = "proto3";\nmessage Point { double z = 1; }\n', "utf-8")
+        save(project / "inner.proto", 'syntax = "proto3";\nmessage Point { double z = 1; }\n')
         assert "inner.proto is new" in watching.until("Walker -> out")
 
 
@@ -249,9 +243,9 @@ def test_check_tells_what_is_new_in_a_folder(tmp_path: Path) -> None:
 
 
 def test_an_unknown_backend_in_the_configuration_can_be_mended(project: Path, watching: Watching) -> None:
-    (project / "pyproject.toml").write_text('[tool.asemec]\nbackends = ["monass"]\n', "utf-8")
+    save(project / "pyproject.toml", '[tool.asemec]\nbackends = ["monass"]\n')
     watching.until("monass")
-    (project / "pyproject.toml").write_text("[tool.asemec]\n", "utf-8")
+    save(project / "pyproject.toml", "[tool.asemec]\n")
     watching.until("Walker -> out")
 
 
@@ -268,7 +262,7 @@ def test_a_first_build_that_fails_is_waited_for(tmp_path: Path) -> None:
     with Watching(tmp_path, "build", "walker.aseme", "--only", "models") as watching:
         assert "there is no file walker.aseme" in watching.until("what was built stays")
         watching.until("watching")
-        (tmp_path / "walker.aseme").write_text(GOOD, "utf-8")
+        save(tmp_path / "walker.aseme", GOOD)
         watching.until("Walker -> out: new")
         os.kill(watching.process.pid, signal.SIGTERM)
         assert watching.process.wait(PATIENCE) == 143

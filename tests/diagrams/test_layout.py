@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 import shutil
+import subprocess
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -82,18 +84,34 @@ def test_what_went_wrong_is_said(how: str, fake: Fake) -> None:
     assert str(failure.value).startswith("iac.Test could not be drawn: ")
 
 
-def test_a_program_that_hangs_is_ended_with_all_that_it_started(fake: Fake, tmp_path: Path) -> None:
+def test_a_program_that_hangs_is_ended_with_all_that_it_started(
+    fake: Fake, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     started = tmp_path / "started"
     fake(f"sleep 300 & echo $! >> '{started}'; wait")
+
+    class Hanging(subprocess.Popen[bytes]):
+        """A program whose time begins when it has started what it starts, however long that takes."""
+
+        def communicate(self, *arguments: Any, **options: Any) -> tuple[bytes, bytes]:
+            began.append(self.pid)
+            while not started.exists() or len(started.read_text().splitlines()) < len(began):
+                assert self.poll() is None
+                time.sleep(0.01)
+            return super().communicate(*arguments, **options)
+
+    began: list[int] = []
+    monkeypatch.setattr("aseme_dsl.diagrams.layout.subprocess.Popen", Hanging)
     with pytest.raises(DrawingFailed, match=r"dot was not done after 0\.3 s"):
         render(drawing(), "svg", time_limit=0.3)
-    for number in started.read_text().split():
-        assert _ends(int(number))
+    assert len(began) == 2
+    for number in (*began, *map(int, started.read_text().split())):
+        assert _ends(number)
 
 
 def _ends(number: int) -> bool:
     """Whether the process is gone, or only waits for somebody to take note that it is."""
-    for _ in range(100):
+    for _ in range(1200):
         try:
             os.kill(number, 0)
             state = Path(f"/proc/{number}/stat")

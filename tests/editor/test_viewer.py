@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import http.client
 import json
-import os
 import queue
 import re
 import signal
@@ -19,11 +18,17 @@ from urllib.parse import urlsplit
 
 import pytest
 
+from aseme_dsl.cli.lsp import project
+from aseme_dsl.cli.view import Watched
 from aseme_dsl.editor import viewer
+from aseme_dsl.editor.diagram import Diagrams
+from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.viewer import Viewer, page_state
-from tests.cli.support import GOOD, command
+from aseme_dsl.editor.workspace import Workspace
+from tests.cli.support import GOOD, command, save
 
-SECONDS = 30.0
+SECONDS = 60.0
+"""How long something may take, in s: an answer to whether it comes at all."""
 
 
 class Browser:
@@ -161,18 +166,30 @@ def test_a_file_is_followed(tmp_path: Path) -> None:
         browser.act(act="choose", model="iac.robot")
         good = browser.until(lambda state: state["model"] == "iac.robot")
 
-        def written(text: str) -> None:
-            later = file.stat().st_mtime + 5
-            file.write_text(text)
-            os.utime(file, (later, later))
-
-        written(GOOD.replace("(Walk | Stand)+", "(Walk | | Stand)+"))
+        save(file, GOOD.replace("(Walk | Stand)+", "(Walk | | Stand)+"))
         state = browser.until(lambda state: state["note"])
         assert "before the mistakes" in state["note"] and state["svg"] == good["svg"]
         assert "error[E1" in state["text"]
-        written(GOOD.replace("Stand", "Sit"))
+        save(file, GOOD.replace("Stand", "Sit"))
         state = browser.until(lambda state: not state["note"])
         assert ">Sit<" in state["svg"] and state["text"] == ""
+
+
+def test_a_file_that_changes_while_it_is_compiled_is_compiled_again(tmp_path: Path) -> None:
+    file = tmp_path / "team.aseme"
+    file.write_text(GOOD)
+
+    class Slow(Workspace):
+        def program(self, root: str) -> Program:
+            found = super().program(root)
+            if "Stand" in file.read_text():
+                save(file, GOOD.replace("Stand", "Sit"))
+            return found
+
+    watched = Watched(file, Slow(project()), Diagrams(), None)
+    end = time.monotonic() + SECONDS
+    assert watched.wait(lambda: time.monotonic() > end), "the change is not seen"
+    assert ">Sit<" in watched.state()["svg"]
 
 
 def test_nothing_to_draw(tmp_path: Path) -> None:
