@@ -12,6 +12,9 @@ Stamp = tuple[int, int, int]
 Look = Callable[[str], Stamp | None]
 """What a file is, by its path: `stamp_of`, or what somebody has just been told by it."""
 
+CLOCK = 10_000_000
+"""By how many ns the times of files may be behind the clock."""
+
 
 def stamp_of(path: Path | str) -> Stamp | None:
     """The stamp of a file or folder; None where there is none."""
@@ -22,4 +25,4 @@ def stamp_of(path: Path | str) -> Stamp | None:
     return found.st_mtime_ns, found.st_size, found.st_ino
 
 
-__all__ = ["Look", "Stamp", "stamp_of"]
+__all__ = ["CLOCK", "Look", "Stamp", "stamp_of"]

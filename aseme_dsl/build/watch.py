@@ -21,7 +21,7 @@ from aseme_dsl.build.configuration import FILE
 from aseme_dsl.build.inputs import is_searched
 from aseme_dsl.build.manifest import NAME as MANIFEST
 from aseme_dsl.build.project import Compiled, code_folder, path_of
-from aseme_dsl.build.stamp import Stamp, stamp_of
+from aseme_dsl.build.stamp import CLOCK, Stamp, stamp_of
 
 if TYPE_CHECKING:
     from aseme_dsl.build.workshop import Workshop
@@ -39,8 +39,6 @@ _SETTLED = 0.015
 _PATIENCE = 1.0
 """How long is waited for that at most, in s."""
 
-_CLOCK = 10_000_000
-"""By how many ns the times of files may be behind the clock."""
 _UNKNOWN = (0, 0, 0)
 """The stamp of a file that may have changed since it was read: the next look sees to it."""
 
@@ -132,7 +130,7 @@ class Watch:
 
     def _look(self) -> None:
         """Look at everything. What is as it was keeps its stamp: that very object."""
-        self._begun = time.time_ns() - _CLOCK
+        self._begun = time.time_ns() - CLOCK
         begun = time.thread_time()
         found: dict[str, Stamp | None] = {}
         for path, known in self._stamps.items():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from collections import OrderedDict
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -11,6 +12,7 @@ from pathlib import Path
 from aseme_dsl.build.build import with_labels
 from aseme_dsl.build.draw import NoSuchDrawing, choose
 from aseme_dsl.build.project import Compiled, compile_root, path_of
+from aseme_dsl.build.stamp import CLOCK
 from aseme_dsl.diagnostics import Diagnostic, Severity, render_text
 from aseme_dsl.diagrams import DrawingFailed, NoSuchState
 from aseme_dsl.diagrams.drawn import WHOLE
@@ -113,8 +115,13 @@ class Drawer:
         if known is not None and known[0] == _stamp(_read_by(known[1], root)):
             self._compiled.move_to_end(key)
             return known[1]
+        begun = time.time_ns() - CLOCK
         compiled = compile_root(root)
-        self._compiled[key] = (_stamp(_read_by(compiled, root)), compiled)
+        stamp = _stamp(_read_by(compiled, root))
+        if any(changed >= begun for _, changed, _ in stamp):  # perhaps after it was read
+            self._compiled.pop(key, None)
+            return compiled
+        self._compiled[key] = (stamp, compiled)
         while len(self._compiled) > _MOST:
             self._compiled.popitem(last=False)
         return compiled

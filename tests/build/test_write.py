@@ -361,7 +361,7 @@ def test_a_really_full_disk(tmp_path: Path) -> None:
         "done = write(Path(sys.argv[1]), files, parts=parts, system='Team', source='team.aseme')\n"
         "print(done.diagnostics[0].message)"
     )
-    done = subprocess.run([sys.executable, "-c", program, str(out)], capture_output=True, text=True)
+    done = subprocess.run([sys.executable, "-B", "-c", program, str(out)], capture_output=True, text=True)
     assert "cannot be written: File too large" in done.stdout, done.stderr
     assert tree(out) == contents
 

@@ -64,7 +64,7 @@ def asemec(
         input=input if input is not None else b"",
         capture_output=True,
         env={**os.environ, **environment},
-        timeout=120,
+        timeout=600,
     )
     return Done(done.returncode, done.stdout.decode(), done.stderr.decode())
 

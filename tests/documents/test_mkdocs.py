@@ -69,7 +69,7 @@ def test_the_plugin_is_found_by_its_name(site: Site) -> None:
     assert points[0].load() is AsemePlugin
     site.write("docs/index.md", block(info="file=walker.aseme model=iac.robot"))
     command = [sys.executable, "-m", "mkdocs", "build", "--strict"]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600)
     assert done.returncode == 0, done.stderr
     assert len(svgs(site.page())) == 1
 

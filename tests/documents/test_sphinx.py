@@ -12,7 +12,10 @@ import pytest
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace, patch_docutils
 
+from aseme_dsl.build.project import Compiled
 from aseme_dsl.diagrams import store
+from aseme_dsl.documents import figures
+from aseme_dsl.source import Source
 from tests.documents.pages import BROKEN, SMALL, WALKER, ids, svgs, texts
 
 CONF = """\
@@ -192,6 +195,24 @@ def test_a_page_is_made_again_when_a_file_changes(site: Site, monkeypatch: pytes
     assert site.build() == (0, "")
     assert "Sit" in texts(svgs(site.page())[0])
     assert drawn == ["iac.robot", "iac.robot"]  # the last one is the one before
+
+
+def test_a_file_that_changes_while_it_is_compiled_is_compiled_again(
+    site: Site, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = figures.compile_root
+
+    def slow(root: Path | Source) -> Compiled:
+        found = real(root)
+        site.write("walker.aseme", WALKER.replace("Stand", "Sit"))
+        return found
+
+    monkeypatch.setattr(figures, "compile_root", slow)
+    page = rst(":model: iac.robot", file="walker.aseme")
+    for text, seen in ((page, "Stand"), (f"{page}More\n", "Sit")):
+        site.write("index.rst", text)
+        assert site.build() == (0, "")
+        assert seen in texts(svgs(site.page())[0])
 
 
 def test_pictures_outlive_the_process(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
