@@ -17,7 +17,7 @@ import builtins
 import re
 from bisect import bisect_right
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola.expression import (
@@ -64,6 +64,9 @@ CHUNK = 64
 
 IN_LINE = 400
 """An event whose body has more lines than this has a method of its own."""
+
+SHARED = 400
+"""With more tests that need no event than this, for all events together, events share methods for them."""
 
 BRANCHES = 8
 """More events than this are found in a table, fewer by comparisons."""
@@ -296,6 +299,12 @@ class _Generator(Face):
         self.gated: set[tuple[str, frozenset[str], tuple[str, ...]]] = set()
         self.gates: dict[str, frozenset[str]] = {}
         """What says of many conditions that they still do not hold, with what on the blackboard they read."""
+        self.place = {
+            leaf.label: place
+            for region in self.flat.regions
+            for place, leaf in enumerate(self.flat.leaves(region.number))
+        }
+        """Where a leaf stands among those of its region."""
         self.modes = self._modes()
         self.timers = self._timers()
         self.uses = self._all_uses()
@@ -303,6 +312,10 @@ class _Generator(Face):
         self.untouched: dict[tuple[int, bool, bool, tuple[str, ...]], _Untouched] = {}
         self.looping: frozenset[str] | None = None
         """The leaves at which a step with an event that they do not wait for may need another round."""
+        self.others: _Mode | None = None
+        """What is done with an event that nothing waits for, where all events share that."""
+        self.others_done: dict[int, tuple[list[int], list[int]]] = {}
+        """The first and last numbers in a region for which there is anything in these methods."""
         self.times = frozenset(map(self._entered_now, self.flat.timed))
         self.is_timed = bool(self.flat.timed or self.timers)
         self.may_fail = options.watched or any(
@@ -566,13 +579,26 @@ class _Generator(Face):
         for region in self.flat.regions:
             for place, leaf in enumerate(self.flat.leaves(region.number)):
                 events = set(own[leaf.label])
-                for source in (leaf, *self.flat.around(leaf.label)):
-                    for segment in self.flat.segments(source.label):
-                        if self.chart.node(segment.target).type is not NodeType.CONDITION:
-                            events.update(*(own[label] for label in self._rests_in(segment.target)))
+                for way in self._open_ways(OTHER, leaf):
+                    for taken in _paths(way):
+                        target = self.flat.transition(taken[-1]).target
+                        events.update(*(own[label] for label in self._rests_in(target)))
                 for event in events:
                     found.setdefault(event, {}).setdefault(region.number, []).append(place)
-        return {event: {r: tuple(places) for r, places in item.items()} for event, item in found.items()}
+        return {
+            event: {region: tuple(sorted(places)) for region, places in self._with_ands(item).items()}
+            for event, item in found.items()
+        }
+
+    def _with_ands(self, places: Mapping[int, Iterable[int]]) -> dict[int, set[int]]:
+        """Places of leaves by their regions, with those of the ANDs around these regions."""
+        found = {region: set(items) for region, items in places.items()}
+        for inner in places:
+            for region in self._with_around(inner):
+                around = self.chart.node(self.flat.regions[region].label).parent
+                if around is not None:
+                    found.setdefault(self.flat.region_number[around], set()).add(self.place[around])
+        return found
 
     def _rests_in(self, target: str) -> Iterator[str]:
         """The leaves at which regions rest when `target` has been entered."""
@@ -612,22 +638,33 @@ class _Generator(Face):
     def _loops_at(self, mode: str, leaf: Node) -> bool:
         """Whether a transition that is taken while a leaf is active may need another round after it."""
         region = self.flat.region_number[leaf.label]
+        for taken, spent in self._open_paths(mode, leaf):
+            if self.flat.transition(taken[0]).kind is TransitionKind.ON:
+                if self._again_at(mode, leaf, spent):
+                    return True
+            elif self._again(mode, region, taken, spent):
+                return True
+        return False
+
+    def _open_paths(self, mode: str, leaf: Node) -> Iterator[tuple[tuple[int, ...], bool]]:
+        """The compound transitions that may be taken while a leaf is active, each with whether it certainly
+        spends the event."""
+        for way in self._open_ways(mode, leaf):
+            for taken in _paths(way):
+                spends = self._spends(mode, taken)
+                if spends is not None:
+                    yield taken, spends == "yes"
+
+    def _open_ways(self, mode: str, leaf: Node) -> Iterator[Way]:
+        """The ways that may be taken while a leaf is active, if what they wait for is there."""
         for source in (leaf, *self.flat.around(leaf.label)):
             if source is leaf:
                 complete = leaf.type is not NodeType.BASIC or not (mode and self._is_left(leaf))
             else:
                 complete = leaf.type is NodeType.END and leaf.parent == source.label
             for way in (*self.flat.first_ways(source.label), *self.flat.ways(source.label)):
-                if not complete and not self.flat.waits_for_event(way):
-                    continue
-                for taken in _paths(way):
-                    spends = self._spends(mode, taken)
-                    if self.flat.transition(way.number).kind is TransitionKind.ON:
-                        if spends is not None and self._again_at(mode, leaf, spends == "yes"):
-                            return True
-                    elif spends is not None and self._again(mode, region, taken, spends == "yes"):
-                        return True
-        return False
+                if complete or self.flat.waits_for_event(way):
+                    yield way
 
     def _spends(self, mode: str, taken: tuple[int, ...]) -> str | None:
         """What the transitions of a way spend in a mode (see `_Candidate.spends`); None if it is shut."""
@@ -749,11 +786,12 @@ class _Generator(Face):
         methods: list[list[str]] = []
         for region in reversed(self.flat.regions[1:]):  # innermost first, so that nothing goes deep
             self._leave_region(region.number)
+        self._share()
         bodies = {event: self._mode(event) for event in self.modes}
         methods.append(self._start())
         methods.append(self._send(bodies))
         methods.append(self._written("step(self) -> bool", "One step without an event.", bodies[STEP][0]))
-        for _, mode in bodies.values():
+        for mode in (*(mode for _, mode in bodies.values()), *([self.others] if self.others else ())):
             methods += mode.functions.values()
             self.tables += [line for table in mode.tables.values() for line in table]
         head = self._head()
@@ -1068,10 +1106,10 @@ class _Generator(Face):
 
     def _mode(self, event: str) -> tuple[list[str], _Mode]:
         """The body of a step, as it stands in a method."""
-        mode = _Mode(event, self._may_loop(event))
-        mode.direct = not mode.loops and len(self.flat.regions) == 1 and not self.copied and not self.faults
+        mode = self._mode_of(event)
         for region in reversed(self.flat.regions):  # innermost first, so that nothing goes deep
-            if region.number and self._nesting(region.number) % NESTED == 0:
+            is_deep = region.number and self._nesting(region.number) % NESTED == 0
+            if is_deep and not self._is_shared(mode, region.number):
                 self._apart(mode, region.number)
         lines = self._region(mode, 0, 3 if mode.loops else 2)
         if not lines:
@@ -1103,6 +1141,31 @@ class _Generator(Face):
             head.append(f"{_MOVED} = False")
         return _indented([*head, *lines, *tail, f"return {_MOVED}"], 2), mode
 
+    def _mode_of(self, event: str) -> _Mode:
+        mode = _Mode(event, self._may_loop(event))
+        if event and self.others is not None:
+            mode.loops |= self.others.loops
+        mode.direct = not mode.loops and len(self.flat.regions) == 1 and not self.copied and not self.faults
+        return mode
+
+    def _share(self) -> None:
+        """Write what needs no event into methods, one a region, if that is much to stand with each event."""
+        leaves = [leaf for leaves in self._all_leaves() for leaf in leaves]
+        tests = sum(1 for leaf in leaves for _ in self._open_paths(OTHER, leaf))
+        if tests * (len(self.modes) - 1) > SHARED:
+            mode = self._mode_of(OTHER)
+            for region in reversed(self.flat.regions):
+                self._apart(mode, region.number)
+            self.others = mode
+
+    def _is_shared(self, mode: _Mode, region: int) -> bool:
+        """Whether what is done in a region is the same for other events, and stands in a method of theirs."""
+        return (
+            self.others is not None
+            and mode.event not in (STEP, OTHER)
+            and region not in self.touched.get(mode.event, {})
+        )
+
     def _taken_copies(self, name: str) -> list[str]:
         """The copies of a variable at the beginning of a step."""
         copies = [f"self.{self._copy(name, region)}" for region in self.copied[name]]
@@ -1110,13 +1173,17 @@ class _Generator(Face):
 
     def _region(self, mode: _Mode, region: int, depth: int) -> list[str]:
         """One round of a region: by its active leaf, what can be taken from there."""
+        if self.others is not None and self._is_shared(mode, region):
+            return self._called_apart(mode, self.others, region)
         if region in mode.apart:
-            name = mode.apart[region]
-            return self._after_call(mode, f"self.{name}()") if name else []
+            return self._called_apart(mode, mode, region)
         if depth > DEEP:
-            return self._apart(mode, region)
+            self._apart(mode, region)
+            return self._called_apart(mode, mode, region)
         if self.options.tables and self.flat.regions[region].size > TABLE:
-            return self._by_table(mode, region)
+            touched = self.touched.get(mode.event, {}).get(region, ())
+            if not mode.event or self.others is None or len(touched) > TABLE:
+                return self._by_table(mode, region)
         bodies = self._bodies(mode, region, depth)
         if mode.flags != (_MOVED,) or mode.direct or mode.loops:
             return self._dispatch(region, bodies)
@@ -1130,8 +1197,14 @@ class _Generator(Face):
     def _bodies(self, mode: _Mode, region: int, depth: int) -> list[_Body]:
         """What is done for each number of a region; neighbours that do the same are one."""
         leaves = self.flat.leaves(region)
-        if not mode.event:
-            return _merged(body for leaf in leaves for body in self._pieces(mode, region, leaf, depth))
+        if mode.event in (STEP, OTHER):
+            bodies = _merged(body for leaf in leaves for body in self._pieces(mode, region, leaf, depth))
+            if mode.event == OTHER:
+                filled = [body for body in bodies if body.lines]
+                self.others_done[region] = [body.first for body in filled], [body.last for body in filled]
+            return bodies
+        if self.others is not None:
+            return _merged(self._beside_others(mode, region, depth, self.others))
         touched = set(self.touched.get(mode.event, {}).get(region, ()))
         touched.update(place for place, leaf in enumerate(leaves) if leaf.type is NodeType.AND)
         others = self.untouched.setdefault((region, mode.loops, mode.direct, mode.flags), _Untouched())
@@ -1162,6 +1235,29 @@ class _Generator(Face):
             found += self._pieces(mode, region, leaves[place], depth)
             begin = place + 1
         return _merged([*found, *others.between(begin, len(leaves))])
+
+    def _beside_others(self, mode: _Mode, region: int, depth: int, others: _Mode) -> Iterator[_Body]:
+        """What is done for each number of a region, where a method does what needs no event."""
+        leaves = self.flat.leaves(region)
+        called = tuple(self._called_apart(mode, others, region))
+        begin = 0
+        for place in (*self.touched.get(mode.event, {}).get(region, ()), len(leaves)):
+            if begin < place:
+                one, other = leaves[begin], leaves[place - 1]
+                first, last = self.flat.leaf[one.label], self._last(other)
+                title = self._title(one, first)
+                if first < last:
+                    title = f"{title} to {self._title(other, last)}"
+                yield _Body(first, last, title, called if self._is_in_others(region, first, last) else ())
+            if place < len(leaves):
+                yield from self._pieces(mode, region, leaves[place], depth)
+            begin = place + 1
+
+    def _is_in_others(self, region: int, first: int, last: int) -> bool:
+        """Whether there is anything for some of these numbers in what all events share."""
+        begins, ends = self.others_done[region]
+        found = bisect_right(begins, last) - 1
+        return found >= 0 and ends[found] >= first
 
     def _pieces(self, mode: _Mode, region: int, leaf: Node, depth: int) -> list[_Body]:
         """What is done for each number of a leaf."""
@@ -1264,10 +1360,13 @@ class _Generator(Face):
 
         A function for each leaf is no faster, and takes long to load.
         """
-        word = mode.event or "step"
+        word = _word(mode)
         table = self.identifiers.name(("table", mode.event, region), f"_{word.upper()}_{region}")
         entries: list[str] = []
         inner = self._called(mode)
+        others = self.others if mode.event not in (STEP, OTHER) else None
+        shared = others.apart[region] if others is not None else ""
+        called = self._called_apart(inner, others, region) if others is not None else []
         bodies = self._bodies(inner, region, 3)
         for first in range(0, self.flat.regions[region].size, CHUNK):
             last = first + CHUNK - 1
@@ -1280,36 +1379,39 @@ class _Generator(Face):
             if not lines:
                 entries.append("None")
                 continue
+            if lines == called:
+                entries.append(f"{self.class_name}.{shared}")
+                continue
             name = self.identifiers.name(("leaves", mode.event, region, first), f"_{word}_{region}_{first}")
             ends = [labels[0].split()[0] for labels in ([inside[0].title], [inside[-1].title])]
-            self._function(inner, name, f"{word} while {ends[0]} … {ends[1]}.", lines)
+            self._function(inner, name, f"{_said(mode)} while {ends[0]} … {ends[1]}.", lines)
             entries.append(f"{self.class_name}.{name}")
         if all(entry == "None" for entry in entries):
             return []
         kind = f"tuple[Callable[[{self.class_name}], int] | None, ...]"
         mode.tables[table] = ["", f"{table}: {kind} = (", *(f"    {entry}," for entry in entries), ")"]
         found = f"leaves = {table}[self.r{region} >> {CHUNK.bit_length() - 1}]"
-        called = (
-            [
-                "return leaves(self)",
-            ]
-            if mode.direct
-            else self._after_call(mode, "leaves(self)")
-        )
-        return [found, "if leaves is not None:", *_indented(called, 1)]
+        moved = self._after_call(mode, "leaves(self)", loops=mode.loops)
+        return [found, "if leaves is not None:", *_indented(moved, 1)]
 
-    def _apart(self, mode: _Mode, region: int) -> list[str]:
-        """A region whose code is in a method of its own."""
-        word = mode.event or "step"
+    def _apart(self, mode: _Mode, region: int) -> None:
+        """Write the code of a region into a method of its own."""
+        word = _word(mode)
         inner = self._called(mode)
         lines = self._region(inner, region, 3)
         if lines:
             name = self.identifiers.name(("region", mode.event, region), f"_{word}_region_{region}")
-            self._function(inner, name, f"{word} in region {self.flat.regions[region].label}.", lines)
+            self._function(inner, name, f"{_said(mode)} in region {self.flat.regions[region].label}.", lines)
             mode.apart[region] = name
         else:
             mode.apart[region] = ""
-        return self._region(mode, region, 0)
+
+    def _called_apart(self, mode: _Mode, called: _Mode, region: int) -> list[str]:
+        """The call of a region's method, which is one of the same mode or of the shared one."""
+        name = called.apart[region]
+        if not name:
+            return []
+        return self._after_call(mode, f"self.{name}()", loops=called.loops)
 
     def _nesting(self, region: int) -> int:
         """How many regions are around a region."""
@@ -1341,9 +1443,12 @@ class _Generator(Face):
         signature = f"{name}(self) -> {kind}"
         mode.functions[name] = self._written(signature, docstring(document), _indented(lines, 2))
 
-    def _after_call(self, mode: _Mode, call: str) -> list[str]:
+    def _after_call(self, mode: _Mode, call: str, *, loops: bool) -> list[str]:
+        """A call of what says whether something moved, and if it `loops`, whether another round is needed."""
+        if mode.direct:
+            return [f"return {call}"]
         flags = " = ".join(mode.flags)
-        if not mode.loops:
+        if not loops:
             return [f"if {call}:", f"    {flags} = True"]
         lines = [f"found = {call}", "if found:", f"    {flags} = True"]
         return [*lines, "    if found > 1:", "        again = True"]
@@ -1829,9 +1934,14 @@ def _indented(lines: Iterable[str], depth: int) -> list[str]:
     return ["    " * depth + line for line in lines]
 
 
-def _is_dynamic(event: Event, mode: str) -> bool:
-    """Whether only a running chart knows if an event is there; a failure makes a step without an event."""
-    return isinstance(event, After) or (isinstance(event, Failed) and mode == STEP)
+def _word(mode: _Mode) -> str:
+    """What methods of a mode are called by."""
+    return {STEP: "step", OTHER: "other"}.get(mode.event, mode.event)
+
+
+def _said(mode: _Mode) -> str:
+    """What the docstrings of methods of a mode begin with."""
+    return "any other event" if mode.event == OTHER else _word(mode)
 
 
 def _leaf_name(node: Node) -> str:

@@ -14,7 +14,7 @@ from aseme_dsl.runtime.trace import Record
 from tests.faults.changing import version, without
 from tests.oracle.charts import text as random_text
 from tests.oracle.choices import Choices
-from tests.oracle.test_agreement import forget
+from tests.oracle.examples import forget
 from tests.runtime.playing import MS, SECOND, check_line, make
 from tests.support.generated import Generated, generate
 

@@ -11,7 +11,7 @@ from tests.faults.changing import version
 from tests.faults.test_swap import script_for
 from tests.oracle.charts import text as random_text
 from tests.oracle.choices import Choices
-from tests.oracle.test_agreement import ROUNDS, forget
+from tests.oracle.examples import ROUNDS, forget
 from tests.runtime.playing import MS, SECOND, make
 from tests.support.generated import generate
 

@@ -6,9 +6,6 @@ more of them, `ORACLE_FIRST=1000000` at others.
 
 from __future__ import annotations
 
-import os
-import shutil
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -17,20 +14,16 @@ import pytest
 from aseme_dsl.runtime import chart
 from tests.oracle import interpreter
 from tests.oracle.charts import text
-from tests.oracle.choices import Choices, simplest
+from tests.oracle.choices import Choices
+from tests.oracle.examples import ROUNDS, agree, forget, how_many
 from tests.oracle.playing import Game, moments
-from tests.support.generated import Generated, generate
+from tests.support.generated import generate
 
-EXAMPLES = int(os.environ.get("ORACLE_EXAMPLES", "300"))
-FIRST = int(os.environ.get("ORACLE_FIRST", "0"))
+EXAMPLES = how_many(300)
 GAMES = 3
 """How many sequences of inputs are played with one chart."""
 
 GROUPS = 10
-ROUNDS = 60
-"""The bound of a step here: charts that do not settle are many, and a thousand rounds of them are slow."""
-
-ATTEMPTS = 300
 
 
 @pytest.fixture(autouse=True)
@@ -56,14 +49,6 @@ def play(choices: Choices) -> Iterator[Game]:
         forget(made)
 
 
-def forget(made: Generated) -> None:
-    """Take the package of an example out of memory and off the disk."""
-    name = made.package.__name__
-    for module in [module for module in sys.modules if module == name or module.startswith(name + ".")]:
-        del sys.modules[module]
-    shutil.rmtree(made.folder)
-
-
 ACCEPTANCE = ("testbehavior", "kouretes", "contract_net")
 
 
@@ -84,29 +69,6 @@ def test_they_agree_on_the_texts_of_the_papers(name: str) -> None:
         forget(made)
 
 
-def difference(made: list[int]) -> str | None:
-    """What goes wrong with these decisions, or None."""
-    try:
-        for _ in play(Choices(replay=made)):
-            pass
-    except Exception as error:
-        return f"{type(error).__name__}: {error}"
-    return None
-
-
 @pytest.mark.parametrize("group", range(GROUPS))
 def test_generated_code_agrees_with_the_interpreter(group: int) -> None:
-    for seed in range(FIRST + group, FIRST + EXAMPLES, GROUPS):
-        choices = Choices(seed)
-        try:
-            for _ in play(choices):
-                pass
-        except Exception as error:
-            kind = type(error)
-
-            def fails(made: list[int], kind: type[Exception] = kind) -> bool:
-                found = difference(made)
-                return found is not None and found.startswith(kind.__name__)
-
-            made = simplest(choices.made, fails, ATTEMPTS)
-            pytest.fail(f"example {seed}, made as simple as possible:\n{difference(made)}")
+    assert agree(play, EXAMPLES, group, GROUPS) > 0

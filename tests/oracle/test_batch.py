@@ -5,8 +5,9 @@ The examples are the same in every run; `ORACLE_EXAMPLES=2000` looks at more of 
 
 from __future__ import annotations
 
-import os
+from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -26,16 +27,17 @@ from aseme_dsl.amola.messages import DURATION, STRING, Kind
 from aseme_dsl.amola.statechart import Statechart, Transition
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.batch.generate import problems_of
+from aseme_dsl.codegen import plain as codegen
 from aseme_dsl.runtime.plain import Unsettled
 from tests.oracle.charts import MS, text
 from tests.oracle.choices import Choices
+from tests.oracle.examples import agree, how_many
 from tests.oracle.plain import without_limits
 from tests.oracle.playing import like
 from tests.support.batches import Together, made, without_compiling
 from tests.support.generated import system_of
 
-EXAMPLES = int(os.environ.get("ORACLE_EXAMPLES", "60"))
-FIRST = int(os.environ.get("ORACLE_FIRST", "0"))
+EXAMPLES = how_many(60)
 GROUPS = 4
 SIZE = 12
 STEPS = 12
@@ -99,15 +101,15 @@ def _constant(value: Value) -> Value:
     return value if found is None else Literal(found, value.type, value.span)
 
 
-def play(choices: Choices, folder: Path) -> bool:
-    """A game with a random chart; whether there was one that batches can do.
+def play(folder: Path, choices: Choices) -> Iterator[Together]:
+    """A game with a random chart, if there is one that batches can do.
 
     Raises:
         AssertionError: an instance of a batch differs from the plain chart.
     """
     system = with_numbers_only(system_of(text(choices)))
     if system is None:
-        return False
+        return
     plain, batch = made(system, folder, "R")
     together = Together(plain, batch, SIZE, ("numpy", "numba"))
     labels = list(batch.RUNNING)
@@ -128,16 +130,14 @@ def play(choices: Choices, folder: Path) -> bool:
                 together.send(choices.one_of(together.events))
     except Unsettled:
         pass
-    return True
+    yield together
 
 
+@pytest.mark.parametrize("shared", [codegen.SHARED, 0], ids=["", "shared"])
 @pytest.mark.parametrize("group", range(GROUPS))
-def test_batches_do_what_the_plain_class_does(group: int, tmp_path: Path) -> None:
-    played = 0
+def test_batches_do_what_the_plain_class_does(
+    group: int, shared: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(codegen, "SHARED", shared)
     with without_compiling():
-        for seed in range(FIRST + group, FIRST + EXAMPLES, GROUPS):
-            try:
-                played += play(Choices(seed), tmp_path)
-            except Exception as error:
-                raise AssertionError(f"example {seed}: {type(error).__name__}: {error}") from error
-    assert played > 0
+        assert agree(partial(play, tmp_path), EXAMPLES, group, GROUPS) > 0

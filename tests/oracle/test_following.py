@@ -12,9 +12,10 @@ from aseme_dsl.runtime.following import Change, Following, Shape
 from tests.oracle import interpreter
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices
+from tests.oracle.examples import FIRST, ROUNDS, forget
 from tests.oracle.interpreter import Reference
 from tests.oracle.playing import Game, Moment, moments
-from tests.oracle.test_agreement import EXAMPLES, FIRST, ROUNDS, forget
+from tests.oracle.test_agreement import EXAMPLES
 from tests.support.generated import generate
 
 GROUPS = 2

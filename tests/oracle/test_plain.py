@@ -6,7 +6,6 @@ of them, `ORACLE_FIRST=1000000` at others.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from itertools import cycle
@@ -15,6 +14,7 @@ from typing import Any
 
 import pytest
 
+from aseme_dsl.codegen import plain as codegen
 from aseme_dsl.codegen.plain import PlainOptions
 from aseme_dsl.runtime import plain
 from aseme_dsl.runtime.inputs import (
@@ -31,26 +31,42 @@ from aseme_dsl.runtime.inputs import (
 )
 from tests.oracle import interpreter
 from tests.oracle.charts import EVENTS, HOSTS, MS, text
-from tests.oracle.choices import Choices, simplest
+from tests.oracle.choices import Choices
+from tests.oracle.examples import ROUNDS, agree, forget, how_many
 from tests.oracle.interpreter import Reference
 from tests.oracle.plain import without_limits
 from tests.oracle.playing import filled, like
-from tests.oracle.test_agreement import forget
 from tests.support.generated import Generated, imported, system_of
 from tests.support.plain_engine import CannotDo, PlainEngine, plain_class
 
-EXAMPLES = int(os.environ.get("ORACLE_EXAMPLES", "200"))
-FIRST = int(os.environ.get("ORACLE_FIRST", "0"))
+EXAMPLES = how_many(200)
+LARGE = {
+    "SHARED": 0,
+    "TABLE": 3,
+    "CHUNK": 2,
+    "IN_LINE": 0,
+    "BRANCHES": 1,
+    "GUARDS": 2,
+    "NESTED": 1,
+    "DEEP": 4,
+}
+"""From where on a chart is written as large ones are."""
+
 GAMES = 3
 GROUPS = 10
-ROUNDS = 60
-ATTEMPTS = 300
 
 
 @pytest.fixture(autouse=True)
 def bound(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(plain, "ROUNDS", ROUNDS)
     monkeypatch.setattr(interpreter, "ROUNDS", ROUNDS)
+
+
+@pytest.fixture
+def large(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Take the small charts of here for large ones."""
+    for name, value in LARGE.items():
+        monkeypatch.setattr(codegen, name, value)
 
 
 @dataclass
@@ -223,30 +239,12 @@ def play(choices: Choices) -> Iterator[Game]:
         forget(made)
 
 
-def difference(made: list[int]) -> str | None:
-    """What goes wrong with these decisions, or None."""
-    try:
-        for _ in play(Choices(replay=made)):
-            pass
-    except Exception as error:
-        return f"{type(error).__name__}: {error}"
-    return None
-
-
 @pytest.mark.parametrize("group", range(GROUPS))
 def test_the_plain_face_agrees_with_the_interpreter(group: int) -> None:
-    played = 0
-    for seed in range(FIRST + group, FIRST + EXAMPLES, GROUPS):
-        choices = Choices(seed)
-        try:
-            played += len(list(play(choices)))
-        except Exception as error:
-            kind = type(error)
+    assert agree(play, EXAMPLES, group, GROUPS) > 0
 
-            def fails(made: list[int], kind: type[Exception] = kind) -> bool:
-                found = difference(made)
-                return found is not None and found.startswith(kind.__name__)
 
-            made = simplest(choices.made, fails, ATTEMPTS)
-            pytest.fail(f"example {seed}, made as simple as possible:\n{difference(made)}")
-    assert played > 0
+@pytest.mark.usefixtures("large")
+@pytest.mark.parametrize("group", range(GROUPS))
+def test_it_does_as_it_is_written_for_large_charts(group: int) -> None:
+    assert agree(play, EXAMPLES // 2, group, GROUPS) > 0
