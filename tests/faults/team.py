@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import re
@@ -9,7 +10,6 @@ import signal
 import subprocess
 import sys
 import threading
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -17,10 +17,16 @@ from typing import Any
 
 import psutil
 
+from tests.support.network import own_name
+from tests.support.waiting import LONG, wait_until
+
 ROOT = Path(__file__).resolve().parents[2]
 
+NAME = own_name("Talk")
+"""What the team is called, on the network, too."""
+
 TEAM = """
-system Talk
+system TALK
 message Tick { int n  string who }
 topic team { state Tick  signal Tick queued }
 srm robot {
@@ -32,11 +38,11 @@ srm robot {
   }
 }
 team T { robot[1..3] : robot }
-"""
+""".replace("TALK", NAME)
 
 SAY = """
 from aseme_dsl.runtime import Context
-from monas.Talk.messages import Tick
+from monas.TALK.messages import Tick
 
 
 class Say:
@@ -44,7 +50,7 @@ class Say:
         Say.n = getattr(Say, "n", 0) + 1
         context.publish("team.signal.Tick", Tick(n=Say.n, who=context.agent))
         context.publish("team.state.Tick", Tick(n=Say.n, who=context.agent))
-"""
+""".replace("TALK", NAME)
 
 HEAR = """
 from aseme_dsl.runtime import Context
@@ -124,13 +130,15 @@ class Started:
         """What a robot's trace says of its peers so far: `robot2 there`."""
         return [f"{r['peer']} {r['what']}" for r in self.trace(robot) if r["kind"] == "peer"]
 
-    def wait_for(self, condition: Callable[[], object], seconds: float = 60.0) -> None:
+    def wait_for(self, condition: Callable[[], object]) -> None:
         """Fails, with what was printed, if it does not happen."""
-        end = time.monotonic() + seconds
-        while not condition():
-            if time.monotonic() > end or (self.process.poll() is not None and not condition()):
-                raise AssertionError("it did not happen:\n" + "\n".join(self.lines))
-            time.sleep(0.02)
+
+        def is_over() -> bool:
+            return bool(condition()) or self.process.poll() is not None
+
+        with contextlib.suppress(AssertionError):
+            wait_until(is_over, pause=0.02)
+        assert condition(), "it did not happen:\n" + "\n".join(self.lines)
 
     def wait_for_talk(self) -> None:
         """Until each robot has heard each other one."""
@@ -151,8 +159,8 @@ class Started:
         """End it, and wait for that."""
         if self.process.poll() is None:
             self.process.send_signal(number)
-        code = self.process.wait(60)
-        self._reader.join(10)
+        code = self.process.wait(LONG)
+        self._reader.join(LONG)
         if self.process.stdout is not None:
             self.process.stdout.close()
         return code

@@ -20,8 +20,10 @@ from aseme_dsl.runtime.transport import Access, Network, Tls, TransportError
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
-from tests.runtime.transport.net import Part, part, wait_until
+from tests.runtime.transport.net import Part, part
 from tests.support.generated import Generated, generate
+from tests.support.network import own_name, own_port
+from tests.support.waiting import wait_until
 
 zenoh = pytest.importorskip("zenoh")
 
@@ -33,6 +35,14 @@ srm Speaker { liveness { Speaker = Say }  activities { Say writes team.signal.M,
 srm Ear { liveness { Ear = Hear } activities { Hear reads team.signal.M, team.state.M, team.data.M } }
 team T { ann : Speaker  bob : Ear }
 """
+WIRE = own_name("Wire")
+"""What the team is called on the network."""
+
+
+@pytest.fixture
+def port() -> Iterator[int]:
+    with own_port() as found:
+        yield found
 
 
 @pytest.fixture(scope="module")
@@ -75,12 +85,6 @@ def heard(bob: Part, channel: str = "team.signal.M") -> list[int]:
     return [r["message"]["n"] for r in bob.of("arrived", channel=channel)]
 
 
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
-
-
 # ---- a peer that sends nonsense ----------------------------------------------------------------
 
 
@@ -95,10 +99,10 @@ class Hostile:
         self.generated = generated
         self.name = name
         self.life = time.time_ns()
-        self.token = self.session.liveliness().declare_token(f"asemec/Wire/here/{name}/{self.life:x}")
+        self.token = self.session.liveliness().declare_token(f"asemec/{WIRE}/here/{name}/{self.life:x}")
 
     def send(self, attachment: bytes | None, payload: bytes, way: str = "team/signal/M") -> None:
-        self.session.put(f"asemec/Wire/to/bob/{self.name}/{way}", payload, attachment=attachment)
+        self.session.put(f"asemec/{WIRE}/to/bob/{self.name}/{way}", payload, attachment=attachment)
 
     def message(self, bob: Part, n: int, place: int, **members: Any) -> None:
         payload = members.pop("payload", None) or self.generated.messages.SCHEMA.encode(
@@ -120,7 +124,7 @@ class Hostile:
 
 
 def test_nonsense_is_counted_told_and_harmless(wire: Generated, mouth: Mouth) -> None:
-    bob = part(wire, ["bob"], mouth.activities, ZenohLink("Wire", Network())).start()
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, Network())).start()
     ann = Hostile(wire)
     stranger = Hostile(wire, "mallory")
     wait_until(lambda: bob.team.transport.is_there("ann"))
@@ -159,13 +163,13 @@ def test_nonsense_is_counted_told_and_harmless(wire: Generated, mouth: Mouth) ->
 def test_keys_without_sense_are_harmless(
     wire: Generated, mouth: Mouth, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    bob = part(wire, ["bob"], mouth.activities, ZenohLink("Wire", Network())).start()
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, Network())).start()
     ann = Hostile(wire)
     wait_until(lambda: bob.team.transport.is_there("ann"))
-    token = ann.session.liveliness().declare_token("asemec/Wire/here/ann/whenever")
-    ann.session.put("asemec/Wire/to/bob", b"", attachment=b"")
-    for selector in ("asemec/**", "asemec/Wire/*/bob", "asemec/Wire/nothing/bob", "asemec/Wire/history/bob"):
-        for reply in ann.session.get(selector, payload=b"[", timeout=2.0):
+    token = ann.session.liveliness().declare_token(f"asemec/{WIRE}/here/ann/whenever")
+    ann.session.put(f"asemec/{WIRE}/to/bob", b"", attachment=b"")
+    for keys in ("**", f"{WIRE}/*/bob", f"{WIRE}/nothing/bob", f"{WIRE}/history/bob"):
+        for reply in ann.session.get(f"asemec/{keys}", payload=b"[", timeout=2.0):
             assert reply.ok is None or b"error" in reply.ok.payload.to_bytes()
     ann.message(bob, 1, 1)
     wait_until(lambda: heard(bob) == [1])
@@ -177,7 +181,7 @@ def test_keys_without_sense_are_harmless(
 
 
 def test_what_is_not_for_it_is_refused(wire: Generated, mouth: Mouth) -> None:
-    bob = part(wire, ["bob"], mouth.activities, ZenohLink("Wire", Network())).start()
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, Network())).start()
     ann = Hostile(wire)
     wait_until(lambda: bob.team.transport.is_there("ann"))
     ann.message(bob, 1, 1, host="cat")
@@ -255,21 +259,20 @@ class Proxy:
 
 
 @pytest.mark.parametrize("how", ["cut", "deaf"])
-def test_a_partition_loses_no_signal(wire: Generated, mouth: Mouth, how: str) -> None:
-    port = free_port()
+def test_a_partition_loses_no_signal(wire: Generated, mouth: Mouth, port: int, how: str) -> None:
     proxy = Proxy(port)
     alone = {"interface": None, "lease_ms": 500}
     bob = part(
         wire,
         ["bob"],
         mouth.activities,
-        ZenohLink("Wire", Network(listen=(f"tcp/127.0.0.1:{port}",), **alone)),  # type: ignore[arg-type]
+        ZenohLink(WIRE, Network(listen=(f"tcp/127.0.0.1:{port}",), **alone)),  # type: ignore[arg-type]
     ).start()
     ann = part(
         wire,
         ["ann"],
         mouth.activities,
-        ZenohLink("Wire", Network(connect=(f"tcp/127.0.0.1:{proxy.port}",), **alone)),  # type: ignore[arg-type]
+        ZenohLink(WIRE, Network(connect=(f"tcp/127.0.0.1:{proxy.port}",), **alone)),  # type: ignore[arg-type]
     ).start()
     wait_until(lambda: ann.team.transport.is_there("bob"))
     mouth.say += [("team.signal.M", n) for n in range(100)]
@@ -283,7 +286,7 @@ def test_a_partition_loses_no_signal(wire: Generated, mouth: Mouth, how: str) ->
     wait_until(lambda: "bob gone" in ann.news())
     proxy.deaf = False
     proxy.mend()
-    wait_until(lambda: len(heard(bob)) >= 200, 20)
+    wait_until(lambda: len(heard(bob)) >= 200)
     wait_until(lambda: heard(bob, "team.state.M")[-1:] == [99])
     ann.stop()
     bob.stop()
@@ -294,12 +297,12 @@ def test_a_partition_loses_no_signal(wire: Generated, mouth: Mouth, how: str) ->
 
 
 def test_a_flood_holds_up_nobody(wire: Generated, mouth: Mouth) -> None:
-    bob = part(wire, ["bob"], mouth.activities, ZenohLink("Wire", Network())).start()
-    ann = part(wire, ["ann"], mouth.activities, ZenohLink("Wire", Network())).start()
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, Network())).start()
+    ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, Network())).start()
     wait_until(lambda: ann.team.transport.is_there("bob"))
     for n in range(800):
         mouth.say += [("team.signal.M", n), ("team.state.M", n), ("team.data.M", n)]
-    wait_until(lambda: len(heard(bob)) == 800, 30)
+    wait_until(lambda: len(heard(bob)) == 800)
     wait_until(lambda: heard(bob, "team.state.M")[-1] == 799)
     wait_until(lambda: heard(bob, "team.data.M"))
     ann.stop()
@@ -352,12 +355,11 @@ def secured(certificates: Path, name: str, **options: Any) -> Network:
     return Network(interface=None, tls=tls, **{"listen": ("tls/127.0.0.1:0",), **options})
 
 
-def test_robots_with_certificates_talk(wire: Generated, mouth: Mouth, certificates: Path) -> None:
-    port = free_port()
+def test_robots_with_certificates_talk(wire: Generated, mouth: Mouth, certificates: Path, port: int) -> None:
     listening = secured(certificates, "bob", listen=(f"tls/127.0.0.1:{port}",))
-    bob = part(wire, ["bob"], mouth.activities, ZenohLink("Wire", listening)).start()
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, listening)).start()
     connecting = secured(certificates, "ann", connect=(f"tls/127.0.0.1:{port}",))
-    ann = part(wire, ["ann"], mouth.activities, ZenohLink("Wire", connecting)).start()
+    ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, connecting)).start()
     mouth.say += [("team.signal.M", 1)]
     wait_until(lambda: heard(bob) == [1])
     ann.stop()
@@ -366,11 +368,10 @@ def test_robots_with_certificates_talk(wire: Generated, mouth: Mouth, certificat
 
 @pytest.mark.parametrize("how", ["another authority", "no certificate", "no tls"])
 def test_who_has_no_certificate_is_not_let_in(
-    wire: Generated, mouth: Mouth, certificates: Path, how: str
+    wire: Generated, mouth: Mouth, certificates: Path, port: int, how: str
 ) -> None:
-    port = free_port()
     listening = secured(certificates, "bob", listen=(f"tls/127.0.0.1:{port}",))
-    bob = part(wire, ["bob"], mouth.activities, ZenohLink("Wire", listening)).start()
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, listening)).start()
     config = zenoh.Config()
     settings = dict(secured(certificates, "stranger", connect=(f"tls/127.0.0.1:{port}",)).settings())
     if how == "no certificate":
@@ -381,9 +382,9 @@ def test_who_has_no_certificate_is_not_let_in(
         config.insert_json5(key, value)
     config.insert_json5("connect/timeout_ms", "0")
     stranger = zenoh.open(config)
-    stranger.liveliness().declare_token(f"asemec/Wire/here/ann/{time.time_ns():x}")
+    stranger.liveliness().declare_token(f"asemec/{WIRE}/here/ann/{time.time_ns():x}")
     for _ in range(20):
-        stranger.put("asemec/Wire/to/bob/ann/team/signal/M", b"")
+        stranger.put(f"asemec/{WIRE}/to/bob/ann/team/signal/M", b"")
         time.sleep(0.02)
     assert list(stranger.info.peers_zid()) == []
     stranger.close()
@@ -412,15 +413,14 @@ def access_for(*robots: str) -> dict[str, Any]:
 
 @pytest.mark.parametrize("guarded", [True, False])
 def test_a_robot_speaks_only_for_itself(
-    wire: Generated, mouth: Mouth, certificates: Path, tmp_path: Path, guarded: bool
+    wire: Generated, mouth: Mouth, certificates: Path, tmp_path: Path, port: int, guarded: bool
 ) -> None:
     file = tmp_path / "access.json"
     file.write_text(json.dumps(access_for("ann", "bob") | {"enabled": guarded}))
-    port = free_port()
     listening = secured(certificates, "bob", listen=(f"tls/127.0.0.1:{port}",), access=Access(file))
-    bob = part(wire, ["bob"], mouth.activities, ZenohLink("Wire", listening)).start()
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, listening)).start()
     connecting = secured(certificates, "ann", connect=(f"tls/127.0.0.1:{port}",), access=Access(file))
-    ann = part(wire, ["ann"], mouth.activities, ZenohLink("Wire", connecting)).start()
+    ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, connecting)).start()
     config = zenoh.Config()
     for key, value in secured(certificates, "mallory", connect=(f"tls/127.0.0.1:{port}",)).settings():
         config.insert_json5(key, value)
@@ -429,7 +429,7 @@ def test_a_robot_speaks_only_for_itself(
 
     def is_heard() -> bool:
         """Say something for ann; whether bob has heard anything of the kind."""
-        mallory.put("asemec/Wire/to/bob/ann/team/signal/M", b"", attachment=b"\xff")
+        mallory.put(f"asemec/{WIRE}/to/bob/ann/team/signal/M", b"", attachment=b"\xff")
         return bob.team.peers()["ann"].unreadable > 0
 
     if not guarded:
@@ -448,17 +448,17 @@ def test_a_robot_speaks_only_for_itself(
 def test_wrong_settings_are_said(tmp_path: Path) -> None:
     (tmp_path / "access.json").write_text("{")
     with pytest.raises(TransportError, match=r"access\.json is no JSON"):
-        ZenohLink("Wire", Network(access=Access(tmp_path / "access.json")))
+        ZenohLink(WIRE, Network(access=Access(tmp_path / "access.json")))
     (tmp_path / "access.json").write_text('{"enabled": "maybe"}')
     with pytest.raises(TransportError, match="zenoh does not take access_control"):
-        ZenohLink("Wire", Network(access=Access(tmp_path / "access.json")))
+        ZenohLink(WIRE, Network(access=Access(tmp_path / "access.json")))
     with pytest.raises(TransportError, match="zenoh does not take listen/endpoints"):
-        ZenohLink("Wire", Network(listen=("nonsense",)))
+        ZenohLink(WIRE, Network(listen=("nonsense",)))
 
 
 def test_a_port_that_is_taken_is_said(wire: Generated, mouth: Mouth) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         network = Network(listen=(f"tcp/127.0.0.1:{taken.getsockname()[1]}",), interface=None)
-        bob = part(wire, ["bob"], mouth.activities, ZenohLink("Wire", network)).start()
+        bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, network)).start()
         with pytest.raises(Exception, match="the network cannot be used"):
             bob.join()

@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.faults.team import TEAM, project, signals_from, started
+from tests.faults.team import NAME, TEAM, project, signals_from, started
 from tests.faults.test_restarted_version import CHANGED, ROBOTS, begun_as, swap, swapped_to
 
 pytest.importorskip("zenoh")
 
 OWN = """\
-from jade_like.Talk.robot import agent, behaviours
+from jade_like.TALK.robot import agent, behaviours
 
 
 class Robot(behaviours.Robot):
@@ -23,10 +23,10 @@ class Robot(behaviours.Robot):
         self.log("is left")
 
 
-class TalkRobotAgent(agent.RobotAgent):
+class TALKRobotAgent(agent.RobotAgent):
     def setup(self) -> None:
         self.use(Robot)
-"""
+""".replace("TALK", NAME)
 
 
 def logs(trace: list[dict[str, object]]) -> list[object]:
@@ -35,7 +35,7 @@ def logs(trace: list[dict[str, object]]) -> list[object]:
 
 def test_robots_with_behaviours_are_changed_and_come_back(tmp_path: Path) -> None:
     folder = project(tmp_path)
-    (folder / "activities" / "talk_robot_agent.py").write_text(OWN)
+    (folder / "activities" / f"{NAME.lower()}_robot_agent.py").write_text(OWN)
     with started(folder, "--backend", "jade_like") as run:
         run.wait_for_talk()
         assert logs(run.trace("robot1")) == ["begins"]

@@ -4,26 +4,28 @@ from __future__ import annotations
 
 import json
 import signal
-import time
 from pathlib import Path
+from typing import Any
 
 import psutil
 import pytest
 
 from aseme_dsl.runtime.transport import Network
-from tests.faults.team import Started, project, signals_from, started
+from tests.faults.team import NAME, Started, project, signals_from, started
 from tests.runtime.playing import check_line
+from tests.support.waiting import LONG, wait_until
 
 zenoh = pytest.importorskip("zenoh")
 
 
-def gone(processes: list[psutil.Process], seconds: float = 60.0) -> bool:
-    end = time.monotonic() + seconds
-    while any(p.is_running() and p.status() != psutil.STATUS_ZOMBIE for p in processes):
-        if time.monotonic() > end:
-            return False
-        time.sleep(0.02)
-    return True
+def gone(processes: list[psutil.Process]) -> bool:
+    def is_gone(process: psutil.Process) -> bool:
+        try:
+            return not process.is_running() or process.status() == psutil.STATUS_ZOMBIE
+        except psutil.NoSuchProcess:  # since it was asked whether it runs
+            return True
+
+    return wait_until(lambda: all(map(is_gone, processes)), pause=0.02)
 
 
 def in_order(numbers: list[int]) -> bool:
@@ -33,7 +35,7 @@ def in_order(numbers: list[int]) -> bool:
 
 def test_a_team_plays_to_its_end(tmp_path: Path) -> None:
     with started(project(tmp_path), "--for", "2s", "-v") as run:
-        code = run.process.wait(60)
+        code = run.process.wait(LONG)
         run.end()
     assert code == 0, run.lines
     assert run.said("played with 3 processes: the time is over")
@@ -115,14 +117,16 @@ def test_a_robot_can_be_asked_over_the_network(tmp_path: Path) -> None:
     with started(project(tmp_path)) as run, zenoh.open(config) as session:
         run.wait_for_talk()
         question = json.dumps({"version": 1, "request": "status"})
-        replies = [
-            json.loads(reply.ok.payload.to_string())
-            for reply in session.get("asemec/Talk/control/robot2", payload=question, timeout=30.0)
-            if reply.ok is not None
-        ]
+
+        def ask() -> list[dict[str, Any]]:
+            """Put the question; nobody answers until this session has found the robots."""
+            answers = session.get(f"asemec/{NAME}/control/robot2", payload=question, timeout=LONG)
+            return [json.loads(answer.ok.payload.to_string()) for answer in answers if answer.ok is not None]
+
+        replies = wait_until(ask)
         assert run.end() == 130
     (status,) = replies
-    assert status["ok"] and status["system"] == "Talk"
+    assert status["ok"] and status["system"] == NAME
     assert [agent["name"] for agent in status["agents"]] == ["robot2"]
     assert status["elsewhere"] == ["robot1", "robot3"]
 
@@ -137,6 +141,6 @@ def test_a_robot_that_always_dies_is_given_up(tmp_path: Path, monkeypatch: pytes
 def test_what_cannot_be_started_is_said(tmp_path: Path) -> None:
     folder = project(tmp_path, configuration='[tool.asemec.deploy]\nhosts = { robot9 = "127.0.0.1" }\n')
     run = Started(folder)
-    assert run.process.wait(60) == 1
+    assert run.process.wait(LONG) == 1
     run.end()
     assert run.said("there is no agent robot9 in the team; there are robot1, robot2, robot3")

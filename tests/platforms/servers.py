@@ -15,9 +15,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from aseme_dsl.runtime.transport.settings import Xmpp
-
-START = 40.0
-"""How long, in seconds, a server may take to be there."""
+from tests.support.network import own_port
+from tests.support.waiting import LONG
 
 PROSODY = """\
 pidfile = "{folder}/prosody.pid"
@@ -46,6 +45,8 @@ class Server:
     folder: Path = field(default_factory=lambda: Path(tempfile.mkdtemp(prefix="aseme-xmpp-")))
     port: int = 0
     process: subprocess.Popen[str] | None = None
+    held: contextlib.ExitStack = field(default_factory=contextlib.ExitStack)
+    """The port, also while the server is stopped."""
 
     def settings(self, **further: object) -> Xmpp:
         """How agents reach it."""
@@ -54,7 +55,7 @@ class Server:
 
     def start(self) -> Server:
         """Start it, and wait until it is there."""
-        self.port = self.port or _free_port()
+        self.port = self.port or self.held.enter_context(own_port())
         if self.kind == "prosody":
             self._configure()
             command = ["prosody", "--config", str(self.folder / "prosody.cfg.lua"), "-F"]
@@ -69,7 +70,7 @@ class Server:
                 text=True,
                 start_new_session=True,
             )
-        until = time.monotonic() + START
+        until = time.monotonic() + LONG
         while True:
             with contextlib.suppress(OSError), socket.create_connection(("127.0.0.1", self.port), 0.5):
                 return self
@@ -130,10 +131,5 @@ class Server:
             if self.process is not None:
                 os.killpg(self.process.pid, signal.SIGCONT)
         self.stop()
+        self.held.close()
         shutil.rmtree(self.folder, ignore_errors=True)
-
-
-def _free_port() -> int:
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        port: int = server.getsockname()[1]
-        return port

@@ -10,6 +10,7 @@ import struct
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -23,9 +24,11 @@ from aseme_dsl.runtime.team import TeamError
 from aseme_dsl.runtime.transport.over_mango import MangoPlatform
 from aseme_dsl.runtime.transport.over_platform import PlatformLink
 from aseme_dsl.runtime.transport.settings import Mango
-from tests.runtime.transport.net import Part, part, wait_until
+from tests.runtime.transport.net import Part, part
 from tests.runtime.transport.test_parts import NET, TEAM, Box
 from tests.support.generated import Generated, generate
+from tests.support.network import own_port
+from tests.support.waiting import LONG, wait_until
 
 NAMES = ("ann", "bob", "cat")
 
@@ -36,12 +39,9 @@ def net() -> Generated:
 
 
 @pytest.fixture
-def hosts() -> dict[str, tuple[str, int]]:
-    taken = [socket.create_server(("127.0.0.1", 0)) for _ in NAMES]
-    found = {name: item.getsockname() for name, item in zip(NAMES, taken, strict=True)}
-    for item in taken:
-        item.close()
-    return found
+def hosts() -> Iterator[dict[str, tuple[str, int]]]:
+    with ExitStack() as taken:
+        yield {name: ("127.0.0.1", taken.enter_context(own_port())) for name in NAMES}
 
 
 @pytest.fixture
@@ -57,7 +57,7 @@ def started(hosts: dict[str, tuple[str, int]]) -> Iterator[Callable[..., Part]]:
     for item in running:
         if item.thread is not None and item.thread.is_alive():
             item.team.driver.stop("test")
-            item.thread.join(20)
+            item.thread.join(LONG)
 
 
 def test_a_conversation(net: Generated, started: Callable[..., Part]) -> None:

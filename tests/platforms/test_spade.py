@@ -23,19 +23,14 @@ from tests.runtime.transport import net as parts
 from tests.runtime.transport.net import Part
 from tests.runtime.transport.test_parts import NET, TEAM, Box
 from tests.support.generated import Generated, generate
+from tests.support.waiting import LONG, wait_until
 
 pytest.importorskip("spade", reason="SPADE is not installed: python3 dev.py long")
 
 from aseme_dsl.runtime.transport.over_spade import SpadePlatform
 
 NAMES = ("ann", "bob", "cat")
-PATIENCE = 60.0
-"""How long, in seconds, something may take on a machine that has much else to do."""
 _running: list[Part] = []
-
-
-def wait_until(condition: Any, seconds: float = PATIENCE) -> None:
-    parts.wait_until(condition, seconds)
 
 
 def part(*arguments: Any, **options: Any) -> Part:
@@ -58,7 +53,7 @@ def no_part_is_left() -> Iterator[None]:
         found = _running.pop()
         if found.thread is not None and found.thread.is_alive():
             found.team.driver.stop("test")
-            found.thread.join(PATIENCE)
+            found.thread.join(LONG)
 
 
 @pytest.fixture(scope="module")
@@ -213,7 +208,7 @@ def test_an_activity_that_blocks_holds_up_no_other_agent(net: Generated, server:
     class Offer:
         def execute(self, context: Context) -> None:
             if context.agent == "bob":
-                time.sleep(PATIENCE)
+                time.sleep(LONG)
 
     workers = started(net, server, "bob", "cat", Offer=Offer)
     boss = started(net, server, "ann")

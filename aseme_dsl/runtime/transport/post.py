@@ -77,8 +77,8 @@ class _Sent:
         return self.sender, self.envelope.sequence
 
 
-_Got = tuple[Envelope, Any] | None
-"""A letter with its message; None: one that is not handed on."""
+_Got = tuple[Envelope, bytes]
+"""What has come, with its payload."""
 
 
 @dataclass(slots=True)
@@ -556,7 +556,8 @@ class Post(Transport):
                 trip = (came - read.asked) - (read.time - read.heard)
                 other.measured.append((trip, ((read.asked - read.heard) + (came - read.time)) // 2))
                 return
-            ready = self._sorted(to, other, way, read, self._decoded(other, read, payload))
+            # Not before its turn: what comes twice is looked into once.
+            ready = [self._decoded(other, *item) for item in self._sorted(to, other, way, read, payload)]
         for item in ready:
             if item is not None:
                 self._hand_on(to, other, *item)
@@ -630,7 +631,7 @@ class Post(Transport):
         """
         return other.life is None or life > other.life or (not other.alive and life in other.present)
 
-    def _decoded(self, other: _Other, envelope: Envelope, payload: bytes) -> _Got:
+    def _decoded(self, other: _Other, envelope: Envelope, payload: bytes) -> tuple[Envelope, Any] | None:
         """The message in an envelope; None, after telling why, if it is none for us."""
         mail = envelope.kind == envelopes.MAIL
         name = envelope.message if mail else envelope.channel
@@ -652,17 +653,17 @@ class Post(Transport):
             self._count(other, "unreadable", f"{name}: {problem}", about=name)
             return None
 
-    def _sorted(self, to: str, other: _Other, way: _Way, envelope: Envelope, got: _Got) -> list[_Got]:
+    def _sorted(self, to: str, other: _Other, way: _Way, envelope: Envelope, payload: bytes) -> list[_Got]:
         """What is to be handed on now that this has come. Called with the lock."""
         if envelope.place == 0:
-            return self._sampled(other, way, envelope, got)
+            return self._sampled(other, way, envelope, payload)
         if envelope.addressee != self.incarnation:
             self._count(other, "late", "it is for an earlier life of its receiver")
             return []
         if envelope.place > way.into.upto + 1:
             self._count(other, "disordered", "one came before its predecessor")
         had_gap = way.into.has_gap
-        found = way.into.take(envelope.place, got)
+        found = way.into.take(envelope.place, (envelope, payload))
         if not way.owed:
             way.owed_since = time.monotonic_ns()
         way.owed += 1
@@ -674,7 +675,7 @@ class Post(Transport):
             self._stir()
         return found or []
 
-    def _sampled(self, other: _Other, way: _Way, envelope: Envelope, got: _Got) -> list[_Got]:
+    def _sampled(self, other: _Other, way: _Way, envelope: Envelope, payload: bytes) -> list[_Got]:
         """Data, which comes once or not at all."""
         number = envelope.sample
         if envelope.kind != envelopes.MESSAGE or not number or ".data." not in envelope.channel:
@@ -692,7 +693,7 @@ class Post(Transport):
             )
         if missed:
             other.counts["dropped"] = other.counts.get("dropped", 0) + missed
-        return [got]
+        return [(envelope, payload)]
 
     def _hand_on(self, to: str, other: _Other, envelope: Envelope, message: Any) -> None:
         """Give a message to the agent that it is for. Called without the lock."""

@@ -23,6 +23,7 @@ from aseme_dsl.runtime.transport.post import Post
 from aseme_dsl.runtime.transport.stream import PATIENCE
 from tests.runtime.playing import check_line, make
 from tests.support.generated import Generated
+from tests.support.waiting import LONG
 
 
 @dataclass
@@ -176,7 +177,7 @@ class Part:
 
     def join(self) -> None:
         assert self.thread is not None
-        self.thread.join(20)
+        self.thread.join(LONG)
         assert not self.thread.is_alive(), "the team does not end"
         if self.error is not None:
             raise self.error
@@ -209,11 +210,3 @@ def part(
     post = Post(link, schema, generated.package.MODEL if model is None else model)
     team, records = make(generated, activities, here=tuple(here), transport=post, clock="real", **options)
     return Part(team, post, records)
-
-
-def wait_until(condition: Any, seconds: float = 60.0) -> None:
-    """Wait for something to become true; fails loudly if it does not."""
-    end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end, "it did not happen in time"
-        time.sleep(0.002)

@@ -21,9 +21,11 @@ from aseme_dsl.runtime.transport.link import Link, Stamp
 from aseme_dsl.runtime.transport.over_platform import PlatformLink
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 from tests.runtime.playing import make
-from tests.runtime.transport.net import Air, Part, _AirLink, part, wait_until
+from tests.runtime.transport.net import Air, Part, _AirLink, part
 from tests.runtime.transport.square import Square
 from tests.support.generated import Generated, generate
+from tests.support.network import own_name
+from tests.support.waiting import wait_until
 
 TEAM = """
 system Talk
@@ -103,7 +105,8 @@ def links(request: pytest.FixtureRequest) -> Any:
         square = Square(team)
         return lambda: PlatformLink(square.platform(), "Talk", team, lease=1.0)
     pytest.importorskip("zenoh")
-    return lambda: ZenohLink("Talk", Network())
+    name = own_name("Talk")
+    return lambda: ZenohLink(name, Network())
 
 
 def test_rules_hold_between_processes(talk: Generated, box: Box, links: Any) -> None:
@@ -217,8 +220,8 @@ def test_nothing_is_lost_doubled_or_overtaken(talk: Generated, box: Box, seed: i
     ann = part(talk, ["ann"], box.activities, air.link()).start()
     rest = part(talk, ["bob", "cat"], box.activities, air.link()).start()
     box.say += [("team.signal.M", n, None) for n in range(300)]
-    wait_until(lambda: len(arrived(rest, "bob", "team.signal.M")) >= 300, 20)
-    wait_until(lambda: len(arrived(rest, "cat", "team.signal.M")) >= 300, 20)
+    wait_until(lambda: len(arrived(rest, "bob", "team.signal.M")) >= 300)
+    wait_until(lambda: len(arrived(rest, "cat", "team.signal.M")) >= 300)
     ann.stop()
     rest.stop()
     assert arrived(rest, "bob", "team.signal.M") == list(range(300))
@@ -302,6 +305,20 @@ def test_another_model_is_refused_and_said_once(talk: Generated, box: Box) -> No
         f"team.signal.M is of the model {model}; ours is other",
         f"team.state.M is of the model {model}; ours is other",
     ]
+
+
+def test_what_is_refused_and_comes_twice_is_counted_once_as_refused(talk: Generated, box: Box) -> None:
+    """As what comes late does: it is sent again, and then both come."""
+    air = Air(doubling=1.0)
+    ann = part(talk, ["ann"], box.activities, air.link()).start()
+    bob = part(talk, ["bob"], box.activities, air.link(), model="other").start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    box.say += [("team.signal.M", n, None) for n in range(5)] + [("team.data.M", 1, None)]
+    wait_until(lambda: bob.team.peers()["ann"].doubled >= 6)
+    wait_until(lambda: not ann.team.peers()["bob"].unacknowledged)
+    ann.stop()
+    bob.stop()
+    assert bob.team.peers()["ann"].refused == 6
 
 
 def test_a_newer_process_of_the_same_robot_takes_over(talk: Generated, box: Box) -> None:

@@ -12,10 +12,11 @@ import pytest
 
 from aseme_dsl.runtime.transport.over_platform import PlatformLink
 from aseme_dsl.runtime.transport.platform import Receives
-from tests.runtime.transport.net import part, wait_until
+from tests.runtime.transport.net import part
 from tests.runtime.transport.square import Square
 from tests.runtime.transport.test_parts import NET
 from tests.support.generated import Generated, generate
+from tests.support.waiting import wait_until
 
 TEAM = ("ann", "bob", "cat")
 ALICE = "alice@square/1"
