@@ -39,13 +39,15 @@ class RealLoop:
     def look(self, patience: int) -> None:
         """Report a loop that has done nothing between so many calls of this, and begin another."""
         if self._unheard >= patience:
-            self._complain(
-                f"an async activity blocks the event loop{place_of(self._thread.ident)}: the others in it "
-                "stand still, later ones run in a new loop"
-            )
+            place = place_of(self._thread.ident)
             self._blocked.append((self._loop, self._thread))
             self._loop, self._thread = _start(self._complain)
             self._unheard = 0
+            # Not before there is another: what begins because of this must not be held up, too.
+            self._complain(
+                f"an async activity blocks the event loop{place}: the others in it stand still, later ones "
+                "run in a new loop"
+            )
         self._unheard += 1
         self._loop.call_soon_threadsafe(self._heard, self._loop)
 

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+import asyncio
+import re
 import textwrap
 import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from aseme_dsl.runtime import Context, activities_in
 from aseme_dsl.runtime.real_time import RealTime
-from tests.runtime.playing import MS, Played, play
+from aseme_dsl.runtime.team import Team
+from aseme_dsl.runtime.trace import Record
+from tests.runtime.playing import MS, SECOND, Played, play
+from tests.support.waiting import LONG
 
 SOON = RealTime(cancel_within=200 * MS)
 
@@ -22,26 +31,41 @@ srm R {
   control R { enter Next : stop }
 }
 """
-BOSS = """
-class Boss:
-    async def execute(self, context):
-        await context.sleep(0.1)
-        context.raise_event("stop")
-"""
-BEGUN = """
-from pathlib import Path
-class Boss:
-    async def execute(self, context):
-        while not Path(__file__).with_name("begun").exists():
+
+
+class Moment:
+    """A moment of a run, for those who wait for it: when a line of the trace has these members."""
+
+    def __init__(self, said: str = "", **members: Any) -> None:
+        self._said = said
+        self._members = members
+        self.event = threading.Event()
+
+    def look(self, record: Record) -> None:
+        """The listener."""
+        if record.items() >= self._members.items() and self._said in record.get("reason", ""):
+            self.event.set()
+
+    async def come(self, context: Context) -> None:
+        """In an event loop: until it has come."""
+        while not self.event.is_set():
             await context.sleep(0.01)
-        context.raise_event("stop")
-"""
-"""One that waits for what has begun in another process, which takes a busy machine long."""
-BOSS2 = """
-class Boss2:
-    async def execute(self, context):
-        await context.sleep(0.6)
-"""
+
+
+def stopping(tmp_path: Path, enough: Moment) -> dict[str, type[Any]]:
+    """The other two of LEFT: they leave Work when it has begun, and go on until the trace says enough."""
+
+    class Boss:
+        async def execute(self, context: Context) -> None:
+            while not (tmp_path / "begun").exists():
+                await context.sleep(0.01)
+            context.raise_event("stop")
+
+    class Boss2:
+        async def execute(self, context: Context) -> None:
+            await enough.come(context)
+
+    return {"Boss": Boss, "Boss2": Boss2}
 
 
 def folder(tmp_path: Path, **modules: str) -> Path:
@@ -51,72 +75,97 @@ def folder(tmp_path: Path, **modules: str) -> Path:
 
 
 def run(
-    text: str, tmp_path: Path, options: RealTime = SOON, until: int | None = None, **modules: str
+    text: str,
+    tmp_path: Path,
+    options: RealTime = SOON,
+    classes: Mapping[str, type[Any]] | None = None,
+    moments: Sequence[Moment] = (),
+    stop: Callable[[Team], str | None] | None = None,
+    **modules: str,
 ) -> Played:
-    find = activities_in(folder(tmp_path, **modules))
-    return play(text, find, clock="real", path=[tmp_path], real_time=options, until=until)
+    """A run in real time with activities from modules, and others that are here."""
+    find, here = activities_in(folder(tmp_path, **modules)), classes or {}
+    return play(
+        text,
+        lambda name: here.get(name) or find(name),
+        clock="real",
+        path=[tmp_path],
+        real_time=options,
+        until=round(LONG) * SECOND,
+        listeners=[moment.look for moment in moments],
+        stop=stop,
+    )
 
 
 def faults(played: Played) -> list[str]:
     return [fault["reason"] for fault in played.of("fault") if "W201" not in fault.get("code", "")]
 
 
-DEAF = {
-    "thread": """
-        import time
-        class Work:
-            def execute(self, context):
-                time.sleep(2.5)
-        """,
-    "async": """
-        import asyncio
-        class Work:
-            async def execute(self, context):
-                for _ in range(15):
-                    try:
-                        await asyncio.sleep(0.1)
-                    except asyncio.CancelledError:
-                        pass
-        """,
-    "process": """
-        import time
-        from pathlib import Path
-        class Work:
-            kind = "process"
-            def execute(self, context):
-                Path(__file__).with_name("begun").touch()
-                while True:
-                    time.sleep(1000)
-        """,
-}
+def deaf(kind: str, tmp_path: Path, told: Moment, release: threading.Event) -> type[Any]:
+    """An activity that ignores its cancellation: until that is told, or until it is released."""
+
+    class InThread:
+        def execute(self, context: Context) -> None:
+            (tmp_path / "begun").touch()
+            release.wait()
+
+    class InLoop:
+        async def execute(self, context: Context) -> None:
+            (tmp_path / "begun").touch()
+            while True:
+                with suppress(asyncio.CancelledError):
+                    await told.come(context)
+                    return
+
+    return InThread if kind == "thread" else InLoop
 
 
-@pytest.mark.parametrize("kind", DEAF)
+DEAF_PROCESS = """
+    import time
+    from pathlib import Path
+    class Work:
+        kind = "process"
+        def execute(self, context):
+            Path(__file__).with_name("begun").touch()
+            while True:
+                time.sleep(1000)
+    """
+
+
+@pytest.mark.parametrize("kind", ["thread", "async", "process"])
 def test_an_activity_that_ignores_its_cancellation_is_reported_and_a_process_killed(
     kind: str, tmp_path: Path
 ) -> None:
-    played = run(LEFT, tmp_path, work=DEAF[kind], boss=BEGUN if kind == "process" else BOSS, boss2=BOSS2)
+    told, late = Moment("has not ended", kind="fault"), Moment(kind="activity", activity="Work", what="late")
+    release = threading.Event()
+    classes = stopping(tmp_path, told if kind == "thread" else late)
+    modules = {"work": DEAF_PROCESS} if kind == "process" else {}
+    if kind != "process":
+        classes["Work"] = deaf(kind, tmp_path, told, release)
+    try:
+        played = run(LEFT, tmp_path, classes=classes, moments=[told, late], **modules)
+    finally:
+        release.set()
     assert played.result.reason == "finished"
     assert played.order("start", "end")[-1] == "end Boss2"  # the rest goes on
     (fault, *_) = played.of("fault", activity="Work")
     assert fault["agent"] == "me"
     assert "activity Work has not ended 0.2 s after it was cancelled" in fault["reason"]
     if kind == "thread":
-        assert "(at work.py:5 in execute)" in fault["reason"]
+        assert re.search(r"\(at test_activities\.py:\d+ in execute\)", fault["reason"])
     if kind == "process":
-        (late,) = played.of("activity", what="late")
-        assert late["reason"] == "it has not ended 0.2 s after it was cancelled, and was killed"
-        assert not played.result.left
-    elif kind == "thread":
-        assert played.result.left == ("me: Work",)
+        (line,) = played.of("activity", what="late")
+        assert line["reason"] == "it has not ended 0.2 s after it was cancelled, and was killed"
+    assert played.result.left == (("me: Work",) if kind == "thread" else ())
 
 
 def test_a_stuck_thread_takes_no_place_in_the_pool(tmp_path: Path) -> None:
     """With one thread alone, the next activity runs although the first one never returns."""
-    release = threading.Event()
+    begun, release = threading.Event(), threading.Event()
 
     class Work:
         def execute(self, context: Context) -> None:
+            begun.set()
             release.wait()
 
     class Next:
@@ -125,7 +174,8 @@ def test_a_stuck_thread_takes_no_place_in_the_pool(tmp_path: Path) -> None:
 
     class Boss:
         async def execute(self, context: Context) -> None:
-            await context.sleep(0.05)
+            while not begun.is_set():
+                await context.sleep(0.01)
             context.raise_event("stop")
 
     text = "system S srm R { liveness { R = (Work . Next) || Boss } control R { enter Next : stop } }"
@@ -141,52 +191,78 @@ def test_the_wait_for_one_that_does_not_return_is_in_the_trace(tmp_path: Path) -
     system S
     srm R { liveness { R = (Work . Next)~ || Boss } control R { repeat (Work . Next) : stop } }
     """
-    played = run(text, tmp_path, work=DEAF["thread"], boss=BOSS, until=3200 * MS)
+    waits, starts = Moment(kind="activity", what="wait"), list[None]()
+
+    class Work:
+        def execute(self, context: Context) -> None:
+            starts.append(None)
+            (tmp_path / "begun").touch()
+            waits.event.wait(LONG)
+
+    classes = {"Work": Work, "Boss": stopping(tmp_path, waits)["Boss"]}
+    played = run(
+        text, tmp_path, classes=classes, moments=[waits], stop=lambda _: "twice" if len(starts) > 1 else None
+    )
+    assert played.result.reason == "twice"
     order = [line for line in played.order() if line.endswith(" Work")]
     assert order[:5] == ["start Work", "cancel Work", "wait Work", "late Work", "start Work"]
 
 
 def test_an_activity_that_blocks_the_event_loop_holds_up_only_those_in_it(tmp_path: Path) -> None:
-    block = """
-    import time
+    told, ended = (
+        Moment("blocks the event loop", kind="fault"),
+        Moment(kind="activity", what="end", activity="Later"),
+    )
+
     class Block:
-        async def execute(self, context):
-            time.sleep(2.5)
-    """
-    later = """
+        async def execute(self, context: Context) -> None:
+            ended.event.wait(LONG)
+
+    class Wait:
+        def execute(self, context: Context) -> None:
+            told.event.wait(LONG)
+
     class Later:
-        async def execute(self, context):
+        async def execute(self, context: Context) -> None:
             await context.sleep(0.01)
-    """
-    text = """
-    system S
-    srm R { liveness { R = Block || (Wait . Later) } activities { Wait takes 1500ms } }
-    """
-    options = RealTime(cancel_within=500 * MS)
-    played = run(text, tmp_path, options, block=block, later=later)
+
+    played = run(
+        "system S srm R { liveness { R = Block || (Wait . Later) } }",
+        tmp_path,
+        RealTime(cancel_within=500 * MS),
+        classes={"Block": Block, "Wait": Wait, "Later": Later},
+        moments=[told, ended],
+    )
     assert played.result.reason == "finished"
-    assert any("blocks the event loop (at block.py:5 in execute)" in reason for reason in faults(played))
-    assert played.order("end")[:2] == ["end Wait", "end Later"]
+    (reason,) = faults(played)
+    assert re.search(r"blocks the event loop \(at test_activities\.py:\d+ in execute\)", reason)
+    assert played.order("end") == ["end Wait", "end Later", "end Block"]
 
 
 def test_a_step_activity_that_blocks_is_reported_with_its_place(tmp_path: Path) -> None:
-    work = """
-    import time
+    told, ended = Moment("in one step", kind="fault"), Moment(kind="activity", what="end", activity="Other")
+
     class Work:
-        def execute(self, context):
+        def execute(self, context: Context) -> Iterator[float]:
             yield 0.01
-            time.sleep(1.5)
-    """
-    text = "system S srm R { liveness { R = Work } } srm Q { liveness { Q = Other } } team T { a : R  b : Q }"
-    other = """
+            ended.event.wait(LONG)
+            told.event.wait(LONG)
+
     class Other:
-        def execute(self, context):
+        def execute(self, context: Context) -> None:
             context.wait(0.05)
-    """
-    played = run(text, tmp_path, RealTime(cancel_within=500 * MS), work=work, other=other)
+
+    text = "system S srm R { liveness { R = Work } } srm Q { liveness { Q = Other } } team T { a : R  b : Q }"
+    played = run(
+        text,
+        tmp_path,
+        RealTime(cancel_within=500 * MS),
+        classes={"Work": Work, "Other": Other},
+        moments=[told, ended],
+    )
     assert played.result.reason == "finished"
     (reason,) = faults(played)
-    assert reason.startswith("a has been in one step for 0.5 s (at work.py:6 in execute)")
+    assert re.match(r"a has been in one step for 0\.5 s \(at test_activities\.py:\d+ in execute\)", reason)
     assert played.order("end") == ["end Other", "end Work"]
 
 
@@ -274,39 +350,48 @@ def test_a_stopped_worker_holds_up_no_step_and_is_killed(tmp_path: Path) -> None
     """A worker that listens to nothing (SIGSTOP), and whose pipe is full."""
     work = """
     import os, signal
+    from pathlib import Path
     class Work:
         kind = "process"
         def execute(self, context):
+            Path(__file__).with_name("begun").touch()
             os.kill(os.getpid(), signal.SIGSTOP)
     """
-    played = run(LEFT, tmp_path, work=work, boss=BOSS, boss2=BOSS2)
+    late = Moment(kind="activity", activity="Work", what="late")
+    played = run(LEFT, tmp_path, classes=stopping(tmp_path, late), moments=[late], work=work)
     assert played.result.reason == "finished"
-    (late,) = played.of("activity", what="late")
-    assert "was killed" in late["reason"]
+    (line,) = played.of("activity", what="late")
+    assert "and was killed" in line["reason"]
 
 
 def test_the_deadline_leaves_those_alone_that_return(tmp_path: Path) -> None:
-    slow = """
-    import time
+    within = 2 * SECOND
+
     class Work:
-        def execute(self, context):
+        def execute(self, context: Context) -> None:
+            (tmp_path / "begun").touch()
             try:
                 context.wait(1000)
             finally:
                 time.sleep(0.05)
-    """
-    played = run(LEFT, tmp_path, work=slow, boss=BOSS, boss2=BOSS2)
+
+    class Boss2:
+        async def execute(self, context: Context) -> None:
+            await context.sleep(1.1 * within / SECOND)  # until the deadline has passed
+
+    classes = {**stopping(tmp_path, Moment()), "Work": Work, "Boss2": Boss2}
+    played = run(LEFT, tmp_path, RealTime(cancel_within=within), classes=classes)
     assert played.result.reason == "finished" and not faults(played) and not played.result.left
 
 
 def test_waiting_starts_are_forgotten_when_they_are_cancelled(tmp_path: Path) -> None:
     """At the maximum, what waits for a thread and is cancelled has never run."""
     ran: list[str] = []
-    release = threading.Event()
+    started, late = (Moment(kind="activity", activity="Work", what=what) for what in ("start", "late"))
 
     class Long:
         def execute(self, context: Context) -> None:
-            release.wait()
+            late.event.wait(LONG)
 
     class Work:
         def execute(self, context: Context) -> None:
@@ -314,15 +399,17 @@ def test_waiting_starts_are_forgotten_when_they_are_cancelled(tmp_path: Path) ->
 
     class Boss:
         async def execute(self, context: Context) -> None:
-            await context.sleep(0.1)
+            await started.come(context)
             context.raise_event("stop")
-            await context.sleep(0.1)
-            release.set()
 
     text = """system S srm R { liveness { R = Long || (Pause . Work . Next) || Boss }
     activities { Pause takes 50ms  Next takes 10ms } control R { enter Next : stop } }"""
-    played = play(
-        text, {"Long": Long, "Work": Work, "Boss": Boss}, clock="real", real_time=RealTime(threads=1)
+    played = run(
+        text,
+        tmp_path,
+        RealTime(threads=1),
+        classes={"Long": Long, "Work": Work, "Boss": Boss},
+        moments=[started, late],
     )
     assert played.result.reason == "finished" and not ran
     assert [line for line in played.order() if line.endswith(" Work")] == [
