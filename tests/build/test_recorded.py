@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
-import threading
-import time
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -18,6 +15,7 @@ from aseme_dsl.build.recorded import NotPlayable, recorded
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.trace import Record
 from tests.cli.support import asemec
+from tests.runtime.held import play_held
 from tests.runtime.playing import MS, SECOND, make
 from tests.support.generated import Generated, generate
 
@@ -120,43 +118,9 @@ def test_signals_variables_events_outcomes_and_failures_of_activities(tmp_path: 
 
 def test_what_arrives_during_a_step(tmp_path: Path) -> None:
     """`read_messages` in real time: the trace says what it has shown."""
-    (tmp_path / "staying.py").write_text(
-        "import threading\n"
-        "inside, go = threading.Event(), threading.Event()\n"
-        "def hold(n):\n    inside.set()\n    go.wait(30)\n    return n\n"
-    )
-    made = generate("""
-    system S
-    message M { int n }
-    topic t { state M }
-    function hold(int n) : int = "staying:hold"
-    srm R {
-      liveness { R = A . (B | C) }
-      activities { A takes 1ms  B takes 1ms  C takes 1ms }
-      control R {
-        enter (B | C) : / hold(1) ; read_messages
-        enter B : [t.state.M.n == 5]
-        enter C : else
-      }
-    }
-    """)
-    team, records = make(made, {}, clock="real", until=60 * SECOND, path=[tmp_path])
-
-    def give() -> None:
-        while not hasattr(sys.modules.get("staying"), "hold"):
-            time.sleep(0.001)
-        staying = sys.modules["staying"]
-        staying.inside.wait(30)
-        team.bus.give(team.agents[0], "t.state.M", made.message("M", n=5))
-        staying.go.set()
-
-    giver = threading.Thread(target=give)
-    giver.start()
-    team.run()
-    giver.join()
+    made, _, records = play_held(tmp_path)
     assert any("ahead" in record for record in records)
     (course,) = read(written(tmp_path / "run.jsonl", records), made)["R"]
-    del sys.modules["staying"]
     assert course.until == "" and len(course.steps) == sum(r["kind"] == "step" for r in records)
 
 

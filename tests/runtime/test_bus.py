@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import json
-import sys
 import threading
-import time
 from pathlib import Path
 from typing import Any
 
 from aseme_dsl.runtime import Context
-from tests.runtime.playing import MS, SECOND, make, play
+from tests.runtime.held import play_held
+from tests.runtime.playing import MS, SECOND, play
 from tests.support.generated import Generated, generate
 
 
@@ -354,41 +353,7 @@ def test_messages_reach_others_in_real_time() -> None:
 
 def test_read_messages_shows_what_has_arrived_since_the_step_began(tmp_path: Path) -> None:
     """ "`read_messages` renews the executing region's snapshot for the later rounds of the step" """
-    (tmp_path / "holding.py").write_text(
-        "import threading\n"
-        "inside, go = threading.Event(), threading.Event()\n"
-        "def hold(n):\n    inside.set()\n    go.wait(30)\n    return n\n"
-    )
-    generated = generate("""
-    system S
-    message M { int n }
-    topic t { state M }
-    function hold(int n) : int = "holding:hold"
-    srm R {
-      liveness { R = A . (B | C) }
-      activities { A takes 1ms  B takes 1ms  C takes 1ms }
-      control R {
-        enter (B | C) : / hold(1) ; read_messages
-        enter B : [t.state.M.n == 5]
-        enter C : else
-      }
-    }
-    """)
-    team, records = make(generated, {}, clock="real", until=60 * SECOND, path=[tmp_path])
-
-    def give() -> None:
-        while not hasattr(sys.modules.get("holding"), "hold"):  # a module is known before it is whole
-            time.sleep(0.001)
-        holding = sys.modules["holding"]
-        holding.inside.wait(30)
-        team.bus.give(team.agents[0], "t.state.M", generated.message("M", n=5))
-        holding.go.set()
-
-    giver = threading.Thread(target=give)
-    giver.start()
-    result = team.run()
-    giver.join()
-    del sys.modules["holding"]
+    _, result, records = play_held(tmp_path)
     assert result.reason == "finished"
     assert [r["activity"] for r in records if r.get("what") == "start"] == ["A", "B"]
     (step,) = [r for r in records if r.get("ahead")]
