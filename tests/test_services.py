@@ -40,7 +40,7 @@ def bash(script: str, folder: Path, variables: Mapping[str, str]) -> subprocess.
     path = os.pathsep.join([str(folder.parent / "tools"), str(TOOLS), os.environ["PATH"]])
     environment = {**os.environ, "PATH": path, "PYTHONPATH": str(ROOT), **variables}
     command = ["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", script]
-    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=120)
+    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=600)
 
 
 def schema(name: str) -> Any:

@@ -385,7 +385,7 @@ def test_a_project_that_is_checked_may_have_batches_in_it(tmp_path: Path) -> Non
         capture_output=True,
         text=True,
         check=False,
-        timeout=60,
+        timeout=600,
     )
     assert linted.returncode == 0, linted.stdout
     package = kind.__module__.rpartition(".")[0]
@@ -402,7 +402,7 @@ def test_a_project_that_is_checked_may_have_batches_in_it(tmp_path: Path) -> Non
         capture_output=True,
         text=True,
         check=False,
-        timeout=300,
+        timeout=600,
     )
     assert "Found 1 error in 1 file (checked 4 source files)" in done.stdout, done.stdout + done.stderr
     assert 'user.py:5: error: Incompatible types in assignment (expression has type "str"' in done.stdout

@@ -336,7 +336,7 @@ def test_a_run_is_followed_from_before_its_begin_to_its_end(folder: Path) -> Non
                 file.write(f"{json.dumps(mail(2, 'two', ['one'], 2))}\n{json.dumps(FINISH)}\n")
             part.replace("out/trace.jsonl")
             assert "2 s two" in " ".join(sniffing.stdout.read().split())
-            assert sniffing.wait(20) == 0
+            assert sniffing.wait(60) == 0
         finally:
             sniffing.kill()
 
@@ -379,12 +379,12 @@ def test_a_team_that_runs_is_followed(run: Path) -> None:
         assert playing.poll() is None
         Path("seen").touch()
         assert "failure Outcome" in sniffing.stdout.read()
-        assert sniffing.wait(20) == 0
+        assert sniffing.wait(60) == 0
     finally:
         watch.cancel()
         for process in (playing, sniffing):
             process.kill()
-            process.wait(20)
+            process.wait(60)
         assert sniffing.stdout is not None
         sniffing.stdout.close()
 

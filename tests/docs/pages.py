@@ -242,7 +242,7 @@ class Page:
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             encoding="utf-8",
-            timeout=120,
+            timeout=600,
         )
         self.code = done.returncode
         return clean(done.stdout)

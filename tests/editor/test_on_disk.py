@@ -80,7 +80,7 @@ async def says(project: Project, name: str, *codes: str) -> None:
     uri = (project.folder / name).resolve().as_uri()
     found: list[object] = []
     try:
-        async with asyncio.timeout(30):
+        async with asyncio.timeout(120):
             while True:
                 if uri in project.client.diagnostics or not codes:
                     found = [item.code for item in project.client.diagnostics.get(uri, ())]
@@ -107,7 +107,7 @@ def changed(project: Project, name: str, text: str | None) -> None:
 async def test_the_server_asks_to_be_told_of_files(client: LanguageClient) -> None:
     """An editor that watches files only when it is asked to (Neovim, Emacs) is asked."""
     seen: list[lsp.Registration] = []
-    async with asyncio.timeout(30):
+    async with asyncio.timeout(120):
         while not seen:
             seen = list(client.registered)  # type: ignore[attr-defined]
             await asyncio.sleep(0.02)

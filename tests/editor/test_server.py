@@ -684,7 +684,7 @@ async def test_a_page_in_a_browser_follows_the_cursor(project: Project) -> None:
 
     await asyncio.to_thread(browser.act, act="click", id=state["here"])
     state = await asyncio.to_thread(browser.next) if not state["here"] else state
-    for _ in range(200):
+    for _ in range(1200):
         if client.shown_documents[-1].uri == project.uri():
             break
         await asyncio.sleep(0.05)

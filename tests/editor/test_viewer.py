@@ -53,7 +53,10 @@ class Browser:
 
     def next(self) -> Any:
         """What is shown, as soon as it is something else than before."""
+        last = time.monotonic() + SECONDS
         status, headers, text = self.ask("GET", f"state?after={self.version}")
+        while status == 204 and time.monotonic() < last:  # nothing yet
+            status, headers, text = self.ask("GET", f"state?after={self.version}")
         assert status == 200
         self.version = int(headers["X-Version"])
         return json.loads(text)

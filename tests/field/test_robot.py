@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from aseme_dsl.field import robot as limits
@@ -201,14 +201,17 @@ def test_a_robot_does_not_kick_further_round_than_it_can() -> None:
 
 
 @given(st.floats(1, limits.KICK_SPEED), st.floats(-180, 180))
+@example(233.0, 10.0)
 def test_the_ball_rolls_straight_and_comes_to_rest(speed: float, heading: float) -> None:
     c, s = unit(heading)
     ball = Ball(0, 0, speed * c, speed * s)
+    furthest = 0.0
     for _ in range(1000):
         roll(ball, 0.01)
+        furthest = max(furthest, abs(ball.x))
     assert ball.speed == 0
     away = length(ball.x, ball.y)
-    if abs(ball.x) < 400:  # no post in its way
+    if furthest < 400:  # no post in its way, from which it would have come back
         assert away == pytest.approx(speed * speed / 90, rel=0.05, abs=3)
         assert ball.x * s - ball.y * c == pytest.approx(0, abs=0.01)
 

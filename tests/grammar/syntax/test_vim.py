@@ -19,7 +19,7 @@ KINDS = {f"aseme{camel(kind)}": same(kind) for kind in Kind} | {"asemeComment": 
 PROGRAMS = [*ACCEPTANCE, EVERYTHING]
 
 SETTINGS = """
-set nocompatible encoding=utf-8 nomodeline
+set nocompatible encoding=utf-8 nomodeline redrawtime=60000
 set runtimepath^={folder}
 filetype plugin indent on
 syntax on
