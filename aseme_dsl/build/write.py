@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
+import glob
 import os
 import secrets
 import signal
 import stat
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass, field
+from importlib.util import cache_from_source
 from pathlib import Path
 from types import FrameType, MappingProxyType
 
@@ -475,6 +477,17 @@ def _commit(staged: Sequence[tuple[Path, Path]], stale: Sequence[Path], token: s
     for _, backup in undo:
         if backup is not None:
             _fails(disk.remove, backup)
+    for _, target in staged:
+        if target.suffix == ".py":
+            _forget_compiled(target, disk)
+
+
+def _forget_compiled(module: Path, disk: Disk) -> None:
+    """Remove what Python keeps of a module: it goes by the second and the size, and might run the old one."""
+    with contextlib.suppress(NotImplementedError):  # a Python that keeps nothing
+        kept = Path(cache_from_source(str(module))).parent
+        for path in kept.glob(f"{glob.escape(module.stem)}.*.pyc"):
+            _fails(disk.remove, path)
 
 
 def _make_folders(folder: Path, made: list[Path], disk: Disk) -> None:
@@ -524,7 +537,7 @@ def _failed(problem: OSError, folder: Path) -> Diagnostic:
     return Diagnostic("E009", message, None, hint="nothing was changed", path=path)
 
 
-@contextmanager
+@contextlib.contextmanager
 def _uninterrupted() -> Iterator[None]:
     """Inside, Ctrl-C and termination wait; they count when it is over."""
     if threading.current_thread() is not threading.main_thread():

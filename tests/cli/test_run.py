@@ -412,6 +412,19 @@ def test_ctrl_c_ends_a_run_with_its_trace_whole(folder: Path) -> None:
     assert trace(folder / "out/trace.jsonl")[-1]["reason"] == "interrupted"
 
 
+def test_what_is_built_within_the_second_of_the_build_before_is_what_runs(here: Here, folder: Path) -> None:
+    """Python knows a module that it has compiled by the second and the size."""
+    plan = folder / "out/monas/Walker/robot/plan.py"
+    said = []
+    for text in (GOOD, GOOD.replace("Stand takes 1s", "Stand takes 9s")):
+        (folder / "good.aseme").write_text(text)
+        assert here("build", "good.aseme").code == 0
+        os.utime(plan, (1_000_000_000, 1_000_000_000))
+        arguments = ("run", "out", "--verbose", "--for", "8s")
+        said.append(asemec(*arguments, cwd=folder, PYTHONDONTWRITEBYTECODE="", PYTHONPYCACHEPREFIX="").out)
+    assert [text.count("one  Stand") for text in said] == [9, 1]
+
+
 def test_real_time(here: Here, folder: Path) -> None:
     done = here("run", "good.aseme", "--real", "--for", "50ms")
     assert done.code == 0, done.err
