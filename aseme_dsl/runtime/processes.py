@@ -69,6 +69,8 @@ class _Process:
         self.killed = ""
         """Why the worker was killed, while the activity has not been told."""
         self._sending = threading.Lock()
+        self._turning = threading.Lock()
+        """Held while it is said what runs, and while that is killed: what follows must not be."""
         self.thread = threading.Thread(target=self._work, name="aseme process", daemon=True)
         self.thread.start()
 
@@ -89,22 +91,29 @@ class _Process:
                     self._put(("cancel",))
             self._sending.release()
 
-    def kill(self, reason: str) -> None:
-        """End the worker and with it what it runs; the next activity has a new one."""
-        self.killed = reason
-        if self.child is not None:
-            self.child.kill()
+    def kill(self, execution: Execution, reason: str) -> bool:
+        """End the worker, if it still runs this; the next activity has a new one."""
+        with self._turning:
+            if self.execution is not execution:
+                return False
+            self.killed = reason
+            child = self.child
+            if child is not None:
+                child.kill()
+        return True
 
     def _work(self) -> None:
         job = self.jobs.get()
         while job is not None:
             execution, snapshot = job
-            self.killed = ""
-            self.execution = execution
+            with self._turning:
+                self.killed = ""
+                self.execution = execution
             error = self._run(execution, snapshot)
-            with self._sending:  # whoever cancels it now is too late
+            with self._sending, self._turning:  # whoever cancels or kills it now is too late
                 self.execution = None
-            if self.child is not None and (self.child.poll() is not None or _is_spent(error)):
+            # A worker that was killed may take a moment to die.
+            if self.child is not None and (self.killed or self.child.poll() is not None or _is_spent(error)):
                 self._end()
             self.is_free = True
             execution.returned(error)
@@ -168,8 +177,11 @@ class _Process:
         self.listens = False
         command = [sys.executable, "-m", "aseme_dsl.runtime.worker", str(self.pool.memory or 0)]
         command += [f"{name}={other}" for name, other in self.pool.names.items()]
-        self.child = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment)
-        return self.child
+        child = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment)
+        self.child = child
+        if self.killed:  # meanwhile
+            child.kill()
+        return child
 
     def _put(self, item: tuple[Any, ...]) -> None:
         child = self.child
@@ -314,10 +326,7 @@ class Processes:
     def kill(self, execution: Execution, reason: str) -> bool:
         """End an activity that does not listen, with its process; not one that cannot have heard yet."""
         process: _Process | None = execution.handle
-        if process is None or process.execution is not execution or not process.listens:
-            return False
-        process.kill(reason)
-        return True
+        return process is not None and process.listens and process.kill(execution, reason)
 
     def renew(self, path: Sequence[Path], names: Mapping[str, str]) -> None:
         """From now on workers import from here: those that there are end when they have done what they do."""
@@ -340,7 +349,7 @@ class Processes:
         for process in everyone:
             execution = process.execution
             if execution is not None:
-                process.kill("its process was killed: the run is over")
+                process.kill(execution, "its process was killed: the run is over")
             process.jobs.put(None)
 
     def join(self, seconds: Callable[[], float]) -> None:

@@ -62,11 +62,12 @@ class Hear:
 """
 
 
-def project(folder: Path, **files: str) -> Path:
-    """A project with that team."""
+def project(folder: Path, lease: str = f"{LONG:g}s", **files: str) -> Path:
+    """A project with that team. After `lease` a robot that stands still is gone, as on a busy machine."""
     (folder / "activities").mkdir(parents=True)
     (folder / "pyproject.toml").write_text(
         '[tool.asemec]\nfiles = ["talk.aseme"]\noutput = "out"\nactivities = "activities"\n'
+        + f'[tool.asemec.deploy]\nlease = "{lease}"\n'
         + files.get("configuration", "")
     )
     (folder / "talk.aseme").write_text(files.get("text", TEAM))
@@ -120,8 +121,9 @@ class Started:
     def trace(self, robot: str, life: int = 1) -> list[dict[str, Any]]:
         """What is in a trace so far."""
         name = f"trace.{robot}{'' if life == 1 else f'.{life}'}.jsonl"
-        for path in (self.folder / "out" / name, self.folder / "out" / f"{name}.part"):
-            if path.exists():
+        whole, part = self.folder / "out" / name, self.folder / "out" / f"{name}.part"
+        for path in (whole, part, whole):  # it may get its name between two looks
+            with contextlib.suppress(FileNotFoundError):
                 lines = path.read_text("utf-8").split("\n")[:-1]
                 return [json.loads(line) for line in lines]
         return []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import pickle
 import re
 import textwrap
 import threading
@@ -10,15 +11,17 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import pytest
 
 from aseme_dsl.runtime import Context, activities_in
+from aseme_dsl.runtime.processes import get
+from aseme_dsl.runtime.real import RealDriver
 from aseme_dsl.runtime.real_time import RealTime
 from aseme_dsl.runtime.team import Team
 from aseme_dsl.runtime.trace import Record
-from tests.runtime.playing import MS, SECOND, Played, play
+from tests.runtime.playing import MS, SECOND, Played, make, play
 from tests.support.waiting import LONG
 
 SOON = RealTime(cancel_within=200 * MS)
@@ -332,6 +335,31 @@ def test_a_process_that_leaks_ends_with_its_memory_and_a_new_one_begins(tmp_path
     )
     assert crashes == ["MemoryError", "MemoryError"]
     assert len({record["text"] for record in played.of("log")}) >= 2
+
+
+def test_a_deadline_that_passes_just_as_a_process_returns_is_not_that_of_the_next(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The worker is killed when it has told its end and nobody has looked: it is not given anything more."""
+    code = "class {}:\n    kind = 'process'\n    def execute(self, context):\n        context.log('here')\n"
+    find = activities_in(folder(tmp_path, work=code.format("Work"), after=code.format("After")))
+    text = "system S srm R { liveness { R = Work . After } }"
+    team, records = make(text, find, clock="real", path=[tmp_path], until=round(LONG) * SECOND)
+    driver, late = team.driver, list[bool]()
+    assert isinstance(driver, RealDriver)
+
+    def hear(file: IO[bytes]) -> bytes | None:
+        data = get(file)
+        if data is not None and pickle.loads(data)[0] == "end" and not late:
+            (execution,) = driver._live
+            late.append(driver._elsewhere().kill(execution, "it was late"))
+        return data
+
+    monkeypatch.setattr("aseme_dsl.runtime.processes.get", hear)
+    result = team.run()
+    assert late == [True]
+    assert result.reason == "finished" and not result.failed, result
+    assert [record["activity"] for record in records if record["kind"] == "log"] == ["Work", "After"]
 
 
 def test_a_thread_activity_that_calls_exit_only_fails(tmp_path: Path) -> None:

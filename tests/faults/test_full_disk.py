@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.faults.test_operate import Here, here, until
+from tests.faults.test_operate import Here, here
 from tests.faults.test_persist import ADD, COUNTING, kept
+from tests.support.waiting import LONG, wait_until
 
 __all__ = ["here"]
 
@@ -61,26 +62,26 @@ def told(trace: Path) -> list[str]:
 def test_under_the_kept_states(here: Here, disk: Path) -> None:
     states, trace = disk / "one.json", here.folder / "run.jsonl.part"
     start(here, "--state", "disk", "--trace", "run.jsonl")
-    until(lambda: kept(states) > 0)
+    wait_until(lambda: kept(states) > 0)
 
     def is_full() -> list[str]:
         fill(disk / "other")  # again: the last attempt to write may have left some room
         return told(trace)
 
-    assert "No space left on device" in until(is_full)[0]
+    assert "No space left on device" in wait_until(is_full)[0]
     before, reasons = kept(states), len(told(trace))
     time.sleep(0.6)
     assert kept(states) == before  # the last that could be kept, whole
     assert len(told(trace)) == reasons  # and the reason is not repeated
     assert here.running[0].poll() is None
     (disk / "other").unlink()
-    until(lambda: kept(states) > before)
+    wait_until(lambda: kept(states) > before)
 
 
 def test_under_the_trace(here: Here, disk: Path) -> None:
     start(here, "--state", "kept", "--trace", "disk/run.jsonl", "--for", "4s")
     (process,) = here.running
-    said, _ = process.communicate(timeout=60)
+    said, _ = process.communicate(timeout=LONG)
     assert "No space left on device" in said
     lines = (disk / "run.jsonl.part").read_text("utf-8").splitlines(keepends=True)
     assert len(lines) > 10

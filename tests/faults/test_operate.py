@@ -11,8 +11,7 @@ import subprocess
 import sys
 import tempfile
 import threading
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -26,23 +25,12 @@ from aseme_dsl.runtime.trace import Record
 from tests.cli import support as cli
 from tests.faults.test_swap import ONE, WITHOUT_KICK
 from tests.runtime.playing import SECOND, make
-
-WAIT = 60.0
-"""How long, in seconds, a process may take to come up on a busy machine."""
+from tests.support.waiting import LONG, wait_until
 
 LONGER = ONE.replace("Search . (Kick | Wait)", "Search . (Kick | Wait) . Cheer")
 OTHER = """\
 srm goalie { liveness { goalie = Guard~ } activities { Guard takes 50ms } }
 team S"""
-
-
-def until(what: Callable[[], Any]) -> Any:
-    """Wait for something to be true."""
-    end = time.monotonic() + WAIT
-    while not (found := what()):
-        assert time.monotonic() < end, "it never was"
-        time.sleep(0.02)
-    return found
 
 
 class Here:
@@ -78,8 +66,14 @@ class Here:
         code, said = self.asemec("status", "-o", "out", "--json")
         return json.loads(said)["processes"] if code == 0 else []
 
-    def agents(self) -> dict[str, dict[str, Any]]:
-        return {agent["name"]: agent for process in self.status() for agent in process["agents"]}
+    def agents(self, count: int = 2) -> dict[str, dict[str, Any]]:
+        """What so many agents say of themselves, when they do."""
+
+        def found() -> dict[str, dict[str, Any]]:
+            agents = {agent["name"]: agent for process in self.status() for agent in process["agents"]}
+            return agents if len(agents) == count else {}
+
+        return wait_until(found, pause=0.02)
 
 
 @pytest.fixture
@@ -104,7 +98,7 @@ def test_a_team_is_asked_and_changed(here: Here) -> None:
     here.write("three.aseme", WITHOUT_KICK.replace("player", "striker"))
     here.write("wrong.aseme", ONE.replace("Kick takes", "Kik takes"))
     here.start("one.aseme", "-o", "out")
-    before = until(here.agents)
+    before = here.agents()
     assert {name: agent["role"] for name, agent in before.items()} == {"a": "player", "b": "player"}
 
     code, said = here.asemec("swap", "wrong.aseme", "-o", "out")
@@ -119,7 +113,7 @@ def test_a_team_is_asked_and_changed(here: Here) -> None:
     assert code == 0, said
     after = here.agents()
     assert {a["model"] for a in after.values()} != {before["a"]["model"]}
-    until(lambda: "Cheer" in here.agents()["a"]["activities"])
+    wait_until(lambda: "Cheer" in here.agents()["a"]["activities"])
 
     code, said = here.asemec("select", "b", "goalie", "-o", "out")
     assert code == 0, said
@@ -131,7 +125,7 @@ def test_a_team_is_asked_and_changed(here: Here) -> None:
     assert "there is no agent nobody; there are a, b" in said
     process = here.running[0]
     process.send_signal(signal.SIGINT)
-    process.wait(WAIT)
+    process.wait(LONG)
     assert here.asemec("status", "-o", "out")[0] == 1
     kinds = [json.loads(line)["kind"] for line in (here.folder / "out/trace.jsonl").read_text().splitlines()]
     assert kinds.count("swap") == 3  # refused, and done by two
@@ -144,7 +138,7 @@ def test_a_team_in_several_processes_changes_as_one_or_not_at_all(here: Here) ->
     assert here.asemec("build", "one.aseme", "-o", "out")[0] == 0
     for name in ("a", "b"):
         here.start("out", "--plan", "player", "--agent", name, "--trace", f"{name}.jsonl")
-    before = until(lambda: found if len(found := here.agents()) == 2 else None)
+    before = here.agents()
 
     here.running[1].send_signal(signal.SIGSTOP)
     code, said = here.asemec("swap", "two.aseme", "-o", "out")
@@ -156,7 +150,7 @@ def test_a_team_in_several_processes_changes_as_one_or_not_at_all(here: Here) ->
     assert f"Error: process {pid} (b) does not answer within" in said
     assert [line.split()[:2] for line in said.splitlines() if line.startswith("  ")] == [["a", "player"]]
     here.running[1].send_signal(signal.SIGCONT)
-    assert here.agents() and {a["model"] for a in here.agents().values()} == {before["a"]["model"]}
+    assert {a["model"] for a in here.agents().values()} == {before["a"]["model"]}
 
     code, said = here.asemec("swap", "two.aseme", "-o", "out")
     assert code == 0, said
@@ -172,17 +166,17 @@ class Running:
     """A team that runs in real time in a thread."""
 
     def __init__(self, text: str = ONE) -> None:
-        self.team, self.records = make(text, clock="real", until=60 * SECOND)
+        self.team, self.records = make(text, clock="real", until=round(LONG) * SECOND)
         self.thread = threading.Thread(target=self.team.run, daemon=True)
         self.thread.start()
-        until(lambda: all(agent.steps for agent in self.team.agents))
+        wait_until(lambda: all(agent.steps for agent in self.team.agents))
 
     def __enter__(self) -> tuple[Team, list[Record]]:
         return self.team, self.records
 
     def __exit__(self, *problem: object) -> None:
         self.team.driver.stop("over")
-        self.thread.join(WAIT)
+        self.thread.join(LONG)
 
 
 def package(folder: Path, text: str) -> tuple[str, str]:
@@ -204,29 +198,29 @@ def test_who_hears_no_more_goes_on_as_it_was(tmp_path: Path) -> None:
     with Running() as (team, records):
         control = Control(team)
         old = {agent.plan.model for agent in team.agents}
-        reply = said(control, request="swap", phase="prepare", folder=folder, model=model, within=5, hold=0.2)
+        reply = said(control, request="swap", phase="prepare", folder=folder, model=model, within=60, hold=2)
         assert reply["state"] == "prepared"
         steps = [agent.steps for agent in team.agents]
         other = said(control, request="swap", phase="prepare", folder=folder, model=model)
         assert other["reasons"] == ["another swap is under way"]
         assert [agent.steps for agent in team.agents] == steps  # they are held
-        until(lambda: said(control, request="status")["swap"] is None)
+        wait_until(lambda: said(control, request="status")["swap"] is None)
         late = said(control, request="swap", phase="commit", id=reply["id"])
         assert late["reasons"] == [f"the swap {reply['id']} is not held here any more"]
         assert {agent.plan.model for agent in team.agents} == old
-        until(lambda: [agent.steps for agent in team.agents] > steps)
+        wait_until(lambda: [agent.steps for agent in team.agents] > steps)
     (line,) = [r for r in records if r["kind"] == "swap"]
-    assert (line["what"], line["reasons"]) == ("rolled back", ["nobody has confirmed it within 0.2 s"])
+    assert (line["what"], line["reasons"]) == ("rolled back", ["nobody has confirmed it within 2 s"])
 
 
 def test_who_has_committed_goes_on_to_the_end(tmp_path: Path) -> None:
     folder, model = package(tmp_path, LONGER)
     with Running() as (team, records):
         control = Control(team)
-        held = said(control, request="swap", phase="prepare", folder=folder, within=5, hold=0.3)
+        held = said(control, request="swap", phase="prepare", folder=folder, within=60, hold=2)
         assert said(control, request="swap", phase="finish", id=held["id"])["ok"] is False
         assert said(control, request="swap", phase="commit", id=held["id"])["state"] == "committed"
-        until(lambda: said(control, request="status")["swap"] is None)
+        wait_until(lambda: said(control, request="status")["swap"] is None)
         assert said(control, request="status")["model"] == model
     assert [r["what"] for r in records if r["kind"] == "swap"] == ["done", "done"]
 
@@ -309,7 +303,7 @@ class TestSocket:
                 connection.connect(str(path))
                 connection.sendall(b"\x00\xff\n[1]\n")
                 answer = b""
-                connection.settimeout(WAIT)
+                connection.settimeout(LONG)
                 while answer.count(b"\n") < 2 and (part := connection.recv(4096)):
                     answer += part
             replies = [json.loads(line) for line in answer.splitlines()]

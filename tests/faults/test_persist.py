@@ -14,9 +14,10 @@ import pytest
 
 from aseme_dsl.runtime.context import Context
 from aseme_dsl.runtime.persist import Kept
-from tests.faults.test_operate import Here, here, until
+from tests.faults.test_operate import Here, here
 from tests.runtime.playing import MS, make, play
 from tests.support.generated import generate
+from tests.support.waiting import LONG, wait_until
 
 __all__ = ["here"]
 
@@ -62,7 +63,7 @@ def test_kill_at_any_moment(here: Here) -> None:
             "memory.aseme",
             *("-o", "out", "--state", "kept", "--activities", "activities", "--trace", f"{life}.jsonl"),
         )
-        until(lambda before=before: kept(path) > before)
+        wait_until(lambda before=before: kept(path) > before)
         time.sleep(chance.random() * 0.6)
         process.send_signal(signal.SIGKILL)
         process.wait()
@@ -74,7 +75,7 @@ def test_kill_at_any_moment(here: Here) -> None:
         *("-o", "out", "--state", "kept", "--activities", "activities", "--trace", "last.jsonl"),
         *("--for", "1s"),
     )
-    assert process.wait(60) == 0
+    assert process.wait(LONG) == 0
     lines = [json.loads(line) for line in (here.folder / "last.jsonl").read_text("utf-8").splitlines()]
     restored = next(line for line in lines if line["kind"] == "message")
     assert (restored["via"], restored["message"]["n"]) == ("kept", before)
@@ -89,7 +90,7 @@ def test_a_state_is_kept_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     class Add:
         def execute(self, context: Context) -> None:
             context.publish("count.state.Count", made.message("Count", n=7))
-            until(lambda: kept(file))
+            wait_until(lambda: kept(file))
             found.append(kept(file))
 
     team, _ = make(made, {"Add": Add}, clock="real", state_directory=file.parent)
@@ -111,7 +112,7 @@ def test_the_writer_coalesces_and_ends(tmp_path: Path, monkeypatch: pytest.Monke
     states.begin(lambda agent, reason: told.append(reason))
     for number in range(1000):
         states.put("one", "count.state.Count", None, made.message("Count", n=number))
-    until(lambda: kept(tmp_path / "one.json") == 999)
+    wait_until(lambda: kept(tmp_path / "one.json") == 999)
     states.end(20)
     assert not told and len(files) < 200  # not each by itself
 
@@ -169,9 +170,9 @@ def test_what_could_not_be_written_is_tried_again_without_anything_new(tmp_path:
     states.begin(lambda agent, reason: told.append(reason))
     try:
         states.put("one", "count.state.Count", None, generate(COUNTING).message("Count", n=7))
-        until(lambda: told)
+        wait_until(lambda: told)
         folder.unlink()
-        until(lambda: kept(folder / "one.json") == 7)
+        wait_until(lambda: kept(folder / "one.json") == 7)
     finally:
         states.end(5.0)
     assert len(told) == 1

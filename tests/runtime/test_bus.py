@@ -11,6 +11,7 @@ from aseme_dsl.runtime import Context
 from tests.runtime.held import play_held
 from tests.runtime.playing import MS, SECOND, play
 from tests.support.generated import Generated, generate
+from tests.support.waiting import LONG
 
 
 def publishing(
@@ -379,13 +380,13 @@ def test_nothing_is_lost_between_threads_in_real_time() -> None:
 
     class Say:
         def execute(self, context: Context) -> None:
-            entered.wait(60)
+            entered.wait(LONG)
             for n in range(count):
                 context.publish("t.signal.M", generated.message("M", n=n))
 
     class Hear:
         def execute(self, context: Context) -> None:
-            entered.wait(60)
+            entered.wait(LONG)
             heard = 0
             while heard < 6 * count:
                 if context.take("t.signal.M") is None:
@@ -393,7 +394,7 @@ def test_nothing_is_lost_between_threads_in_real_time() -> None:
                 else:
                     heard += 1
 
-    run = play(generated, {"Say": Say, "Say2": Say, "Hear": Hear}, clock="real", until=120 * SECOND)
+    run = play(generated, {"Say": Say, "Say2": Say, "Hear": Hear}, clock="real", until=round(LONG) * SECOND)
     assert run.result.reason == "finished"
     for agent in ("a", "b", "c"):
         assert len(run.received(agent, "t.signal.M")) == 6 * count

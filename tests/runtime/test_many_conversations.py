@@ -12,6 +12,7 @@ from aseme_dsl.backends import jade_like, monas
 from aseme_dsl.runtime import Context
 from tests.runtime.playing import SECOND, Played, make
 from tests.support.generated import Generated, generate
+from tests.support.waiting import LONG
 
 AGENTS, EACH = 100, 10
 
@@ -118,7 +119,7 @@ def talk(crowd: Generated, clock: str = "virtual") -> tuple[Played, Counter[str]
         crowd,
         {"Ask": Ask, "Think": Think, "Compare": Compare, "Part": Part},
         agents=[(f"a{n}", "peer") for n in range(AGENTS)],
-        until=60 * SECOND,
+        until=round(LONG) * SECOND,
         clock=clock,
     )
     return Played(team, team.run(), records), right, wrong

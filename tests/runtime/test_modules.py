@@ -212,14 +212,20 @@ def test_what_document_and_class_say_must_agree() -> None:
 
 
 def test_a_module_that_ignores_its_cancellation_does_not_hold_up_the_end(tmp_path: Path) -> None:
-    release = threading.Event()
+    begun, release = threading.Event(), threading.Event()
 
     class Work:
         def execute(self, context: Context) -> None:
+            begun.set()
             release.wait()
 
+    class Play:
+        def execute(self, context: Context) -> None:
+            begun.wait()
+
     text = BESIDE.replace("CLAUSES", "").replace("1s", "50ms")
-    run = play(text, {"Work": Work}, clock="real", real_time=RealTime(cancel_within=100 * MS))
+    activities = {"Work": Work, "Play": Play}
+    run = play(text, activities, clock="real", real_time=RealTime(cancel_within=100 * MS))
     release.set()
     assert run.result.reason == "finished"
     assert run.result.left == ("me: Work",)

@@ -12,6 +12,7 @@ from aseme_dsl.field.team import team_sheet
 from aseme_dsl.runtime import BodyLost, Context, Heard
 from tests.runtime.playing import MS, SECOND, Played, play
 from tests.support.generated import Generated, generate
+from tests.support.waiting import LONG
 
 TEXT = """
 system S
@@ -179,6 +180,14 @@ def test_a_slow_radio_says_each_message_once() -> None:
             return []
 
     say = saying(generated, "team.signal.M", 100, pause=0.001)
-    run = play(generated, {"Say": say}, clock="real", bodies={"ann": Slow()}, until=1500 * MS)
+    run = play(
+        generated,
+        {"Say": say},
+        clock="real",
+        bodies={"ann": Slow()},
+        until=round(LONG) * SECOND,
+        stop=lambda team: "enough" if len(said) > 75 else None,
+    )
+    assert run.result.reason == "enough"
     assert run.of("activity", what="crash") == [] and not run.result.failed
     assert len(said) == len(set(said)) > 50

@@ -13,6 +13,7 @@ from aseme_dsl.field.match import Match
 from aseme_dsl.field.team import team_sheet
 from aseme_dsl.runtime.body import BodyLost, Heard
 from aseme_dsl.runtime.shared_world import FarBody, WorldServer
+from tests.support.waiting import wait_until
 
 KEY = b"only for us"
 
@@ -36,12 +37,12 @@ def test_a_body_far_away_is_a_body(match: Match, server: WorldServer) -> None:
     running.start()
     assert one.payload_limit == match.bodies["one"].payload_limit
     assert one.say(b"hello")
-    heard: list[Heard] = []
-    end = time.monotonic() + 10
-    while not heard and time.monotonic() < end:
-        heard = two.hear()
-        time.sleep(0.01)
+
+    def hear() -> list[Heard]:
         one.say(b"hello")
+        return two.hear()
+
+    heard = wait_until(hear)
     over.set()
     running.join()
     assert heard[0].payload == b"hello"
@@ -79,8 +80,8 @@ def test_a_body_that_there_is_not(server: WorldServer) -> None:
 def test_a_world_that_does_not_answer_is_lost(
     server: WorldServer, match: Match, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("aseme_dsl.runtime.shared_world.PATIENCE", 0.05)
     body: Any = FarBody("one", server.address, KEY)
+    monkeypatch.setattr("aseme_dsl.runtime.shared_world.PATIENCE", 0.05)
     with server._lock, pytest.raises(BodyLost, match="has not answered for"):
         body.sense()
     with pytest.raises(BodyLost):

@@ -14,6 +14,7 @@ from aseme_dsl.runtime.real_time import RealTime
 from aseme_dsl.runtime.timekeeper import Timekeeper, may_raise_priority
 from aseme_dsl.runtime.timers import Timer, Timers
 from tests.runtime.playing import MS, make, play
+from tests.support.waiting import LONG, wait_until
 
 
 def keeper() -> tuple[Timekeeper, RealClock, list[BaseException]]:
@@ -30,8 +31,8 @@ def test_calls_are_made_in_the_order_of_their_moments_and_never_early() -> None:
         kept.at(moment * MS, lambda moment=moment: made.append((moment, clock.now())))  # type: ignore[misc]
     kept.at(40 * MS, done.set)
     kept.start(None)
-    assert done.wait(10)
-    assert kept.stop(10) and not errors
+    assert done.wait(LONG)
+    assert kept.stop(LONG) and not errors
     assert [moment for moment, _ in made] == [10, 20, 30]
     assert all(now >= moment * MS for moment, now in made)
 
@@ -43,8 +44,8 @@ def test_a_timer_that_is_the_earliest_wakes_the_thread() -> None:
         done = threading.Event()
         kept.at(10**15, lambda: None)
         kept.at(clock.now() + MS // 2, done.set)
-        assert done.wait(10)
-    assert kept.stop(10)
+        assert done.wait(LONG)
+    assert kept.stop(LONG)
 
 
 def test_nothing_is_called_after_the_end() -> None:
@@ -53,9 +54,8 @@ def test_nothing_is_called_after_the_end() -> None:
     kept.at(5 * MS, lambda: made.append(5))
     kept.at(15 * MS, lambda: made.append(15))
     kept.start(10 * MS)
-    while clock.now() < 30 * MS:
-        time.sleep(0.001)
-    assert kept.stop(10)
+    wait_until(lambda: made and clock.now() >= 30 * MS)
+    assert kept.stop(LONG)
     assert made == [5]
 
 
@@ -69,9 +69,8 @@ def test_a_call_that_raises_is_told_and_the_last_one() -> None:
     kept.at(0, wrong)
     kept.at(1, lambda: made.append(1))
     kept.start(None)
-    assert kept.stop(10)
-    while not errors:
-        time.sleep(0.001)
+    wait_until(lambda: errors)
+    assert kept.stop(LONG)
     assert isinstance(errors[0], ValueError) and not made
 
 

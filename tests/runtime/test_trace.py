@@ -16,6 +16,7 @@ from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.trace import schema
 from tests.runtime.playing import MS, SECOND, lines_of, play
 from tests.support.generated import generate
+from tests.support.waiting import LONG
 
 TEXT = """
 system S
@@ -165,7 +166,7 @@ def test_a_signal_ends_a_run_cleanly(clock: str, number: str, tmp_path: Path) ->
     trace = tmp_path / "run.jsonl"
     script = INTERRUPTED.format(root=root, signal=number, clock=clock, trace=str(trace))
     done = subprocess.run(
-        [sys.executable, "-c", textwrap.dedent(script)], capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", textwrap.dedent(script)], capture_output=True, text=True, timeout=LONG
     )
     assert done.stderr == ""
     assert done.stdout.splitlines() == ["told", "interrupted finish"]

@@ -70,15 +70,19 @@ KILLED = """
 import sys, time
 sys.path.insert(0, {root!r})
 from pathlib import Path
+from aseme_dsl.runtime.trace_reading import TraceReader
 from tests.runtime.playing import make
-import aseme_dsl.runtime.trace_files as trace_files
+
+def is_written():
+    return any(line.record.get("text") == "number 500" for line in TraceReader(Path({trace!r})))
 
 class A:
     def execute(self, context):
         for number in range(100_000):
             context.log(f"number {{number}}")
             if number == 500:
-                time.sleep({pause})
+                while not is_written():
+                    time.sleep(0.05)
                 print("now", flush=True)
             context.wait(0.002)
 
@@ -87,11 +91,11 @@ team.run()
 """
 
 
-@pytest.mark.parametrize("suffix, pause", [("jsonl", 0.2), ("mcap", 2.5)])
-def test_a_killed_run_leaves_a_trace_that_can_be_read(suffix: str, pause: float, tmp_path: Path) -> None:
-    """What was written before the last flush is there, whatever happens to the process."""
+@pytest.mark.parametrize("suffix", ["jsonl", "mcap"])
+def test_a_killed_run_leaves_a_trace_that_can_be_read(suffix: str, tmp_path: Path) -> None:
+    """What is told is written soon, and is there, whatever happens to the process."""
     trace = tmp_path / f"run.{suffix}"
-    script = KILLED.format(root=str(ROOT), trace=str(trace), pause=pause)
+    script = KILLED.format(root=str(ROOT), trace=str(trace))
     with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "now\n"
@@ -314,7 +318,8 @@ def test_in_real_time_the_log_time_is_that_of_the_world(generated: Generated, tm
     after = time.time_ns()
     with (tmp_path / "run.mcap").open("rb") as file:
         times = [message.log_time for _, _, message in make_reader(file).iter_messages()]
-    assert before - SECOND // 1000 <= min(times) and max(times) <= after + SECOND // 1000
+    # The clock on the wall is read a moment before or after the run's, and may be set meanwhile.
+    assert before - SECOND <= min(times) and max(times) <= after + SECOND
 
 
 def test_a_message_of_another_version_is_json(generated: Generated, tmp_path: Path) -> None:
