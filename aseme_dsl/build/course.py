@@ -157,9 +157,8 @@ def plain_begun(kind: type[Plain], course: Course, like_this: Chart) -> Plain:
     board = board_of(chart)
     messages = messages_of(kind)
     for name in type(like_this).VARIABLES:
-        slot = _slot(board, name)
-        if slot is not None:
-            setattr(board, slot, like(like_this.variable(name), getattr(board, slot), messages))
+        slot = kind.VARIABLES.get(name, name)
+        setattr(board, slot, like(like_this.variable(name), getattr(board, slot), messages))
     if hasattr(chart, "chance"):
         setattr(chart, "chance", Random(f"{course.seed}/{course.agent}"))  # noqa: B010  of some classes only
     return chart
@@ -183,9 +182,8 @@ def doings(chart: Plain, runner: Any, course: Course, reference: Chart, send: st
                     places = [s for s, c, host in chart.MESSAGES if c == channel and host in (None, sender)]
                     puts += [(slot, news) for slot in places]
                 case Written(variable, value):
-                    place = _slot(board, variable)
-                    if place is not None:
-                        puts.append((place, like(value, getattr(board, place), messages)))
+                    place = chart.VARIABLES.get(variable, variable)
+                    puts.append((place, like(value, getattr(board, place), messages)))
                 case Happened(name):
                     calls.append((getattr(runner, send), (name,)))
                 case Completed(label, token, outcome) if runs(reference, label, token):
@@ -197,12 +195,6 @@ def doings(chart: Plain, runner: Any, course: Course, reference: Chart, send: st
         give(reference, given)
         found.append(Doing(given.now, tuple(puts), tuple(calls or [(runner.step, ())])))
     return found
-
-
-def _slot(board: Any, variable: str) -> str | None:
-    """What a variable is called on a blackboard: as in the document, unless that word is taken there."""
-    slots = type(board).__slots__
-    return next((name for name in (variable, f"{variable}_", f"{variable}_2") if name in slots), None)
 
 
 def runs(chart: Chart, label: str, token: int) -> bool:

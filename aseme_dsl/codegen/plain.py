@@ -352,6 +352,10 @@ class _Generator(Face):
         """What a variable is called on the blackboard: as in the document, if that is free."""
         return self.board_names.name(("variable", name), name)
 
+    def _renamed(self) -> dict[str, str]:
+        """The variables that are called otherwise on the blackboard."""
+        return {name: own for name in self.variables if (own := self._on_board(name)) != name}
+
     def _place_on_board(self, name: str) -> str:
         return f"{_BB}[{name!r}]" if self.options.mapping else f"{_BB}.{name}"
 
@@ -841,11 +845,7 @@ class _Generator(Face):
         for slot, message in self._message_slots().values():
             self.messages.add(message)
             values.append((slot, f"{self._imported(message)} | None", "None"))
-        called = [
-            f"The variable `{name}` is `{own}`."
-            for name in self.variables
-            if (own := self._on_board(name)) != name
-        ]
+        called = [f"The variable `{name}` is `{own}`." for name, own in self._renamed().items()]
         knows = " ".join([f"What {docstring(self.chart.name)} knows.", *called])
         document = f'"""{knows}"""'
         if self.options.mapping:
@@ -958,6 +958,8 @@ class _Generator(Face):
         messages = tuple((slot, *key) for key, (slot, _) in self._message_slots().items())
         if messages:
             lines.append(f"    MESSAGES = {messages!r}")
+        if renamed := self._renamed():
+            lines.append(f"    VARIABLES: ClassVar[Mapping[str, str]] = {renamed!r}")
         if self.options.watched:
             texts = [f"        {self._place(number)!r}," for number in range(len(self.chart.transitions))]
             lines += ["    TRANSITIONS = (", *texts, "    )"]

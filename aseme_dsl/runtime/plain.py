@@ -74,6 +74,8 @@ class Plain:
     """The states whose last outcome somebody asks for, and the slots that hold it."""
     MESSAGES: ClassVar[tuple[tuple[str, str, str | None], ...]] = ()
     """The places of messages on the blackboard, each with its channel, and whose it is (None: anybody's)."""
+    VARIABLES: ClassVar[Mapping[str, str]] = {}
+    """What those variables are called on the blackboard whose names mean something else there."""
     TRANSITIONS: ClassVar[tuple[str, ...]] = ()
     """The transitions by their numbers, in words; in classes that are watched only."""
     END: ClassVar[int] = -1

@@ -63,6 +63,15 @@ def test_variables_that_are_called_otherwise_on_the_blackboard(tmp_path: Path) -
     assert list(item.ways) == ["agent", "plain", "Machine.send", "Machine.post"]
 
 
+def test_variables_that_are_called_like_what_others_are_renamed_to(tmp_path: Path) -> None:
+    text = LAMP.replace("touched", "changed")
+    text = text.replace("var changed : int = 0", "var changed : int = 0 var changed_2 : int = 5")
+    text = text.replace("RED]", "RED && changed < 2 && changed_2 == 5]")
+    (tmp_path / "lamp.aseme").write_text(text, "utf-8")
+    item = measured(tmp_path / "lamp.aseme", tmp_path / "out", steps=400).roles[0]
+    assert list(item.ways) == ["agent", "plain", "Machine.send", "Machine.post"]
+
+
 def test_a_seed_draws_the_same(tmp_path: Path) -> None:
     file = ROOT / "tests" / "acceptance" / "kouretes.aseme"
     one, same, other = (
