@@ -370,7 +370,7 @@ class _ForNumpy(_Translation):
         early = self.function.body[:-1] if isinstance(last, ast.Return) else self.function.body
         if any(isinstance(item, ast.Return) for node in early for item in ast.walk(node)):
             self.line(2, "here = self.all()")
-        self.block(2, self.function.body, "sel")
+        self.block(2, self.function.body, "sel", is_whole=True)
         if gives != "None":
             self.line(2, "return out[sel]")
         return [*self.lines, "        pass"] if len(self.lines) == 1 else self.lines
@@ -382,10 +382,15 @@ class _ForNumpy(_Translation):
         self.count += 1
         return f"{letter}{self.count}"
 
-    def block(self, depth: int, statements: Sequence[ast.stmt], sel: str, loop: str = "") -> None:
-        """Statements, the later of them for those instances that the earlier have left here."""
+    def block(
+        self, depth: int, statements: Sequence[ast.stmt], sel: str, loop: str = "", *, is_whole: bool = False
+    ) -> None:
+        """Statements, the later of them for those instances that the earlier have left here.
+
+        `is_whole`: they are all that there is.
+        """
         for place, node in enumerate(statements):
-            self.statement(depth, node, sel, loop, is_last=place + 1 == len(statements))
+            self.statement(depth, node, sel, loop, is_last=is_whole and place + 1 == len(statements))
             if place + 1 == len(statements) or isinstance(node, ast.While) or not _exits(node):
                 continue
             stays = [f"{loop}[{sel}]"] if loop else []
@@ -418,11 +423,12 @@ class _ForNumpy(_Translation):
                 found, inner = self.new("t"), self.new("s")
                 self.line(depth, f"{found} = {self.truth(test, sel)}")
                 self.line(depth, f"{inner} = pick({sel}, {found})")
+                rest = self.new("s") if otherwise else ""
+                if rest:  # before the body, since what was found may be a view of what the body writes
+                    self.line(depth, f"{rest} = pick({sel}, ~{found})")
                 self.line(depth, f"if {inner}.size:")
                 self.block(depth + 1, body, inner, loop)
-                if otherwise:
-                    rest = self.new("s")
-                    self.line(depth, f"{rest} = pick({sel}, ~{found})")
+                if rest:
                     self.block(depth, otherwise, rest, loop)
             case ast.While(body=body):
                 self.line(depth, f"live, looping = {sel}, self.all()")
@@ -439,7 +445,7 @@ class _ForNumpy(_Translation):
             case ast.Return(value=value):
                 assert value is not None
                 self.line(depth, f"out[{sel}] = {self.value(value, sel)}")
-                if not (is_last and depth == 2):
+                if not is_last:
                     self.line(depth, f"here[{sel}] = False")
             case ast.Expr(value=ast.Call() as call) if self.called(call):
                 self.line(depth, self.value(call, sel))

@@ -287,13 +287,34 @@ def may_fail(value: Value) -> bool:
     match value:
         case Call(function=function):
             return not function.target.startswith("builtin:")
-        case Arithmetic(operator=operator, type=kind):
-            return operator in ("/", "%") or kind == DURATION
+        case Arithmetic():
+            return _may_raise(value)
         case Member() | Element() | Outcome() | Age() | At() | Mean() | Bound() | Sender():
             return True
         case VariableValue(type=kind):
             return kind == AGENT
     return False
+
+
+def _may_raise(value: Arithmetic) -> bool:
+    """Whether there are numbers with which this raises: a zero to divide by, or an endless time.
+
+    An `int` and a `duration` have 64 bits and so are never too large for a `double`, nor is a time that is
+    multiplied by a number that a document can write.
+    """
+    if value.operator in ("/", "%"):
+        return not _number(value.right)
+    factors = [_number(item) for item in (value.left, value.right) if item.type == DOUBLE]
+    return value.type == DURATION and None in factors
+
+
+def _number(value: Value) -> float | None:
+    """The number that a value always is, but for its sign; None if that is not known."""
+    while isinstance(value, Named | Negate):
+        value = value.expression if isinstance(value, Named) else value.operand
+    if isinstance(value, Literal) and isinstance(value.value, int | float):
+        return value.value
+    return None
 
 
 def _truth(value: Value, names: Names, known: Known) -> Piece:
@@ -391,14 +412,12 @@ def _arithmetic(value: Arithmetic, names: Names, known: Known) -> Piece:
     one, other = _pair(value.left, value.right, names, known)
     left, right = value.left.type, value.right.type
     operator = value.operator
-    if operator in ("/", "%"):
-        names.may_raise = True
+    names.may_raise |= _may_raise(value)
     code = f"({one.code} {operator} {other.code})"
     if value.type == DURATION and DURATION in (left, right) and left != right:
         if operator == "/" and right == INT:
             code = f"({one.code} // {other.code})"
         elif DOUBLE in (left, right):
-            names.may_raise = True
             code = f"int{code}"
     return Piece(code, one.needs + other.needs, other.known)
 

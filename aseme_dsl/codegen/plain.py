@@ -1117,10 +1117,7 @@ class _Generator(Face):
         if not lines:
             return list(_NOTHING), mode
         if mode.direct:
-            ends = (
-                [] if lines[-1].lstrip().startswith("return") and not lines[-1].startswith(" ") else _NOTHING
-            )
-            return [*_indented(lines, 2), *ends], mode
+            return [*_indented(lines, 2), *([] if _returns(lines) else _NOTHING)], mode
         head: list[str] = []
         for name in self.copied:
             head += self._taken_copies(name)
@@ -1967,8 +1964,20 @@ def _tuple(names: Iterable[str]) -> str:
 
 
 def _returns(lines: Sequence[str]) -> bool:
-    """Whether the last line always ends the method."""
-    return bool(lines) and lines[-1].startswith("return ")
+    """Whether the lines always end the method: the last of them does, or all branches that it is in do."""
+    waiting = [lines]
+    while waiting:
+        lines = [line for line in waiting.pop() if not line.lstrip().startswith("#")]
+        if lines and lines[-1].startswith("return "):
+            continue
+        heads = [place for place, line in enumerate(lines) if not line.startswith(" ")]
+        begin = next((n for n in range(len(heads) - 1, -1, -1) if lines[heads[n]].startswith("if ")), None)
+        if begin is None or not lines[heads[-1]].startswith("else:"):
+            return False
+        ends = [*heads[begin + 1 :], len(lines)]
+        for head, end in zip(heads[begin:], ends, strict=True):
+            waiting.append([line[4:] for line in lines[head + 1 : end]])
+    return True
 
 
 def _paths(way: Way) -> Iterator[tuple[int, ...]]:

@@ -208,6 +208,16 @@ srm door {
     assert together.batches["numpy"].finished.tolist() == [True, False, False, False]
 
 
+def test_a_step_that_always_takes_something_says_so(tmp_path: Path) -> None:
+    text = "system S srm R { liveness { R = (A . B)~ } control R { enter B : go leave B : go } }"
+    plain, kind = made(system_of(text), tmp_path, "R")
+    with without_compiling():
+        together = Together(plain, kind, 3, ("numpy", "numba"))
+        together.start()
+        together.send("go")
+        together.send("go")
+
+
 def test_what_is_constant_is_so_in_each_instance(tmp_path: Path) -> None:
     text = """
 system Moods

@@ -32,7 +32,7 @@ srm lamp {
     enter Bright : [room.state.Room.motion && !bright(room.state.Room)]
     repeat (Dark | Bright) : room_changed or when [room.signal.Button.pressed] / presses = presses + 1
     repeat (Dark | Bright) : after(5min) [presses < 10]
-    leave  (Dark | Bright) : [presses / 2 >= 5]
+    leave  (Dark | Bright) : [100 / presses <= 20]
   }
 }
 """
@@ -65,6 +65,27 @@ def test_the_smallest_useful_behaviour(path: str, snapshot: Snapshot) -> None:
 
 def test_what_may_raise_stands_in_a_method_of_its_own(snapshot: Snapshot) -> None:
     snapshot(modules(system_of(LIGHTS))["Lights/lamp/step.py"], "lights.step.py.txt")
+
+
+@pytest.mark.parametrize(
+    ("condition", "raises"),
+    [
+        ("presses / 2 >= 5", False),
+        ("presses % -3 == 1", False),
+        ("pause + 2 * pause > 3s", False),
+        ("pause / 2 > 1s && pause / 2s > 1.5", False),
+        ("pause * 0.5 > 1s && 1.5 * pause > 1s", False),
+        ("100 / presses <= 20", True),
+        ("presses % (presses - 1) == 0", True),
+        ("pause * part > 1s", True),
+        ("part * pause > 1s", True),
+    ],
+)
+def test_a_condition_is_tried_only_if_it_may_raise(condition: str, raises: bool) -> None:
+    variables = "var presses : int = 0 var pause : duration = 2s var part : double = 1.0"
+    control = f"control lamp {{ enter Bright : [{condition}] }}"
+    text = f"system S srm lamp {{ {variables} liveness {{ lamp = (Dark . Bright)~ }} {control} }}"
+    assert ("except Exception" in modules(system_of(text))["S/lamp/step.py"]) is raises
 
 
 def test_the_same_system_gives_the_same_bytes() -> None:

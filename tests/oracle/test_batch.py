@@ -107,7 +107,8 @@ def play(folder: Path, choices: Choices) -> Iterator[Together]:
     Raises:
         AssertionError: an instance of a batch differs from the plain chart.
     """
-    system = with_numbers_only(system_of(text(choices)))
+    written = text(choices)
+    system = with_numbers_only(system_of(written))
     if system is None:
         return
     plain, batch = made(system, folder, "R")
@@ -130,6 +131,8 @@ def play(folder: Path, choices: Choices) -> Iterator[Together]:
                 together.send(choices.one_of(together.events))
     except Unsettled:
         pass
+    except AssertionError as error:
+        raise AssertionError(f"{error}\n\n{written}") from error
     yield together
 
 
