@@ -149,6 +149,12 @@ _NO_BEGINNING = re.compile(
 )
 """What an expression before it is not ended by, though it looks like a declaration (see expressions.tx)."""
 
+_NO_NAME = re.compile(
+    r"""(?x) system \b (?: \s | //[^\n]* | /\*(?:[^*]|\*(?!/))*\*/ )*
+      (?: import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team|abstract ) \b"""
+)
+"""A system whose name is perhaps none: it depends on what is behind it (see aseme.tx)."""
+
 
 @dataclass(frozen=True, slots=True)
 class InParts:
@@ -211,6 +217,8 @@ class Parts:
         ends = [*starts[1:], len(source.text)]
         texts = [source.text[start:end] for start, end in zip(starts, ends, strict=True)]
         if any(one.startswith("let") and _NO_BEGINNING.match(other) for one, other in pairwise(texts)):
+            return None
+        if any(_NO_NAME.match(text) for text in texts[:-1]):
             return None
         alone = [self._alone(source.path, text, number) for text, number in _numbered(texts)]
         read: list[tuple[int, _Read]] = []

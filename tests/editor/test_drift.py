@@ -190,6 +190,25 @@ def test_what_only_looks_like_a_declaration_belongs_to_the_expression_before(wor
     )
 
 
+def words_that_no_system_is_called() -> list[str]:
+    """Those with which the next declaration begins, so that the system has no name yet."""
+    grammar = (ROOT / "aseme_dsl/grammar/aseme.tx").read_text("utf-8")
+    found = re.search(r"SystemName: [^(]*\(\?x\)\s*\(\?! \(\?:([^)]*)\)", grammar)
+    assert found is not None
+    return [*found[1].split("|"), "abstract srm"]
+
+
+@pytest.mark.parametrize("between", [" ", " // a comment\n", "\n\n", " /* */ "])
+@pytest.mark.parametrize("word", words_that_no_system_is_called())
+def test_a_system_that_is_called_like_the_declaration_behind_it(word: str, between: str) -> None:
+    text = f"language 1\nsystem{between}{word}\nimport soccer\nsrm r {{ liveness {{ r = A }} }}\n"
+    workspace = Workspace()
+    workspace.open(PATH, text)
+    assert shown(workspace.program(PATH).inspection.analysis.diagnostics) == shown(
+        analyse(Source(PATH, text)).diagnostics
+    )
+
+
 @pytest.mark.parametrize(
     "typed", ["vision.Bdistance", "vision.", "vision.state.", "robot.x", "Ball.distance"]
 )

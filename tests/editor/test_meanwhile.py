@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import islice
 from pathlib import Path
 
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from aseme_dsl.compiler import analyse
@@ -122,6 +122,7 @@ def test_no_name_is_ever_found_at_a_wrong_place(first: Edit, second: Edit) -> No
 
 @settings(max_examples=25, deadline=None)
 @given(st.lists(st.tuples(edits, st.integers(0, 25)), min_size=1, max_size=4))
+@example([(Edit("drop line", 0, 0, ""), 0), (Edit("other word", 24, 48, ""), 0)])
 def test_work_that_an_edit_interrupts_leaves_nothing_behind(steps: list[tuple[Edit, int]]) -> None:
     workspace = Workspace()
     workspace.open(PATH, TEXT)
