@@ -8,7 +8,8 @@ from typing import Any
 from aseme_dsl.runtime.inputs import Arrived
 from aseme_dsl.runtime.intake import CROWD, Intake, Posted
 from aseme_dsl.runtime.team import Team
-from tests.runtime.playing import MS, make
+from tests.runtime.playing import MS, SECOND, make
+from tests.support.waiting import LONG
 
 TEXT = """
 system S
@@ -38,7 +39,7 @@ def test_a_flood_is_bounded_and_queued_signals_are_all_taken() -> None:
         chart = team.agents[0].chart
         return "all taken" if (chart.variable("taken"), chart.variable("last")) == (SIGNALS, SENT) else None
 
-    team, records = make(TEXT, clock="real", until=60_000 * MS, stop=over)
+    team, records = make(TEXT, clock="real", until=round(LONG) * SECOND, stop=over)
     (agent,) = team.agents
     kinds = team._messages
 

@@ -11,6 +11,7 @@ from aseme_dsl.runtime.intake import CROWD, Intake, Posted
 from aseme_dsl.runtime.real_time import RealTime
 from tests.runtime.playing import MS, SECOND, Played, make, play
 from tests.support.generated import generate
+from tests.support.waiting import LONG
 
 FEW = RealTime(queue=50)
 
@@ -94,7 +95,9 @@ def test_events_and_variables_that_wait_are_no_more_than_there_are_names() -> No
 
 
 def test_a_step_that_lasts_under_a_flood_of_queued_signals_is_told() -> None:
-    team, records = make(PILING, clock="real", until=20 * SECOND, real_time=FEW, stop=lambda team: over())
+    team, records = make(
+        PILING, clock="real", until=round(LONG) * SECOND, real_time=FEW, stop=lambda team: over()
+    )
     (agent,) = team.agents
     message = team._messages["M"]
 

@@ -11,6 +11,7 @@ from aseme_dsl.runtime.team import RunResult
 from aseme_dsl.runtime.trace import Record
 from tests.runtime.playing import SECOND, make
 from tests.support.generated import Generated, generate
+from tests.support.waiting import LONG
 
 MODULE = "holding"
 """What holds the step: the module of the function that the document calls."""
@@ -21,7 +22,7 @@ def play_held(folder: Path) -> tuple[Generated, RunResult, list[Record]]:
     (folder / f"{MODULE}.py").write_text(
         "import threading\n"
         "inside, go = threading.Event(), threading.Event()\n"
-        "def hold(n):\n    inside.set()\n    go.wait(30)\n    return n\n"
+        "def hold(n):\n    inside.set()\n    go.wait(180)\n    return n\n"
     )
     generated = generate(f"""
     system S
@@ -44,7 +45,7 @@ def play_held(folder: Path) -> tuple[Generated, RunResult, list[Record]]:
         while not hasattr(sys.modules.get(MODULE), "hold"):  # a module is known before it is whole
             time.sleep(0.001)
         holding = sys.modules[MODULE]
-        holding.inside.wait(30)
+        holding.inside.wait(LONG)
         team.bus.give(team.agents[0], "t.state.M", generated.message("M", n=5))
         holding.go.set()
 

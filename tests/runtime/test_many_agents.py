@@ -12,7 +12,8 @@ import pytest
 from aseme_dsl.runtime import Context, activities_in
 from aseme_dsl.runtime.real_time import RealTime
 from tests.faults.test_activities import folder
-from tests.runtime.playing import MS, make, play
+from tests.runtime.playing import SECOND, make, play
+from tests.support.waiting import LONG
 
 SMALL = """
 system S
@@ -43,7 +44,7 @@ def test_a_thousand_small_agents_run_in_one_process(clock: str) -> None:
         {"Act": Act, "Listen": Listen},
         agents=[(f"robot{number}", "R") for number in range(1000)],
         clock=clock,
-        until=120_000 * MS,
+        until=round(LONG) * SECOND,
     )
 
     def count(team: object) -> None:
@@ -77,7 +78,7 @@ def test_a_team_of_22_shares_threads_and_processes(clock: str, tmp_path: Path) -
         clock=clock,
         path=[tmp_path],
         real_time=RealTime(processes=6),
-        until=120_000 * MS,
+        until=round(LONG) * SECOND,
     )
     assert run.result.reason == "finished" and not run.result.failed
     used = {record["text"] for record in run.of("log")}
