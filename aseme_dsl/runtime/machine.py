@@ -6,8 +6,9 @@ step, from a method that the step calls or from another thread, waits in one que
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 from aseme_dsl.runtime.plain import Plain
 
@@ -17,9 +18,6 @@ Trace = Callable[[str, str, bool], object]
 Call = Callable[[str], object]
 Waiting = list[tuple[Call, str]]
 """The steps that are to be made, in order, each with what it is given."""
-
-_RAISED: tuple[Call, str] = (lambda _: None, "")
-"""Stands in the queue for the token after a step that has raised something, before all that waits."""
 
 C = TypeVar("C", bound=Plain)
 T = TypeVar("T")
@@ -35,47 +33,36 @@ class Machine(Generic[C]):
     makes these steps before his own.
     """
 
-    __slots__ = ("_queue", "_token", "_trace", "chart", "post", "send")
+    __slots__ = ("__weakref__", "_make", "_queue", "_strict", "_trace", "chart", "post", "send")
 
     send: Callable[[str], bool]
     """One step with an event; whether anything was taken. False, too, if it had to be queued."""
-    post: Callable[[str], None]
-    """One step with an event, after what is queued: now, or by whoever makes a step at the moment."""
+    post: Callable[[str], object]
+    """The same for those who do not ask, such as other threads."""
 
     def __init__(self, chart: C, trace: Trace | None = None, *, strict: bool = False) -> None:
         """`strict`: to send an event that no transition waits for is a mistake, a ValueError."""
         self.chart = chart
         self._trace = trace
+        self._strict = strict
+        self._queue = Waiting()
         core = chart.send if trace is None else _traced(chart.send, trace, "send")
-        queue = self._queue = Waiting()
-        token = self._token = [None]
-        # One call of C takes the token, so no thread can come in between; closures, because their variables
-        # are read faster than attributes, and `send` is short.
-
-        def send(event: str) -> bool:
-            try:
-                token.pop()
-            except IndexError:
-                return _later(queue, token, core, event)
-            try:
-                taken = core(event)
-            except BaseException:
-                queue.insert(0, _RAISED)
-                raise
-            token.append(None)
-            if queue:
-                _drain(queue, token)
-            return taken
-
-        def post(event: str) -> None:
-            if queue:
-                queue.append((core, event))
-                _drain(queue, token)
-            else:
-                send(event)
-
+        send, self._make = _stepping(core, self._queue)
         self.send = _known(send, chart) if strict else send
-        self.post = _known(post, chart) if strict else post
+        self.post = self.send
+
+    def __repr__(self) -> str:
+        waiting = len(self._queue)
+        return f"<Machine of {self.chart!r}{f', {waiting} steps wait' if waiting else ''}>"
+
+    def __copy__(self) -> Machine[C]:
+        make, (_, chart, *rest) = self.__reduce__()
+        return make(type(self), copy.copy(chart), *rest)  # never two machines of one chart
+
+    def __reduce__(self) -> tuple[Callable[..., Machine[C]], tuple[Any, ...]]:
+        if self._queue:
+            raise RuntimeError(f"{self!r} cannot be copied while steps wait")
+        return _machine, (type(self), self.chart, self._trace, self._strict)
 
     def start(self) -> bool:
         """Enter the root, and go on until nothing is enabled."""
@@ -121,22 +108,79 @@ class Machine(Generic[C]):
 
     def _run(self, what: str, argument: str, call: Call) -> bool:
         """Make a step as `send` does, but any."""
-        queue, token = self._queue, self._token
-        if self._trace is not None:
-            call = _traced(call, self._trace, what)
+        return self._make(call if self._trace is None else _traced(call, self._trace, what), argument)
+
+
+def _stepping(
+    core: Callable[[str], bool], queue: Waiting
+) -> tuple[Callable[[str], bool], Callable[[Call, str], bool]]:
+    """`send`, and what makes any step: functions that share the token, which is their variable `free`.
+
+    To delete it is to take it. No other thread comes in between, nor does a signal (Ctrl-C) before the `try`
+    that gives it back, since Python asks for signals after calls and jumps only. Nothing is as quick.
+    """
+    free = None
+
+    def send(event: str) -> bool:
+        nonlocal free
+        if queue:
+            return _queued(queue, drain, core, event)
         try:
-            token.pop()
-        except IndexError:
-            return _later(queue, token, call, argument)
+            del free
+        except NameError:
+            return _queued(queue, drain, core, event)
+        try:
+            taken = core(event)
+        finally:
+            free = None  # noqa: F841 (the next one deletes it)
+        if queue:
+            drain()
+        return taken
+
+    def make(call: Call, argument: str) -> bool:
+        nonlocal free
+        if queue:
+            return _queued(queue, drain, call, argument)
+        try:
+            del free
+        except NameError:
+            return _queued(queue, drain, call, argument)
         try:
             taken = call(argument)
-        except BaseException:
-            queue.insert(0, _RAISED)
-            raise
-        token.append(None)
+        finally:
+            free = None  # noqa: F841 (the next one deletes it)
         if queue:
-            _drain(queue, token)
+            drain()
         return bool(taken)
+
+    def drain() -> None:
+        """Make the steps that are queued, unless somebody else does."""
+        nonlocal free
+        while queue:
+            try:
+                del free
+            except NameError:
+                return
+            steps: Waiting = []
+            try:
+                while queue:
+                    # All at once, since the first of many leaves a list slowly; a deque needs much memory.
+                    number = len(queue)
+                    steps = queue[:number][::-1]
+                    del queue[:number]
+                    while steps:
+                        call, argument = steps.pop()
+                        call(argument)
+            finally:
+                queue[:0] = steps[::-1]  # one has raised something
+                free = None
+
+    return send, make
+
+
+def _machine(kind: type[Machine[C]], chart: C, trace: Trace | None, strict: bool) -> Machine[C]:
+    """What a copied machine is made with."""
+    return kind(chart, trace, strict=strict)
 
 
 def _known(call: Callable[[str], T], chart: Plain) -> Callable[[str], T]:
@@ -147,7 +191,7 @@ def _known(call: Callable[[str], T], chart: Plain) -> Callable[[str], T]:
         if event not in events:
             from difflib import get_close_matches
 
-            near = get_close_matches(event, chart.EVENTS, 1)
+            near = get_close_matches(str(event), chart.EVENTS, 1)
             known = "there is none" if not events else f"it waits for {', '.join(chart.EVENTS)}"
             hint = f"did you mean {near[0]!r}?" if near else known
             raise ValueError(f"{type(chart).__name__} waits for no event {event!r}; {hint}")
@@ -156,42 +200,12 @@ def _known(call: Callable[[str], T], chart: Plain) -> Callable[[str], T]:
     return checked
 
 
-def _later(queue: Waiting, token: list[None], call: Call, argument: str) -> bool:
-    """Queue a step; but where nobody runs the chart because the last step has raised, make all that waits."""
-    if queue[:1] != [_RAISED]:
-        queue.append((call, argument))
-        if token:  # given back in between
-            _drain(queue, token)
-        return False
+def _queued(queue: Waiting, drain: Callable[[], None], call: Call, argument: str) -> bool:
+    """Queue a step, and make all that waits unless somebody does; whether that took anything of this one."""
     taken: list[object] = []
     queue.append((lambda argument: taken.append(call(argument)), argument))
-    _drain(queue, token)
+    drain()
     return any(taken)
-
-
-def _drain(queue: Waiting, token: list[None]) -> None:
-    """Make the steps that are queued, unless somebody else does."""
-    while queue:
-        try:
-            token.pop() if token else queue.remove(_RAISED)
-        except (IndexError, ValueError):
-            return
-        try:
-            while queue:
-                # All at once, since the first of many leaves a list slowly; a deque needs much memory.
-                steps = queue[:]
-                del queue[: len(steps)]
-                steps.reverse()
-                try:
-                    while steps:
-                        call, argument = steps.pop()
-                        call(argument)
-                finally:
-                    queue[:0] = reversed(steps)  # one has raised something
-        except BaseException:
-            queue.insert(0, _RAISED)
-            raise
-        token.append(None)
 
 
 def _traced(call: Call, trace: Trace, what: str) -> Callable[[str], bool]:

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
+import copy
+import pickle
+import signal
+import sys
 import threading
+from types import FrameType
 from typing import Any
 
 import pytest
@@ -270,3 +276,117 @@ srm R {
     machine: Machine[Any] = Machine(Watched())
     machine.start()
     assert machine.chart.configuration() == ("0.3",)
+
+
+class Posting:
+    """A chart that is given more events during a step with `many`."""
+
+    def __init__(self, number: int) -> None:
+        self.machine: Machine[Any] = Machine(self)  # type: ignore[type-var]
+        self.number = number
+        self.taken: list[str] = []
+
+    def send(self, event: str) -> bool:
+        self.taken.append(event)
+        if event == "many":
+            for number in range(self.number):
+                self.machine.post(str(number))
+        return True
+
+
+def test_any_number_of_events_may_wait() -> None:
+    posting = Posting(20_000)
+    posting.machine.send("many")
+    assert posting.taken == ["many", *map(str, range(20_000))]
+
+
+def test_a_machine_outlives_what_a_signal_raises_at_any_moment() -> None:
+    """As Ctrl-C does, or a timer: again and again, while it makes steps and takes what waits."""
+
+    class Rung(Exception):
+        pass
+
+    def ring(*_: object) -> None:
+        raise Rung
+
+    kind = chart(COUNTER)
+    before = signal.signal(signal.SIGALRM, ring)
+    try:
+        for trial in range(150):
+            machine, posting = Machine(kind()), Posting(3)
+            machine.start()
+            with contextlib.suppress(Rung):
+                signal.setitimer(signal.ITIMER_REAL, 0.000_5 + trial * 1e-6)
+                for _ in range(20_000):
+                    machine.send("hop")
+                    machine.step()
+                    machine.post("hop")
+                    posting.machine.send("many")
+                signal.setitimer(signal.ITIMER_REAL, 0)
+            passed = machine.chart.bb.n
+            assert machine.send("hop") and machine.send("hop") and machine.chart.bb.n == passed + 1
+            assert posting.machine.send("last") and posting.taken[-1] == "last"
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def test_what_a_thread_sends_does_not_overtake_what_it_has_sent_before() -> None:
+    """Another thread has made a step, during which that was queued, and is held up before it takes it."""
+    order: list[str] = []
+    inside, go, done, on = (threading.Event() for _ in range(4))
+
+    class Held:
+        def send(self, event: str) -> bool:
+            order.append(event)
+            if event == "a":
+                inside.set()
+                go.wait(60)
+            return True
+
+    machine: Machine[Any] = Machine(Held())  # type: ignore[type-var]
+
+    def hold(frame: FrameType, what: str, argument: object) -> None:
+        if frame.f_code.co_name == "drain":
+            done.set()
+            on.wait(60)
+
+    def first() -> None:
+        sys.settrace(hold)
+        machine.send("a")
+
+    thread = threading.Thread(target=first)
+    thread.start()
+    inside.wait(60)
+    assert not machine.send("b")
+    go.set()
+    done.wait(60)
+    assert machine.send("c")
+    on.set()
+    thread.join()
+    assert order == ["a", "b", "c"]
+
+
+def test_a_copy_is_a_machine_of_another_chart() -> None:
+    machine = Machine(chart(COUNTER)(), strict=True)
+    machine.start()
+    assert repr(machine) == f"<Machine of {machine.chart!r}>"
+    for other in (copy.copy(machine), copy.deepcopy(machine), pickle.loads(pickle.dumps(machine))):
+        assert other.send("hop")
+        assert (other.chart.configuration(), machine.chart.configuration()) == (("0.2.3",), ("0.2.2",))
+        with pytest.raises(ValueError, match="no event 'hopp'"):
+            other.send("hopp")
+
+
+def test_a_machine_with_steps_that_wait_is_not_copied() -> None:
+    class Fails(Posting):
+        def send(self, event: str) -> bool:
+            super().send(event)
+            raise OSError(event)
+
+    failing = Fails(2)
+    with pytest.raises(OSError, match="many"):
+        failing.machine.send("many")
+    assert repr(failing.machine).endswith(", 2 steps wait>")
+    with pytest.raises(RuntimeError, match="2 steps wait> cannot be copied"):
+        pickle.dumps(failing.machine)
