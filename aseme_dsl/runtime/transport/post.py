@@ -535,6 +535,7 @@ class Post(Transport):
         if not self._gate.is_set():
             self._gate.wait()
         came = time.monotonic_ns()
+        self._end_before(sender, envelope.incarnation)
         with self._lock:
             other = self._sender(to, sender)
             if other is None or not self._is_current(other, envelope):
@@ -766,6 +767,7 @@ class Post(Transport):
                 self._team.trace.write("peer", now, agent=agent, peer=agent, what="replaced")
                 self._team.driver.stop("replaced")
             return
+        self._end_before(agent, incarnation)
         with self._lock:
             other = self._others.get(agent)
             if other is None:
@@ -781,6 +783,13 @@ class Post(Transport):
                 self._hurry([key for key in self._ways if key[1] == agent])
         if other.alive:
             self._team.conversations.appeared(agent)
+
+    def _end_before(self, agent: str, life: int) -> None:
+        """An agent leads one life: the one before has ended, also if it was not seen to. Called without the
+        lock, since conversations are told."""
+        other = self._others.get(agent)
+        if other is not None and other.alive and other.life is not None and life > other.life:
+            self.vanished(agent, other.life)
 
     def _hurry(self, ways: Iterable[tuple[str, str]]) -> None:
         """A link was broken: what was on its way is sent again at once. Called with the lock."""
