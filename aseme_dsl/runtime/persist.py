@@ -87,7 +87,9 @@ class Kept:
             states = [
                 {"channel": channel, "host": host, "message": value}
                 for (channel, host), value in sorted(
-                    self._states[agent].items(), key=lambda item: (item[0][0], item[0][1] or "")
+                    # a copy: agents go on saying while this is written
+                    self._states[agent].copy().items(),
+                    key=lambda item: (item[0][0], item[0][1] or ""),
                 )
             ]
             try:

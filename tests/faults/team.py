@@ -189,13 +189,15 @@ def started(folder: Path, *arguments: str) -> Iterator[Started]:
     try:
         yield run
     finally:
-        children = (
-            psutil.Process(run.process.pid).children(recursive=True) if run.process.poll() is None else []
-        )
-        run.end()
-        for child in children:
-            if child.is_running():
-                child.kill()
+        children: list[psutil.Process] = []
+        with contextlib.suppress(psutil.Error):  # it has ended
+            children = psutil.Process(run.process.pid).children(recursive=True)
+        try:
+            run.end()
+        finally:
+            for process in (*children, run.process):
+                with contextlib.suppress(psutil.Error):
+                    process.kill()
 
 
 def signals_from(trace: list[dict[str, Any]], sender: str) -> list[int]:
