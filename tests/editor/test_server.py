@@ -102,6 +102,8 @@ class Project:
         self.folder = folder
         self.client = client
         self.versions: dict[str, int] = {}
+        self._published = published_by(client)
+        self._seen = len(self._published)
 
     def uri(self, name: str = "team.aseme") -> str:
         return (self.folder / name).as_uri()
@@ -142,14 +144,32 @@ class Project:
 
         What the server says of a file may come again when another one has changed.
         """
-        said = self.client.protocol.wait_for_notification_async
         async with asyncio.timeout(60):
             while True:
-                found = await said(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
-                wrong = [item for item in found.diagnostics if item.severity == 1]
-                is_current = found.uri == self.uri(name) and found.version == self.versions[name]
-                if is_current and len(wrong) == errors:
-                    return list(found.diagnostics)
+                for found in self._published[self._seen :]:
+                    self._seen += 1
+                    wrong = [item for item in found.diagnostics if item.severity == 1]
+                    is_current = found.uri == self.uri(name) and found.version == self.versions[name]
+                    if is_current and len(wrong) == errors:
+                        return list(found.diagnostics)
+                await asyncio.sleep(0.02)
+
+
+def published_by(client: LanguageClient) -> list[lsp.PublishDiagnosticsParams]:
+    """What the server says of files, in its order, from the first time on that this is asked: all of it.
+
+    Who waits for one message after the other misses what comes together with the one before.
+    """
+    if not hasattr(client, "published"):
+        published: list[lsp.PublishDiagnosticsParams] = []
+
+        def keep(found: lsp.PublishDiagnosticsParams) -> None:
+            published.append(found)
+            client.protocol.wait_for_notification(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS, keep)
+
+        client.protocol.wait_for_notification(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS, keep)
+        client.published = published  # type: ignore[attr-defined]
+    return client.published  # type: ignore[attr-defined,no-any-return]
 
 
 def at(marked: str, text: str = TEAM) -> lsp.Position:
