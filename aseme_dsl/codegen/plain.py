@@ -833,7 +833,7 @@ class _Generator(Face):
                 continue
             gates = [gate for gate, read in self.gates.items() if text.removeprefix(_WROTE) in read]
             again = f"{line[: len(line) - len(text)]}{' = '.join(gates)} = False".replace(LOCAL, "")
-            if gates and lines[-2:-1] != [again]:
+            if gates and again not in lines[-2:]:
                 lines.append(again)
         return lines
 
@@ -1027,8 +1027,8 @@ class _Generator(Face):
             or self.chart.outgoing(root.label)
         ):
             lines.append("self.step()")
-        elif self.copied:
-            lines += _EPILOGUE_OF_COPIES
+        else:
+            lines += self._spread()
         lines = _indented(lines or ["pass"], 2)
         return self._written(
             "start(self) -> None", "Enter the root, and go on until nothing is enabled.", lines
@@ -1121,7 +1121,7 @@ class _Generator(Face):
         head: list[str] = []
         for name in self.copied:
             head += self._taken_copies(name)
-        tail = list(_EPILOGUE_OF_COPIES) if self.copied else []
+        tail = self._spread()
         if self.faults:
             tail += ["if self.faulty:", "    self.faulty = ()"]
         if mode.loops:
@@ -1169,6 +1169,16 @@ class _Generator(Face):
         """The copies of a variable at the beginning of a step."""
         copies = [f"self.{self._copy(name, region)}" for region in self.copied[name]]
         return [f"{' = '.join(copies)} = {self._place_on_board(self._on_board(name))}"]
+
+    def _spread(self) -> list[str]:
+        """The end of a step: all regions see what some have written into their copies."""
+        if not self.copied:
+            return []
+        lines = ["if self.writes is not None:", f"    self.spread({_BB})", "    self.writes = None"]
+        return [
+            *lines,
+            *(f"    {_WROTE}{self._place_on_board(self._on_board(name))}" for name in self.copied),
+        ]
 
     def _region(self, mode: _Mode, region: int, depth: int) -> list[str]:
         """One round of a region: by its active leaf, what can be taken from there."""
@@ -1899,7 +1909,6 @@ _UNLESS = f"if not {_BB}.still_"
 _WROTE = "@wrote "
 """Stands where something on the blackboard was written, until it is known which conditions read it."""
 _NOTHING = ["        return False"]
-_EPILOGUE_OF_COPIES = ["if self.writes is not None:", f"    self.spread({_BB})", "    self.writes = None"]
 
 
 def _only(test: str, body: _Body) -> list[str]:

@@ -32,7 +32,7 @@ from aseme_dsl.runtime.plan import Plan
 from tests.conftest import Snapshot
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices
-from tests.oracle.test_agreement import forget
+from tests.oracle.examples import forget
 from tests.support.generated import Generated, generate, imported, system_of
 
 ROOT = Path(__file__).parents[2]

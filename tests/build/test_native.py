@@ -9,7 +9,6 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
-from random import Random
 
 import pytest
 
@@ -19,8 +18,8 @@ from aseme_dsl.build.native import native_source, run_mypyc
 from tests.cli.support import Here, asemec
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices
+from tests.oracle.examples import forget
 from tests.oracle.plain import without_limits
-from tests.oracle.test_agreement import forget
 from tests.oracle.test_plain import Game
 from tests.support.generated import Generated, imported, system_of
 
@@ -213,9 +212,7 @@ def test_machine_code_of_random_charts_agrees_with_the_interpreter(
         assert not str(native.__file__).endswith(".py")
         for turn in range(GAMES):
             game = Game(made, written)
-            game.bare = native.R()
-            if hasattr(game.bare, "chance"):
-                game.bare.chance = Random("1/me")
+            game.run_by(native.R)
             game.play(Choices(GAMES * seed + turn))
         forget(made)
 

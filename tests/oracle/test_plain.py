@@ -71,7 +71,7 @@ def large(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @dataclass
 class Game:
-    """The interpreter, a watched class and two bare ones of the same chart, side by side."""
+    """The interpreter, a watched class and bare ones of the same chart, side by side."""
 
     made: Generated
     text: str
@@ -84,9 +84,17 @@ class Game:
         self.plan = self.made.plan("R")
         self.expected = Reference(self.plan, "me", vars(self.made.messages))
         self.actual = PlainEngine(self.made, "R")
-        self.bare = plain_class(self.made, "R", PlainOptions())()
         self.mapped = plain_class(self.made, "R", PlainOptions(mapping=True))()
-        for chart in (self.bare, self.mapped):
+        self.run_by(plain_class(self.made, "R", PlainOptions()))
+
+    def run_by(self, kind: Any) -> None:
+        """Let this be the bare class."""
+        self.bare = kind()
+        self.others = [self.bare, self.mapped]
+        board = type(self.bare.bb)
+        if hasattr(board, "tracked"):
+            self.others.append(kind(board(tracked=True)))
+        for chart in self.others:
             if hasattr(chart, "chance"):
                 chart.chance = Random("1/me")
 
@@ -140,14 +148,16 @@ class Game:
             return
         self.follow(expected)
         self.compare("the configuration", self.expected.configuration(), self.actual.configuration())
-        for chart in (self.bare, self.mapped):
+        for chart in self.others:
             self.drive(chart, board, call)
             self.compare("the bare configuration", self.expected.configuration(), chart.configuration())
         for variable in self.plan.variables:
             name = variable.name
             value = self.expected.variable(name)
             self.compare(f"the variable {name}", value, self.actual.variable(name))
-            self.compare(f"the bare variable {name}", value, getattr(self.bare.bb, name))
+            for chart in self.others:
+                if chart is not self.mapped:
+                    self.compare(f"the bare variable {name}", value, getattr(chart.bb, name))
             self.compare(f"the variable {name} in the mapping", value, self.mapped.bb[name])
 
     def drive(self, chart: Any, board: list[Input], call: Input | None) -> None:
@@ -168,6 +178,8 @@ class Game:
                 for (channel, host), slot in self.actual.slots.items():
                     if channel == item.channel and host in (None, item.sender):
                         put(slot, item.message)
+        if board and getattr(chart.bb, "tracked", False):
+            chart.bb.changed()
         if len(self.story) == 1:
             chart.start()
         elif isinstance(call, Happened):
