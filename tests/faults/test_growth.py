@@ -15,7 +15,7 @@ from aseme_dsl.runtime import activities_in
 from aseme_dsl.runtime.real_time import RealTime
 from tests.faults.test_activities import folder
 from tests.runtime.playing import MS, make
-from tests.support.waiting import wait_until
+from tests.support.waiting import LONG, wait_until
 
 STARTS = int(os.environ.get("FAULT_STARTS", "600"))
 """How many starts of each kind; more when there is time."""
@@ -58,6 +58,7 @@ def test_starts_and_cancellations_leave_nothing_behind(
 ) -> None:
     # What waits for long, as on a machine that stands still for a while, gets another thread: not here.
     monkeypatch.setattr("aseme_dsl.runtime.real.LOOK", 600.0)
+    monkeypatch.setattr("aseme_dsl.runtime.real.GRACE", LONG)
     counts: dict[str, int] = {}
     levels: list[list[int]] = []
 

@@ -455,24 +455,25 @@ def test_a_participant_that_is_gone_is_told(net: Generated) -> None:
     assert gone["peer"] == "bob" and gone["participant"] == "manager"
 
 
+MOURNING = (
+    NET.replace(
+        "leave AwaitBids : propose Bid from contractor or after(20s)",
+        "leave AwaitBids : lost contractor who [who == best]",
+    )
+    .replace("process = Announce . AwaitBids", "var best : agent  process = Announce . Collect . AwaitBids")
+    .replace(
+        "enter Announce : /",
+        "enter AwaitBids : propose Bid b from contractor / best = sender(b)  enter Announce : /",
+    )
+    .replace("AwaitBids takes 30s", "AwaitBids takes 30min  Collect takes 30min")
+    .replace("Offer takes 1ms", "Offer takes 30min")
+)
+"""A manager that waits to hear that the contractor with the best bid is gone."""
+
+
 @pytest.fixture(scope="module")
 def mourning() -> Generated:
-    """NET with a manager that waits to hear that the contractor with the best bid is gone."""
-    text = (
-        NET.replace(
-            "leave AwaitBids : propose Bid from contractor or after(20s)",
-            "leave AwaitBids : lost contractor who [who == best]",
-        )
-        .replace(
-            "process = Announce . AwaitBids", "var best : agent  process = Announce . Collect . AwaitBids"
-        )
-        .replace(
-            "enter Announce : /",
-            "enter AwaitBids : propose Bid b from contractor / best = sender(b)  enter Announce : /",
-        )
-        .replace("AwaitBids takes 30s", "AwaitBids takes 30min  Collect takes 30min")
-    )
-    return generate(text.replace("Offer takes 1ms", "Offer takes 30min"))
+    return generate(MOURNING)
 
 
 def test_a_line_may_wait_to_hear_that_a_participant_is_gone(mourning: Generated) -> None:
