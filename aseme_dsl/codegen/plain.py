@@ -1397,7 +1397,8 @@ class _Generator(Face):
             entries.append(f"{self.class_name}.{name}")
         if all(entry == "None" for entry in entries):
             return []
-        kind = f"tuple[Callable[[{self.class_name}], int] | None, ...]"
+        gives = "bool" if mode.direct else "int"
+        kind = f"tuple[Callable[[{self.class_name}], {gives}] | None, ...]"
         mode.tables[table] = ["", f"{table}: {kind} = (", *(f"    {entry}," for entry in entries), ")"]
         found = f"leaves = {table}[self.r{region} >> {CHUNK.bit_length() - 1}]"
         moved = self._after_call(mode, "leaves(self)", loops=mode.loops)

@@ -21,7 +21,7 @@ from tests.oracle.choices import Choices
 from tests.oracle.examples import forget
 from tests.oracle.plain import without_limits
 from tests.oracle.test_plain import Game
-from tests.support.generated import Generated, imported, system_of
+from tests.support.generated import Generated, generate, imported, system_of
 
 EXAMPLES = int(os.environ.get("NATIVE_EXAMPLES", "4"))
 """So many random charts are compiled, which takes seconds."""
@@ -176,6 +176,16 @@ def test_machine_code_does_the_same_and_goes_when_it_is_not_asked_for(tmp_path: 
     assert native == plain
 
 
+MANY = f"""
+system Many
+srm R {{
+  liveness {{ R = ({" . ".join(f"S{number}" for number in range(70))})~ }}
+  control R {{ {" ".join(f"enter S{number} : go" for number in range(1, 70))} leave S69 : go }}
+}}
+"""
+"""So many states of one region that they are found in a table."""
+
+
 def random_charts(count: int) -> list[tuple[Generated, str]]:
     """Random charts that are not refused, each with its text."""
     made: list[tuple[Generated, str]] = []
@@ -192,7 +202,7 @@ def random_charts(count: int) -> list[tuple[Generated, str]]:
 def test_machine_code_of_random_charts_agrees_with_the_interpreter(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    charts = random_charts(EXAMPLES)
+    charts = [*random_charts(EXAMPLES), (generate(MANY), MANY)]
     modules: list[str] = []
     for made, _ in charts:
         package = tmp_path / made.package.__name__
