@@ -117,13 +117,14 @@ class Watch:
     def _settled(self) -> Changes:
         before = self._stamps
         end = time.monotonic() + _PATIENCE
-        self._look()
-        while time.monotonic() < end:
-            time.sleep(_SETTLED)
+        while True:
+            self._look()
             changed = [path for path, stamp in self._stamps.items() if stamp is not before[path]]
+            if time.monotonic() >= end:
+                break
+            time.sleep(_SETTLED)
             if all(stamp_of(path) == self._stamps[path] for path in (*self._often, *changed)):
                 break
-            self._look()
         self._edited += [path for path in changed if path not in self._edited]
         self._is_new = True
         return _changes(before, self._stamps)

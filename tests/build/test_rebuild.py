@@ -234,3 +234,19 @@ def test_what_was_edited_last_is_seen_among_thousands(tmp_path: Path) -> None:
         assert [Path(name).name for name in changes.all] == [path.name]
         watch.begin()
         watch.depend([*names, str(tmp_path / "new.aseme")], (), set(names))
+
+
+def test_a_machine_that_stands_still_while_a_file_changes_sees_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Then all the time is over for which is waited until nothing more changes."""
+    monkeypatch.setattr("aseme_dsl.build.watch._PATIENCE", 0.0)
+    path = tmp_path / "team.aseme"
+    watch = Watch()
+    watch.begin()
+    watch.depend([str(path)])
+    for text in ("system One", "system Three"):
+        path.write_text(text, "utf-8")
+        assert seen(watch).all == (str(path),)
+        watch.begin()
+        watch.depend([str(path)])
