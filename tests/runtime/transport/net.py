@@ -105,12 +105,13 @@ class _AirLink:
 
     def open(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
         self.mine = _End(tuple(agents), incarnation, hears)
-        for end in tuple(self.air.ends):
-            for agent in agents:
-                self.air.later(lambda e=end, a=agent: e.hears.appeared(a, incarnation), ordered=True)
-            for agent in end.agents:
-                self.air.later(lambda e=end, a=agent: hears.appeared(a, e.incarnation), ordered=True)
-        self.air.ends.append(self.mine)
+        with self.air.lock:  # of two that begin at once, one is the second
+            for end in tuple(self.air.ends):
+                for agent in agents:
+                    self.air.later(lambda e=end, a=agent: e.hears.appeared(a, incarnation), ordered=True)
+                for agent in end.agents:
+                    self.air.later(lambda e=end, a=agent: hears.appeared(a, e.incarnation), ordered=True)
+            self.air.ends.append(self.mine)
 
     def send(
         self, to: str, sender: str, way: str, envelope: Envelope, stamp: Stamp, payload: bytes, sure: bool
@@ -140,13 +141,14 @@ class _AirLink:
         return []
 
     def close(self) -> None:
-        if self.mine in self.air.ends:
-            self.air.ends.remove(self.mine)
-            for end in tuple(self.air.ends):
-                for agent in self.mine.agents:
-                    self.air.later(
-                        lambda e=end, a=agent: e.hears.vanished(a, self.mine.incarnation), ordered=True
-                    )
+        with self.air.lock:
+            if self.mine in self.air.ends:
+                self.air.ends.remove(self.mine)
+                for end in tuple(self.air.ends):
+                    for agent in self.mine.agents:
+                        self.air.later(
+                            lambda e=end, a=agent: e.hears.vanished(a, self.mine.incarnation), ordered=True
+                        )
 
 
 @dataclass
