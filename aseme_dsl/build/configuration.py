@@ -383,9 +383,7 @@ class _Reader:
         for key, value in table.items():
             convert = keys.get(key)
             if convert is None:
-                near = closest(key, keys)
-                known = f"did you mean `{near}`?" if near else f"the table knows {', '.join(keys)}"
-                self._report(name, key, f"[{name}] has no key `{key}`", known)
+                self._report(name, key, f"[{name}] has no key `{key}`", _instead(key, name, keys))
             elif isinstance(convert, _Policy):
                 given[key] = Policy(tuple(self.settings(value, f"{name}.{key}", None)), convert.folder)
             elif isinstance(convert, _Table):
@@ -428,6 +426,15 @@ class _Reader:
 
     def _report(self, table: str, key: str | None, message: str, hint: str | None = None) -> None:
         self.diagnostics.append(Diagnostic("E010", message, _place(self.source, table, key), hint=hint))
+
+
+def _instead(key: str, name: str, keys: Mapping[str, _Convert | _Table | _Policy]) -> str:
+    """What may have been meant by a key that a table has not."""
+    inside = [table for table, known in keys.items() if isinstance(known, _Table) and key in known.keys]
+    if inside:
+        return f"it belongs into {' or '.join(f'[{name}.{table}]' for table in inside)}"
+    near = closest(key, keys)
+    return f"did you mean `{near}`?" if near else f"the table knows {', '.join(keys)}"
 
 
 def _place(source: Source, table: str, key: str | None) -> Span:

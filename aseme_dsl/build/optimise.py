@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from aseme_dsl.build import study as studies
 from aseme_dsl.build.findings import Row, best, rows, slowest, worth
 from aseme_dsl.build.study import TIME, Case, StudyError
-from aseme_dsl.build.study_report import Study
+from aseme_dsl.build.study_report import Study, Untried
 from aseme_dsl.build.variation import Knob, Variant, instead, variants, varied
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 class Question:
     """What a study is to find out.
 
-    `least` is the share that a further agent must gain to be worth it; `times`, how much quicker each
+    `least` is the share that a further step must gain to be worth it; `times`, how much quicker each
     activity is tried for the bottleneck, which is not looked for if it is 1.
     """
 
@@ -58,7 +58,8 @@ def optimise(
     known = activities_of(system)
     if plan.measure != TIME and ":" not in plan.measure and plan.measure not in known:
         raise StudyError(f"no agent of the team does {plan.measure}; {instead(plan.measure, known)}")
-    tried = [name for name in known if question.times != 1 and _takes(system, name)]
+    takes = {name: activity.takes for name in known if (activity := system.activity(name)) is not None}
+    tried = [name for name in known if takes.get(name) and question.times != 1]
     total(len(question.seeds) * (len(cases) + len(tried)))
     with tempfile.TemporaryDirectory(prefix="asemec-") as folder:
 
@@ -81,6 +82,8 @@ def optimise(
         variant: Variant = chosen.variant if chosen is not None else cases[0].variant
         quicker = play([Case(variant, name) for name in tried], "quicker") if tried and chosen else ()
     base = next(item for item in played if item.case.variant == variant)
+    untried = [name for name in known if name not in tried] if question.times != 1 else []
+    codeless = {name for item in played for run in item.runs for name in run.without_code}
     return Study(
         system.name,
         question.knobs,
@@ -95,13 +98,17 @@ def optimise(
         chosen,
         quicker,
         slowest(base, quicker, less_is_better=question.less_is_better),
-        tuple(name for name in known if name not in tried) if question.times != 1 else (),
+        Untried(
+            tuple(name for name in untried if takes.get(name) is None and name not in codeless),
+            tuple(name for name in untried if name in codeless),
+            tuple(name for name in untried if takes.get(name) == 0),
+        ),
     )
 
 
 def _chosen(question: Question, found: Sequence[Row]) -> Row | None:
     if len(question.knobs) == 1 and question.knobs[0].counts:
-        return worth(found, question.least)
+        return worth(found, question.least, less_is_better=question.less_is_better)
     return best(found, less_is_better=question.less_is_better)
 
 
@@ -111,8 +118,3 @@ def activities_of(system: System) -> tuple[str, ...]:
     charts = [chart for chart in system.iacs if chart.name in roles]
     names = (node.activity for chart in charts for node in chart.nodes if node.activity is not None)
     return tuple(dict.fromkeys(names))
-
-
-def _takes(system: System, name: str) -> bool:
-    activity = system.activity(name)
-    return activity is not None and activity.takes is not None

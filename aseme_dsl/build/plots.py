@@ -31,47 +31,89 @@ class PlotsMissing(Exception):
     """matplotlib, which draws, is not installed."""
 
 
-def measure_plot(knobs: Sequence[Knob], found: Sequence[Row], what: str, chosen: Row | None) -> bytes:
+def measure_plot(
+    knobs: Sequence[Knob], found: Sequence[Row], what: str, chosen: Row | None, chosen_as: str
+) -> bytes:
     """The measure with its intervals, a line for each combination of all knobs but the last.
+
+    Combinations that gave the same are one line. What is chosen has a ring, called `chosen_as`.
 
     Raises:
         PlotsMissing: there is nothing to draw with.
     """
     figure, axes = _figure()
     last = knobs[-1]
-    lines: dict[tuple[str, ...], list[Row]] = {}
-    for row in found:
-        lines.setdefault(tuple(value for _, value in row.variant[:-1]), []).append(row)
     places = _places(last)
-    for key, rows in lines.items():
-        seen = [(places[row.variant[-1][1]], row.measure) for row in rows if row.measure is not None]
-        label = ", ".join(f"{knob.name} = {value}" for knob, value in zip(knobs, key, strict=False))
-        (line,) = axes.plot(
-            [x for x, _ in seen],
-            [item.mean for _, item in seen],
-            marker="o",
-            label=label or None,
-            **({} if label else {"color": _BLUE}),
-        )
+    for number, (points, names) in enumerate(_lines(knobs, found, places).items()):
+        line, marker = _LINES[number % len(_LINES)], _MARKERS[number % len(_MARKERS)]
+        known = [x for x, *_ in points]
+        colour = f"C{number}" if len(knobs) > 1 else _BLUE
+        label = _some(names) or None
+        axes.plot(known, [mean for _, mean, *_ in points], line, marker=marker, label=label, color=colour)
         axes.fill_between(
-            [x for x, _ in seen],
-            [item.low for _, item in seen],
-            [item.high for _, item in seen],
+            known,
+            [low for _, _, low, _ in points],
+            [high for *_, high in points],
             alpha=0.2,
-            color=line.get_color(),
+            color=colour,
             linewidth=0,
         )
+    seen = [(places[row.variant[-1][1]], row.measure.mean, row) for row in found if row.measure is not None]
+    least = [(x, mean) for x, mean, row in seen if row.unfinished]
+    if least:
+        alone: Any = {
+            "linestyle": "",
+            "color": "white",
+            "markeredgecolor": "#444444",
+            "marker": "^",
+            "markersize": 9,
+        }
+        axes.plot(*zip(*least, strict=True), **alone, label="at least: not all runs finished")
     if chosen is not None and chosen.measure is not None:
-        x = places[chosen.variant[-1][1]]
-        axes.plot([x], [chosen.measure.mean], marker="o", markersize=11, fillstyle="none", color=_RED)
+        ring: Any = {"marker": "o", "markersize": 13, "fillstyle": "none", "color": _RED, "linestyle": ""}
+        axes.plot([places[chosen.variant[-1][1]]], [chosen.measure.mean], **ring, label=chosen_as)
+    if any(row.measure is not None and row.measure.low < row.measure.high for row in found):
+        axes.fill_between([], [], [], color=_GREY, alpha=0.4, linewidth=0, label="95 %")
     axes.set_xticks(list(places.values()), list(places))
     axes.set_xlabel(last.name if not last.counts else f"agents of {last.name}")
     axes.set_ylabel(what)
-    if all(row.measure is None or row.measure.low >= 0 for row in found):
+    if all(run.measure is None or run.measure >= 0 for row in found for run in row.runs):
         axes.set_ylim(bottom=0)
-    if len(lines) > 1:
-        axes.legend(frameon=False)
+    labels = axes.get_legend_handles_labels()[1]
+    if labels:
+        longest = max(map(len, labels))
+        figure.legend(loc="outside upper left", ncols=max(1, min(4, 80 // (longest + 8))), frameon=False)
     return _svg(figure)
+
+
+_LINES = ("-", "--", "-.", ":")
+_MARKERS = ("o", "s", "D", "v", "P", "X")
+_MOST_NAMED = 3
+
+
+def _some(names: Sequence[str]) -> str:
+    more = len(names) - _MOST_NAMED
+    return "; ".join(names) if more <= 0 else f"{'; '.join(names[:_MOST_NAMED])} and {more} more"
+
+
+_Point = tuple[float, float, float, float]
+
+
+def _lines(
+    knobs: Sequence[Knob], found: Sequence[Row], places: Mapping[str, float]
+) -> dict[tuple[_Point, ...], list[str]]:
+    """The points of each line, with the interval, from left to right; and what it is of."""
+    points: dict[tuple[str, ...], list[_Point]] = {}
+    for row in found:
+        line = points.setdefault(tuple(value for _, value in row.variant[:-1]), [])
+        if row.measure is not None:
+            x, item = places[row.variant[-1][1]], row.measure
+            line.append((x, item.mean, item.low, item.high))
+    lines: dict[tuple[_Point, ...], list[str]] = {}
+    for key, seen in points.items():
+        label = ", ".join(f"{knob.name} = {value}" for knob, value in zip(knobs, key, strict=False))
+        lines.setdefault(tuple(sorted(seen)), []).extend([label] if label else [])
+    return lines
 
 
 def gains_plot(found: Sequence[Slower], times: float, what: str) -> bytes:

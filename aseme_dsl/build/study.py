@@ -11,8 +11,10 @@ import signal
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
 from functools import lru_cache
 from multiprocessing import get_context
+from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,9 +25,13 @@ if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
     from aseme_dsl.build.build import Choice
     from aseme_dsl.runtime.loading import Loaded
+    from aseme_dsl.runtime.team import RunResult
 
 TIME = "time"
 """The measure that is how long it took until all agents had finished, in s."""
+
+_BEYOND = 1e100
+"""No measure is as large: sums and shares of such numbers would be infinite."""
 
 
 class StudyError(Exception):
@@ -37,7 +43,8 @@ class Plan:
     """How each run is played: for how long (ns), in which world, and what is measured.
 
     The measure is `time`; or an activity, for how often it was done a minute, by all agents together; or a
-    Python function `module:name`, called with the world at the end, for the number that it gives.
+    Python function `module:name`, called with the world at the end, for the number that it gives. A run that
+    broke down is not the better for having ended early: see `_measured`.
     """
 
     measure: str
@@ -57,10 +64,14 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """How one run went. Times are in ns; `measure` is None where the run has none (it did not finish)."""
+    """How one run went. Times are in ns; `measure` is None where the run has none.
+
+    `at_least`: it had not finished, and the time that is its measure is all that it was given.
+    """
 
     seed: int
     measure: float | None
+    at_least: bool
     time: int
     agents: int
     done: Mapping[str, int]
@@ -68,6 +79,11 @@ class Run:
     busy: Mapping[str, int]
     """How long each activity was running, in all agents together."""
     failures: tuple[str, ...] = ()
+    """Why agents stopped, each with the agent."""
+    faults: tuple[str, ...] = ()
+    """What could not be done although the agents went on, each once."""
+    without_code: tuple[str, ...] = ()
+    """Activities that have neither code nor a `takes`: how long they lasted is said by nobody."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,6 +203,29 @@ class _Clocks:
         self._since.clear()
 
 
+_MOST_FAULTS = 50
+"""How many different faults of a run are kept."""
+
+
+class _Faults:
+    """What the runtime has to complain of, from the lines of a trace."""
+
+    def __init__(self) -> None:
+        self.reasons: dict[str, None] = {}
+        self.without_code: dict[str, None] = {}
+
+    def wants(self, kind: str, what: str | None) -> bool:
+        return kind == "fault"
+
+    def __call__(self, record: Mapping[str, Any]) -> None:
+        if record["kind"] != "fault":
+            return
+        if len(self.reasons) < _MOST_FAULTS:
+            self.reasons.setdefault(str(record["reason"]))
+        if record.get("code") == "W201":
+            self.without_code.setdefault(str(record["activity"]))
+
+
 @lru_cache(maxsize=4)
 def _loaded(package: Path, configuration_folder: Path) -> Loaded:
     from aseme_dsl.backends.backend import AGENTS
@@ -196,11 +235,18 @@ def _loaded(package: Path, configuration_folder: Path) -> Loaded:
 
 
 def run(package: Path, seed: int, plan: Plan) -> Run:
-    """Play one run of a generated package.
+    """Play one run of a generated package. What it leaves in the project's modules is not there for the next.
 
     Raises:
         StudyError: it cannot be played, or cannot be measured so.
     """
+    from aseme_dsl.runtime.loading import forgetting
+
+    with forgetting(plan.configuration.folder):
+        return _run(package, seed, plan)
+
+
+def _run(package: Path, seed: int, plan: Plan) -> Run:
     from aseme_dsl.build import play
     from aseme_dsl.runtime.loading import LoadError
 
@@ -209,7 +255,7 @@ def run(package: Path, seed: int, plan: Plan) -> Run:
     if project is not None:  # a study leaves the project's own trace, states and talk alone
         project = replace(project, trace=None, state=None, progress=None, summary=None)
         configuration = replace(configuration, run=project)
-    clocks = _Clocks()
+    clocks, faults = _Clocks(), _Faults()
     try:
         loaded = _loaded(package, configuration.folder)
         request = play.Request(duration=plan.length, seed=seed, world=plan.world)
@@ -219,7 +265,7 @@ def run(package: Path, seed: int, plan: Plan) -> Run:
             configuration,
             request,
             tell=lambda line: None,
-            listeners=(clocks,),
+            listeners=(clocks, faults),
         )
     except (LoadError, play.PlayError) as problem:
         raise StudyError(f"with seed {seed}: {problem}") from problem
@@ -228,8 +274,19 @@ def run(package: Path, seed: int, plan: Plan) -> Run:
     if played.world is not None:
         _check_bodies(played.world, [name for name, _ in loaded.team])
     failures = tuple(f"{agent.name}: {agent.failure}" for agent in result.agents if agent.failure)
-    measure = _measured(plan, result.time, result.reason == "finished", clocks, played.world)
-    return Run(seed, measure, result.time, len(loaded.team), clocks.done, clocks.busy, failures)
+    measure, at_least = _measured(plan, result, clocks, played.world)
+    return Run(
+        seed,
+        measure,
+        at_least,
+        result.time,
+        len(loaded.team),
+        clocks.done,
+        clocks.busy,
+        failures,
+        tuple(faults.reasons),
+        tuple(faults.without_code),
+    )
 
 
 def _check_bodies(world: Any, agents: Sequence[str]) -> None:
@@ -240,19 +297,38 @@ def _check_bodies(world: Any, agents: Sequence[str]) -> None:
         raise StudyError(f"the world has no body for {without[0]}: it must make as many as there are agents")
 
 
-def _measured(plan: Plan, time: int, finished: bool, clocks: _Clocks, world: object) -> float | None:
+def _measured(plan: Plan, result: RunResult, clocks: _Clocks, world: object) -> tuple[float | None, bool]:
+    """The measure of a run, and whether it is only the least that it can be.
+
+    A team that stops because an agent failed, or because it waits for ever, has not been quick: its rates are
+    over all the time that it was given. A run that had not finished took at least that time; one in which an
+    agent failed has no time at all.
+    """
+    if plan.measure == TIME:
+        if result.failed:
+            return None, False
+        has_finished = result.reason == "finished"
+        return (result.time if has_finished else plan.length) / 1e9, not has_finished
+    if ":" not in plan.measure:
+        broke_down = result.failed or result.reason == "idle"
+        time = max(plan.length, result.time) if broke_down else result.time
+        return (clocks.done.get(plan.measure, 0) * 60e9 / time if time else 0.0), False
+    return _given(plan, world), False
+
+
+def _given(plan: Plan, world: object) -> float | None:
+    """What the project's function says of the world at the end."""
     from aseme_dsl.build.play import PlayError, call
     from aseme_dsl.runtime.loading import importing
 
-    if plan.measure == TIME:
-        return time / 1e9 if finished else None
-    if ":" not in plan.measure:
-        return clocks.done.get(plan.measure, 0) * 60e9 / time if time else 0.0
     try:
         with importing([plan.configuration.folder.resolve()]):
             value = call(plan.measure, world)
     except PlayError as problem:
         raise StudyError(str(problem)) from problem
-    if value is None or (isinstance(value, int | float) and value == value):
-        return None if value is None else float(value)
-    raise StudyError(f"{plan.measure} gave {value!r}, which is no number")
+    if value is None:
+        return None
+    is_number = isinstance(value, Real | Decimal) and not isinstance(value, bool)
+    if is_number and abs(value) < _BEYOND:  # neither nan nor infinity is
+        return float(value)
+    raise StudyError(f"{plan.measure} gave {value!r}, which is no number to reckon with")

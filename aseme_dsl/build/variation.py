@@ -74,9 +74,12 @@ def knob(text: str) -> Knob:
         double = next(value for value in values if values.count(value) > 1)
         raise VariationError(f"{text!r} has the value {double} twice")
     found = Knob(name, tuple(values))
-    if found.counts and not all(value.isdecimal() and int(value) > 0 for value in values):
+    if not found.counts:
+        return found
+    if not all(value.isdecimal() and int(value) > 0 for value in values):
         raise VariationError(f"{text!r}: how many agents there are is a number from 1 on, or a range as 1..8")
-    return found
+    # Sizes are compared step by step, upwards, however they are written.
+    return replace(found, values=tuple(sorted(values, key=int)))
 
 
 def variants(knobs: Sequence[Knob]) -> tuple[Variant, ...]:
@@ -131,6 +134,10 @@ def _sized(system: System, name: str, value: str) -> System:
         teams.append(replace(team, agents=tuple(agents)))
     if not found:
         ranges = _ranges(system)
+        single = next((agent for team in system.teams for agent in team.agents if agent.name == name), None)
+        if single is not None and _base(single) == name:
+            written = f"`{name}[1..{max(2, int(value))}] : {single.role}`"
+            raise VariationError(f"{name} is one agent of the team and no range: write {written}")
         raise VariationError(f"there is no range of the team called {name}; {instead(name, ranges)}")
     return replace(system, teams=tuple(teams))
 

@@ -78,11 +78,11 @@ def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str
     default=5.0,
     show_default=True,
     metavar="PERCENT",
-    help="What a further agent must gain.",
+    help="What going on to the next size must gain.",
 )
 @click.option(
     "--quicker",
-    type=click.FloatRange(1),
+    type=click.FloatRange(1, 1000),
     default=2.0,
     show_default=True,
     metavar="TIMES",
@@ -231,7 +231,9 @@ def _leave(study: Study, folder: Path, as_json: bool, colour: str) -> int:
     missing = ""
     try:
         if study.knobs:
-            files["measure.svg"] = measure_plot(study.knobs, study.rows, study.what, study.chosen)
+            files["measure.svg"] = measure_plot(
+                study.knobs, study.rows, study.what, study.chosen, "worth it" if study.counts else "best"
+            )
         if study.slowest:
             files["bottleneck.svg"] = gains_plot(study.slowest, study.times, study.what)
     except PlotsMissing as problem:

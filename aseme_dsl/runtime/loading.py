@@ -111,6 +111,23 @@ def importing(folders: Sequence[Path]) -> Iterator[None]:
                 sys.path.remove(entry)
 
 
+@contextmanager
+def forgetting(folder: Path) -> Iterator[None]:
+    """Modules of this folder that are imported inside are forgotten afterwards: they are new for the next."""
+    folder = folder.resolve()
+    before = set(sys.modules)
+    try:
+        yield
+    finally:
+        for name, module in list(sys.modules.items()):
+            if name in before or "." in name:
+                continue
+            places = [Path(place) for place in getattr(module, "__path__", [])]
+            file = getattr(module, "__file__", None)
+            if folder in {place.resolve().parent for place in (*places, *([Path(file)] if file else []))}:
+                _forget(name)
+
+
 def load_beside(folder: Path, running: Modules, path: Sequence[Path] = (), mixture: Mixture = PURE) -> Loaded:
     """Import another version of a system that is running with these modules, and leave them in their place.
 

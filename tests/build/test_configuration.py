@@ -87,6 +87,11 @@ def test_an_unknown_key_is_named_with_its_place(tmp_path: Path) -> None:
     assert "did you mean `output`?" in text
 
 
+def test_a_key_of_a_table_inside_is_told_where_it_belongs(tmp_path: Path) -> None:
+    found = problem(tmp_path, '[tool.asemec]\nworld = "place:make"\n')
+    assert "it belongs into [tool.asemec.run]" in render_text([found])
+
+
 @pytest.mark.parametrize(
     ("line", "words"),
     [

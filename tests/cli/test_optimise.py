@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.support import Here, asemec
+from tests.cli.support import Done, Here, asemec
 
 FEED = """\
 system Feed
@@ -142,13 +142,16 @@ def test_a_setting_of_a_role_is_for_all_agents_that_a_size_gives(here: Here, tri
     assert run["done"] == {"Rest": 4, "Walk": 16}
 
 
-def test_what_does_not_finish_has_no_time(here: Here, trips: Path) -> None:
+def test_what_does_not_finish_takes_at_least_the_time_that_it_had(here: Here, trips: Path) -> None:
     done = here(
         *("optimise", trips, "--vary", "one.trips=1,9", "--measure", "time", "--runs", "1", "--for", "8s"),
         *("--quicker", "1", "-o", trips.parent / "found"),
     )
     assert done.code == 0, done.err
-    assert "- 1 run of one.trips = 9 gave no measure: it did not finish in time." in done.out
+    assert (
+        "- 1 of 1 run of one.trips = 9 had not finished: it counts as 8 s, and would take longer." in done.out
+    )
+    assert re.search(r"\| 9 +\| ≥ 8 .*\| 0 of 1", done.out) and re.search(r"\| 1 +\| 3 .*\| 1 of 1", done.out)
     assert "**Best: one.trips = 1** with 3." in done.out
 
 
@@ -190,7 +193,7 @@ def test_a_function_of_the_project_measures_its_world(
         ),
         (
             ["--vary", "maker=1..3", "--measure", "Carry"],
-            "no range of the team called maker; there is only carrier.\n",
+            "maker is one agent of the team and no range: write `maker[1..2] : machine`.\n",
         ),
         (
             ["--vary", "maker.speed=1", "--measure", "Carry"],
@@ -291,7 +294,15 @@ def test_what_was_not_tried_may_be_the_bottleneck(here: Here, trips: Path) -> No
     done = here(*base, "--measure", "time")
     assert "**Of the 1 that could be tried, the bottleneck is Walk.**" in done.out
     why = "for how long they last is said by their code or the world, and not by a `takes`"
-    assert f"Not tried, {why}: Rest." in done.out
+    nobody = "for they have neither code nor a `takes`, and how long they last is made up"
+    assert f"Not tried, {nobody}: Rest." in done.out
+    assert "- In each run: activity Rest has neither code nor `takes`: it lasts 0.1 s." in done.out
+    (trips.parent / "code").mkdir()
+    (trips.parent / "code" / "rest.py").write_text(
+        "class Rest:\n    def execute(self, context):\n        context.wait(1.0)\n", "utf-8"
+    )
+    coded = here(*base, "--measure", "time", "--activities", trips.parent / "code")
+    assert f"Not tried, {why}: Rest." in coded.out and "lasts" not in coded.out.replace(why, "")
     trips.write_text(
         "system Loops\nsrm robot {\n  liveness { robot = Rest~ || Walk~ }\n  activities { Walk takes 2s }\n"
         "}\nteam Loops { one : robot }\n",
@@ -307,7 +318,7 @@ def test_if_nothing_was_measured_nothing_is_concluded(here: Here, feed: Path) ->
         *("-o", feed.parent / "found"),
     )
     assert done.code == 0, done.err
-    assert "**Nothing was measured:** no run gave a number." in done.out
+    assert "**Nothing was measured:** within 5 s no run finished." in done.out
     assert "Every seed gave the same" not in done.out and "times as quick" not in done.out
 
 
@@ -326,3 +337,284 @@ def test_what_an_agent_does_several_times_at_once_is_counted_as_often(here: Here
     done = here("optimise", trips, "--measure", "time", "--runs", "1", "-o", trips.parent / "found")
     assert "Lift 200 %, Carry 100 %" in done.out
     assert "what an agent does several times at once is counted as often" in done.out
+
+
+FALLING = """\
+system Falling
+srm robot {
+  var haste  : double = 0.0
+  var chance : double = 0.0
+  liveness { robot = (Look . (Go | Fall))~ }
+  activities { Look takes 1s  Go takes 1s  Fall }
+  control robot {
+    enter Look : / chance = random()
+    enter Fall : [chance < haste]
+    enter Go   : else
+  }
+}
+team Falling { r[1..2] : robot }
+"""
+"""The more haste, the sooner a robot is down for good, which is when its code of `Fall` raises."""
+
+
+@pytest.fixture
+def falling(tmp_path: Path) -> Path:
+    path = tmp_path / "falling.aseme"
+    path.write_text(FALLING, "utf-8")
+    (tmp_path / "code").mkdir()
+    (tmp_path / "code" / "fall.py").write_text(
+        "class Fall:\n    def execute(self, context):\n        raise RuntimeError('fell')\n", "utf-8"
+    )
+    return path
+
+
+def test_a_team_that_breaks_down_is_not_the_better_for_having_ended(here: Here, falling: Path) -> None:
+    base = ("optimise", falling, "--activities", falling.parent / "code", "--quicker", "1", "-j", "1")
+    base = (*base, "--vary", "robot.haste=0,0.5,1", "--runs", "3", "-o", falling.parent / "found")
+    done = here(*base, "--measure", "Look", "--for", "20s", "--json")
+    result = done.json["result"]
+    assert [result["rows"][place]["measure"]["mean"] for place in (0, 2)] == [60, 6]
+    assert result["rows"][1]["measure"]["mean"] < 30
+    assert result["chosen"] == {"robot.haste": "0"}
+    assert [row["failed"] for row in result["rows"]] == [0, 3, 3]
+    told = here(*base, "--measure", "Look", "--for", "5s")
+    assert "- An agent failed in 3 of 3 runs of robot.haste = 1: r1: activity Fall of state" in told.out
+    timed = here(*base, "--measure", "time", "--for", "5s")
+    assert re.search(r"\| 1 +\| – +\| – +\| 0 of 3", timed.out)
+    assert "Such a run has no time." in timed.out
+
+
+def test_reasons_that_are_not_those_of_all_runs_say_of_how_many(here: Here, falling: Path) -> None:
+    done = here(
+        *("optimise", falling, "--activities", falling.parent / "code", "--quicker", "1", "-j", "1"),
+        *("--vary", "robot.haste=0.1", "--runs", "6", "--measure", "Look", "--for", "20s"),
+        *("-o", falling.parent / "found"),
+    )
+    (line,) = re.findall(r"- An agent failed in . of 6 runs of robot.haste = 0.1: (.*)", done.out)
+    assert len(re.findall(r"r[12]: .*?\((\d) runs?\)", line)) >= 1
+
+
+STUCK = """\
+system Stuck
+srm robot {
+  var haste  : double = 0.0
+  var chance : double = 0.0
+  liveness { robot = Draw . (Slow | (Fast . (Wait | Home))) }
+  activities { Draw takes 1s  Slow takes 10s  Fast takes 1s  Wait takes 1000s  Home takes 1s }
+  control robot {
+    enter (Slow | (Fast . (Wait | Home))) : / chance = random()
+    enter Slow : [haste == 0]
+    enter (Fast . (Wait | Home)) : else
+    enter Wait : [chance < haste]
+    enter Home : else
+  }
+}
+team Stuck { one : robot }
+"""
+"""With haste it is either much quicker, or does not get home at all."""
+
+
+def test_the_few_that_finish_do_not_speak_for_all(here: Here, tmp_path: Path) -> None:
+    (tmp_path / "stuck.aseme").write_text(STUCK, "utf-8")
+    done = here(
+        *("optimise", tmp_path / "stuck.aseme", "--vary", "robot.haste=0,0.8", "--measure", "time"),
+        *("--runs", "10", "--quicker", "1", "-j", "1", "-o", tmp_path / "found"),
+    )
+    assert "**Best: robot.haste = 0** with 11." in done.out
+    (known,) = re.findall(r"\| 0\.8 +\| ≥ [\d.]+ .*\| +(\d+) of 10 +\|", done.out)
+    assert 0 < int(known) < 5
+    assert (
+        f"- {10 - int(known)} of 10 runs of robot.haste = 0.8 had not finished: they count as 60 s each"
+        in done.out
+    )
+
+
+LIFT = """\
+system Lift
+message Go { int n }
+aip lift {
+  participant boss {
+    engage "A beam lies there."
+    sends request Go
+    receives agree Go
+    process = Ask . Note
+  }
+  participant lifter [2..8] {
+    engage "Hands are empty."
+    sends agree Go
+    receives request Go
+    process = Heave
+  }
+  outcome "The beam is up."
+  control boss {
+    enter Ask  : / send request Go to lifter
+    enter Note : agree Go from lifter or after(10s)
+  }
+  control lifter {
+    enter Heave : request Go from boss
+    leave Heave : / send agree Go to boss
+  }
+}
+srm chief { plays lift.boss liveness { chief = boss~ } activities { Ask takes 1s  Note takes 1s } }
+srm hand { plays lift.lifter liveness { hand = lifter~ } activities { Heave takes 2s } }
+team Site { chief : chief  worker[2..3] : hand }
+"""
+"""A beam that one alone does not lift."""
+
+
+def test_from_nothing_to_something_is_worth_it(here: Here, tmp_path: Path) -> None:
+    (tmp_path / "lift.aseme").write_text(LIFT, "utf-8")
+    done = here(
+        *("optimise", tmp_path / "lift.aseme", "--vary", "worker=3,1,2", "--measure", "Heave", "--runs", "2"),
+        *("--quicker", "1", "-j", "1", "-o", tmp_path / "found"),
+    )
+    assert re.search(r"\| 2 .*\| \+40 from 0 +\|", done.out)
+    assert "**Worth it: 3 worker**, and perhaps more" in done.out  # the sizes are compared upwards
+    assert "- In 2 of 2 runs of worker = 1: request Go is not sent: lift takes 2 or more lifter" in done.out
+    assert "- Every seed gave the same: of what is left to chance, these runs show nothing." in done.out
+
+
+WORK = """\
+system Work
+srm robot {
+  var speed : double = 1.0
+  liveness { robot = Work~ }
+  activities { Work takes 1s }
+}
+team Work { r[1..6] : robot }
+"""
+HALL = """\
+import random
+from decimal import Decimal
+from fractions import Fraction
+class Body:
+    payload_limit = 0
+    speed = 0
+    def sense(self): return 0
+    def act(self, command): self.speed = command
+    def say(self, payload): return False
+    def hear(self): return []
+class Hall:
+    step_ns = 100_000_000
+    now_ns = 0
+    def __init__(self, seed):
+        self.seed = seed
+        self.bodies = {f"r{number}": Body() for number in range(1, 7)}
+    def advance(self, until): self.now_ns = until
+make = Hall
+def luck(hall): return 50 + random.Random(hall.seed).gauss(0, 10)
+def paired(hall): return luck(hall) + sum(body.speed for body in hall.bodies.values())
+def unpaired(hall): return random.Random(f"{hall.seed} {hall.bodies['r1'].speed}").random()
+def pairs(hall): return 10 + 10 * (sum(body.speed > 0 for body in hall.bodies.values()) // 2)
+CALLS = []
+def calls(hall):
+    CALLS.append(hall)
+    return len(CALLS)
+def fraction(hall): return Fraction(5, 2)
+def decimal(hall): return Decimal("2.5")
+def truth(hall): return True
+def few(hall): return None if hall.seed == 1 and hall.bodies["r1"].speed == 2 else 3 * hall.bodies["r1"].speed
+"""
+
+
+@pytest.fixture
+def work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project whose world knows how quick each robot is."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "work.aseme").write_text(WORK, "utf-8")
+    (tmp_path / "hall.py").write_text(HALL, "utf-8")
+    (tmp_path / "code").mkdir()
+    (tmp_path / "code" / "work.py").write_text(
+        "class Work:\n"
+        "    def execute(self, context):\n"
+        "        context.body.act(context.variable('speed'))\n"
+        "        context.wait(1.0)\n",
+        "utf-8",
+    )
+    (tmp_path / "pyproject.toml").write_text(
+        '[tool.asemec]\nactivities = "code"\n[tool.asemec.run]\nworld = "hall:make"\n', "utf-8"
+    )
+    return tmp_path
+
+
+def studied(here: Here, *arguments: str, runs: int = 8, jobs: int = 1) -> Done:
+    base = ("optimise", "work.aseme", "--for", "2s", "--quicker", "1", "--runs", str(runs), "-j", str(jobs))
+    return here(*base, *arguments)
+
+
+def test_what_differs_with_each_seed_is_told_from_the_best_however_much_seeds_differ(
+    here: Here, work: Path
+) -> None:
+    done = studied(here, "--vary", "robot.speed=1,1.5,2", "--measure", "hall:paired")
+    assert "**Best: robot.speed = 2** with" in done.out and "Not to be told" not in done.out
+    other = studied(here, "--vary", "robot.speed=1,1.5,2", "--measure", "hall:unpaired")
+    assert re.search(r"Not to be told from it by these runs: robot.speed = .*; robot.speed = ", other.out)
+
+
+def test_a_plateau_is_not_taken_for_the_end(here: Here, work: Path) -> None:
+    done = studied(here, "--vary", "r=1..6", "--measure", "hall:pairs", runs=2)
+    assert "**Worth it: 2 r.** Going on to 3 gains +0.0 %: less than 5 %." in done.out
+    assert (
+        "**But more are better again:** 4 r gain +50.0 % over it, and 6, the most here, +100.0 %." in done.out
+    )
+
+
+def test_what_a_run_leaves_in_modules_of_the_project_is_gone_with_it(here: Here, work: Path) -> None:
+    counted = [studied(here, "--measure", "hall:calls", "--json", runs=3), None]
+    counted[1] = asemec(
+        *("optimise", "work.aseme", "--for", "2s", "--quicker", "1", "--runs", "3", "-j", "2", "--json"),
+        *("--measure", "hall:calls"),
+        cwd=work,
+    )
+    for done in counted:
+        assert done is not None
+        assert [run["measure"] for run in done.json["result"]["runs"]] == [1, 1, 1]
+
+
+@pytest.mark.parametrize("name", ["fraction", "decimal"])
+def test_numbers_of_other_kinds_are_numbers(here: Here, work: Path, name: str) -> None:
+    done = studied(here, "--measure", f"hall:{name}", "--json", runs=1)
+    assert done.json["result"]["rows"][0]["measure"]["mean"] == 2.5
+
+
+def test_a_truth_is_no_number(here: Here, work: Path) -> None:
+    done = studied(here, "--measure", "hall:truth", runs=1)
+    assert done.code == 1 and "hall:truth gave True, which is no number" in done.err
+
+
+def test_what_gave_a_number_only_sometimes_is_not_chosen(here: Here, work: Path) -> None:
+    done = studied(here, "--vary", "robot.speed=1,2", "--measure", "hall:few", runs=3)
+    assert "- 1 of 3 runs of robot.speed = 2 gave no number: hall:few said None." in done.out
+    assert "**Best: robot.speed = 1** with 3. Not judged" in done.out
+    assert re.search(r"\| 2 +\| 6 .*\| 2 of 3", done.out)
+
+
+def test_an_activity_that_takes_no_time_is_not_tried(here: Here, tmp_path: Path) -> None:
+    text = "liveness { robot = (Look . Go)~ }\n  activities { Look takes 0s  Go takes 1s }"
+    (tmp_path / "look.aseme").write_text(
+        f"system Look\nsrm robot {{\n  {text}\n}}\nteam Look {{ one : robot }}\n", "utf-8"
+    )
+    done = here(
+        *("optimise", tmp_path / "look.aseme", "--measure", "Go", "--runs", "1", "--for", "10s", "-j", "1"),
+        *("-o", tmp_path / "found"),
+    )
+    assert "**The bottleneck is Go.**" in done.out
+    assert "Not tried, for they take no time: Look." in done.out
+
+
+def test_lines_that_are_equal_are_one_and_the_ring_has_a_name(here: Here, trips: Path) -> None:
+    done = here(
+        *("optimise", trips, "--vary", "one.done=0,7,8,9,10", "--vary", "one.trips=2,1", "--measure", "Rest"),
+        *("--runs", "1", "--quicker", "1", "--for", "5s", "-j", "1", "-o", trips.parent / "found"),
+    )
+    assert done.code == 0, done.err
+    words = re.findall(r">([^<>]+)</text>", (trips.parent / "found" / "measure.svg").read_text("utf-8"))
+    assert "one.done = 7; one.done = 8; one.done = 9 and 1 more" in words or any(
+        "and 2 more" in w for w in words
+    )
+    assert "best" in words
+
+
+def test_the_report_for_programs_says_its_format(here: Here, feed: Path) -> None:
+    here("optimise", feed, "--measure", "Carry", "--runs", "1", "--for", "2s", "-o", feed.parent / "found")
+    assert json.loads((feed.parent / "found" / "report.json").read_text("utf-8"))["format"] == 1
