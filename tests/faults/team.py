@@ -149,7 +149,7 @@ class Started:
             return bool(condition()) or self.process.poll() is not None
 
         with contextlib.suppress(AssertionError):
-            wait_until(is_over, pause=0.02)
+            wait_until(is_over, pause=0.1)  # the traces are long
         assert condition(), "it did not happen:\n" + "\n".join(self.lines)
 
     def wait_for_talk(self) -> None:
