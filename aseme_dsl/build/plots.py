@@ -117,22 +117,29 @@ def _lines(
 
 
 def gains_plot(found: Sequence[Slower], times: float, what: str) -> bytes:
-    """A bar for each activity: what it would gain if it were so many times quicker.
+    """A bar for each activity, with its interval: what it would gain if it were so many times quicker.
 
     Raises:
         PlotsMissing: there is nothing to draw with.
     """
-    figure, axes = _figure(height=1.2 + 0.35 * len(found))
+    figure, axes = _figure(height=1.5 + 0.35 * len(found))
     names = [item.activity for item in found]
     places = range(len(found))
     colours = [_RED if item.is_bottleneck else _BLUE for item in found]
-    axes.barh(places, [100 * item.gain.mean for item in found], color=colours, height=0.6)
+    bars = axes.barh(places, [100 * item.gain.mean for item in found], color=colours, height=0.6)
+    slowest = [bar for bar, item in zip(bars, found, strict=True) if item.is_bottleneck]
+    called = "the bottleneck" if len(slowest) == 1 else "one of these is the bottleneck"
+    legend: dict[str, Any] = {called: slowest[0]} if slowest else {}
     for place, item in enumerate(found):
-        axes.plot([100 * item.gain.low, 100 * item.gain.high], [place, place], color=_GREY, linewidth=2)
+        if item.gain.low < item.gain.high:
+            ends = [100 * item.gain.low, 100 * item.gain.high]
+            (legend["95 %"],) = axes.plot(ends, [place, place], color=_GREY, linewidth=2)
     axes.set_yticks(list(places), names)
     axes.invert_yaxis()
     axes.axvline(0, color="#444444", linewidth=0.8)
     axes.set_xlabel(f"gain of {what} in %, if it were {times:g} times as quick")
+    if legend:
+        figure.legend(list(legend.values()), list(legend), loc="outside upper left", ncols=2, frameon=False)
     return _svg(figure)
 
 

@@ -384,6 +384,31 @@ def test_a_team_that_breaks_down_is_not_the_better_for_having_ended(here: Here, 
     assert "Such a run has no time." in timed.out
 
 
+def test_a_team_that_waits_for_ever_has_not_been_quick(here: Here, tmp_path: Path) -> None:
+    (tmp_path / "wait.aseme").write_text(
+        "system Waiting\nmessage Seen { bool ball }\ntopic eyes { state Seen }\n"
+        "srm robot {\n  liveness { robot = Look . Go }\n  activities { Look takes 1s  Go takes 1s }\n"
+        "  control robot { enter Go : [eyes.state.Seen.ball] }\n}\nteam Waiting { one : robot }\n",
+        "utf-8",
+    )
+    done = here(
+        *(
+            "optimise",
+            tmp_path / "wait.aseme",
+            "--measure",
+            "Look",
+            "--runs",
+            "1",
+            "--quicker",
+            "1",
+            "--json",
+        ),
+        *("-o", tmp_path / "found"),
+    )
+    (run,) = done.json["result"]["runs"]
+    assert (run["done"], run["measure"]) == ({"Look": 1}, 1)
+
+
 def test_reasons_that_are_not_those_of_all_runs_say_of_how_many(here: Here, falling: Path) -> None:
     done = here(
         *("optimise", falling, "--activities", falling.parent / "code", "--quicker", "1", "-j", "1"),
