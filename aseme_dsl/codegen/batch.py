@@ -47,6 +47,8 @@ class Array:
     dtype: str
     initial: bool | int | float = 0
     seen: bool = False
+    constants: tuple[tuple[str, int], ...] = ()
+    """Of an enum: their names and numbers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -629,17 +631,22 @@ class _ForNumba(_Translation):
         body = _Elements(self, in_loop=True).all(self.function.body)
         if body and body[-1] == "continue":
             del body[-1]
-        return [*_loop(name), *(f"        {line}" for line in body or ["pass"])]
+        return [*_loop(name), *(f"            {line}" for line in ("out[i] = False", *body))]
 
 
 def _calling_loop(name: str) -> list[str]:
     """The loop over all instances with a call, for what others call, too, or what is long."""
-    return [*_loop(name), f"        out[i] = do_{name}({ARGUMENTS})"]
+    return [*_loop(name), f"            out[i] = do_{name}({ARGUMENTS})"]
 
 
 def _loop(name: str) -> list[str]:
-    """How a loop over all instances begins; `out` is false everywhere."""
-    return ["@compiled", f"def each_{name}(out, {TABLES_AND_TIME}):", "    for i in range(len(out)):"]
+    """How a loop over all instances begins; `out` says which make the step, and then what came of it."""
+    return [
+        "@compiled",
+        f"def each_{name}(out, {TABLES_AND_TIME}):",
+        "    for i in range(len(out)):",
+        "        if out[i]:",
+    ]
 
 
 class _Elements(ast.NodeTransformer):

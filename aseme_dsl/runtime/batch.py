@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any, ClassVar, TypeAlias
 
-from aseme_dsl.runtime.plain import ROUNDS, Unsettled, leaves_of
+from aseme_dsl.runtime.plain import ROUNDS, Unsettled, leaves_of, unknown_event
 
 Selection: TypeAlias = Any
 """Which instances: their numbers, in an array; or a slice that is all of them."""
@@ -31,8 +31,21 @@ class BatchError(Exception):
 class BatchBoard:
     """The arrays that a program sees; one that is set is set element by element, or all to one value."""
 
-    def __init__(self, arrays: Mapping[str, Any]) -> None:
+    __slots__ = ("__constants", "__dict__")
+    __constants: Mapping[str, Mapping[str, int]]
+
+    def __init__(self, arrays: Mapping[str, Any], constants: Mapping[str, Mapping[str, int]]) -> None:
+        """`constants` are the numbers that the variables of enum types may have, by their names."""
+        object.__setattr__(self, "_BatchBoard__constants", constants)
         self.__dict__.update(arrays)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return BatchBoard, (self.__dict__, self.__constants)
+
+    def __repr__(self) -> str:
+        """For debuggers: the first and last values."""
+        with _numpy().printoptions(threshold=8, edgeitems=3):
+            return f"<{'; '.join(f'{name}: {array}' for name, array in self.__dict__.items())}>"
 
     def __setattr__(self, name: str, value: Any) -> None:
         array = self.__dict__.get(name)
@@ -50,6 +63,12 @@ class BatchBoard:
         if not fits:
             changed = given[fitting != given].flat[0]
             raise ValueError(f"{name} cannot be set: {changed} is no {_KINDS[array.dtype.kind]}")
+        constants = self.__constants.get(name)
+        if constants is not None:
+            others = fitting[~np.isin(fitting, list(constants.values()))]
+            if others.size:
+                known = ", ".join(f"{number} {constant}" for constant, number in constants.items())
+                raise ValueError(f"{name} cannot be set: {others.flat[0]} is none of {known}")
         array[:] = fitting
 
 
@@ -71,6 +90,8 @@ class Batch:
 
     ARRAYS: ClassVar[tuple[tuple[str, str, bool | int | float, bool], ...]] = ()
     """What the instances have one of each: name, NumPy type, first value, and whether it is on `bb`."""
+    CONSTANTS: ClassVar[Mapping[str, Mapping[str, int]]] = {}
+    """For each variable of an enum type, the numbers of its constants."""
     EVENTS: ClassVar[Mapping[str, str]] = {}
     """The methods that make a step with an event; with others a step is one without."""
     LEAVES: ClassVar[tuple[str, ...]] = ()
@@ -79,40 +100,75 @@ class Batch:
     END: ClassVar[int] = -1
     """These four are the plain class's."""
 
-    def __init__(self, size: int, engine: str = "numpy") -> None:
-        """`size` instances, not yet started.
+    def __init__(self, size: int, engine: str = "numpy", *, strict: bool = False) -> None:
+        """`size` instances, not yet started. `strict`: an event that no transition waits for is a mistake.
 
         Raises:
             BatchError: the engine is not installed, or there is none of that name.
+            TypeError: `size` is no whole number.
+            ValueError: `size` is negative.
         """
         np = _numpy()
         if engine not in ENGINES:
             raise BatchError(f"there is no engine {engine}; there are {', '.join(ENGINES)}")
-        self.size = size
+        self.size = self._checked(size)
         self.engine = engine
+        self.strict = strict
         self._now = 0
         self._is_started = False
         self.stuck: Any = None
         self._everybody = slice(None)
         self._leaves = tuple(map(leaves_of, self.LEAVES))
         # What numba looks at, an instance after the other, lies together; NumPy takes it array by array.
-        turned = engine == "numba"
         self._tables = []
-        seen: dict[str, Any] = {}
         for kind in TABLES:
-            members = [(name, first, is_seen) for name, dtype, first, is_seen in self.ARRAYS if dtype == kind]
-            shape = (size, len(members)) if turned else (len(members), size)
-            table = np.empty(shape, kind)
-            self._tables.append(table)
-            for place, (name, first, is_seen) in enumerate(members):
-                array = table[:, place] if turned else table[place]
-                array[:] = first
+            firsts = np.array([first for _, dtype, first, _ in self.ARRAYS if dtype == kind], kind)
+            table = np.empty((self.size, len(firsts)), kind, "C" if engine == "numba" else "F")
+            table[:] = firsts
+            self._tables.append(table if engine == "numba" else table.T)
+        self._share()
+
+    def _checked(self, size: int) -> int:
+        try:
+            count = operator.index(size)
+        except TypeError as error:
+            told = f"{type(self).__name__} wants a whole number of instances, not {size!r}"
+            raise TypeError(told) from error
+        if count < 0:
+            raise ValueError(f"{type(self).__name__} wants no instance or more, not {count}")
+        return count
+
+    def _share(self) -> None:
+        """Give each name its part of the tables."""
+        seen: dict[str, Any] = {}
+        for kind, table in zip(TABLES, self._tables, strict=True):
+            members = [(name, is_seen) for name, dtype, _, is_seen in self.ARRAYS if dtype == kind]
+            rows = table.T if self.engine == "numba" else table
+            for (name, is_seen), array in zip(members, rows, strict=True):
                 if is_seen:
                     seen[name] = array
                 else:
                     setattr(self, name, array)
-        self.bb: Any = BatchBoard(seen)
-        self._compiled = _compiled(type(self)) if engine == "numba" else None
+        self.bb: Any = BatchBoard(seen, self.CONSTANTS)
+        self._compiled = _compiled(type(self)) if self.engine == "numba" else None
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What a copy is made of: it has tables of its own, and begins as this one is."""
+        shared = {name for name, _, _, is_seen in self.ARRAYS if not is_seen} | {"bb", "_compiled"}
+        state = {name: value for name, value in self.__dict__.items() if name not in shared}
+        return {**state, "_tables": [table.copy() for table in self._tables]}
+
+    def __setstate__(self, state: Mapping[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._share()
+
+    def __repr__(self) -> str:
+        """For debuggers: in how many instances which states are active."""
+        said = f"{type(self).__name__} of {self.size}, {self.engine}"
+        if not self._is_started:
+            return f"<{said}: not started>"
+        active = [f"{count} at {label}" for label, count in self.counts().items() if count]
+        return f"<{said}: {', '.join(active)}>"
 
     @property
     def now(self) -> int:
@@ -133,56 +189,77 @@ class Batch:
         self._is_started = True
         self._run("start")
 
-    def send(self, event: str) -> Any:
-        """One step with an event for every instance; for each, whether anything was taken."""
-        return self._run(self.EVENTS.get(event, "step"))
+    def send(self, event: str, which: Any = True) -> Any:
+        """One step with an event; for each instance, whether anything was taken.
 
-    def step(self) -> Any:
-        """One step without an event for every instance; for each, whether anything was taken."""
-        return self._run("step")
+        `which` has a truth for each instance, or is one for all; the others stay as they are.
+
+        Raises:
+            TypeError: `which` has no truths, but perhaps the numbers of instances.
+            ValueError: `which` has fewer or more of them; or the batch is strict, and no transition waits for
+                the event.
+        """
+        name = self.EVENTS.get(event)
+        if name is None and self.strict:
+            raise unknown_event(type(self), event)
+        return self._run(name or "step", self._chosen(which))
+
+    def step(self, which: Any = True) -> Any:
+        """One step without an event; `which` and what is returned are as with `send`."""
+        return self._run("step", self._chosen(which))
 
     def done(self, label: str, which: Any) -> Any:
-        """One step, before which the activity of a BASIC state has returned in those instances where it runs.
+        """One step of `which`, before which the activity of a BASIC state has returned where it runs.
 
-        `which` has a truth for each instance, or is one for all.
+        `which` and what is returned are as with `send`: the others make no step.
 
         Raises:
             KeyError: the statechart has no such state, or can never be in it.
-            TypeError: `which` has no truths, but perhaps the numbers of instances.
-            ValueError: `which` has fewer or more of them.
+            TypeError, ValueError: as with `send`.
         """
-        np = _numpy()
-        self._check_started()
-        which = np.asarray(which)
-        if which.dtype != bool:
-            raise TypeError(f"which wants a truth for each instance, not values of type {which.dtype}")
-        _check_shape("which", which.shape, self.size)
+        chosen = self._chosen(which)
         found = self.RUNNING.get(label)
         if found is None:
             self.active(label)  # is it there?
-            return self.step()
+            return self._run("step", chosen)
         region, number = found
-        ended = which & self.active(label)
+        ended = chosen & self.active(label)
         if len(self._leaves[region]) > 1:
             slot = getattr(self, f"r{region}")
             ended &= slot == number
             slot[ended] = number + 1
-        return self.step()
+        return self._run("step", chosen)
 
     def _check_started(self) -> None:
         if not self._is_started:
             raise BatchError(f"{type(self).__name__} has not been started: call start() first")
 
-    def _run(self, name: str) -> Any:
+    def _chosen(self, which: Any) -> Any:
+        """A truth for each instance, or one for all."""
+        which = _numpy().asarray(which)
+        if which.dtype != bool:
+            raise TypeError(f"which wants a truth for each instance, not values of type {which.dtype}")
+        _check_shape("which", which.shape, self.size)
+        return which if which.shape == (self.size,) else which.reshape(())
+
+    def _run(self, name: str, which: Any = True) -> Any:
         self._check_started()
         np = _numpy()
-        if self._compiled is None:
-            moved = getattr(type(self), f"do_{name}")(self, self._everybody)
-        else:
-            moved = np.zeros(self.size, bool)
+        if self._compiled is not None:
+            moved = np.full(self.size, which)
             getattr(self._compiled, f"each_{name}")(moved, *self._tables, self.now)
+        else:
+            step = getattr(type(self), f"do_{name}")
+            with np.errstate(all="ignore"):  # as with Python's own numbers
+                if np.ndim(which) == 0 and which:
+                    moved = step(self, self._everybody)
+                else:
+                    moved = np.zeros(self.size, bool)
+                    chosen = np.flatnonzero(moved | which)
+                    moved[chosen] = step(self, chosen)
         if self.stuck.any():
             first = int(np.flatnonzero(self.stuck)[0])
+            self.stuck[:] = False
             active = ", ".join(self.configuration(first))
             raise Unsettled(f"instance {first} does not settle after {ROUNDS} rounds, at {active}")
         return moved
@@ -227,8 +304,14 @@ class Batch:
         return {label: int(self.active(label).sum()) for label in labels}
 
     def configuration(self, instance: int) -> tuple[str, ...]:
-        """The labels of an instance's active leaves, region by region in document order."""
+        """The labels of an instance's active leaves, region by region in document order.
+
+        Raises:
+            IndexError: there is no such instance.
+        """
         self._check_started()
+        if not -self.size <= instance < self.size:
+            raise IndexError(f"{type(self).__name__} of {self.size} has no instance {instance}")
         active: list[tuple[int, int]] = []
         stack = [0]
         while stack:

@@ -10,7 +10,7 @@ import copy
 from collections.abc import Callable
 from typing import Any, Generic, TypeVar
 
-from aseme_dsl.runtime.plain import Plain
+from aseme_dsl.runtime.plain import Plain, unknown_event
 
 Trace = Callable[[str, str, bool], object]
 """Told after each step which it was (`start`, `send`, `step`, `done`, `failed`), of what, if it took any."""
@@ -189,12 +189,7 @@ def _known(call: Callable[[str], T], chart: Plain) -> Callable[[str], T]:
 
     def checked(event: str) -> T:
         if event not in events:
-            from difflib import get_close_matches
-
-            near = get_close_matches(str(event), chart.EVENTS, 1)
-            known = "there is none" if not events else f"it waits for {', '.join(chart.EVENTS)}"
-            hint = f"did you mean {near[0]!r}?" if near else known
-            raise ValueError(f"{type(chart).__name__} waits for no event {event!r}; {hint}")
+            raise unknown_event(type(chart), event)
         return call(event)
 
     return checked

@@ -237,4 +237,15 @@ class Plain:
         return Unsettled(f"{type(self).__name__} does not settle after {ROUNDS} rounds, at {active}")
 
 
-__all__ = ["ABSENT", "NEVER", "ROUNDS", "ActivityFailed", "Plain", "Unsettled", "leaves_of"]
+def unknown_event(kind: type, event: str) -> ValueError:
+    """The error of an event that no transition waits for, of a class that has its `EVENTS`."""
+    from difflib import get_close_matches
+
+    events: tuple[str, ...] = tuple(getattr(kind, "EVENTS", ()))
+    near = get_close_matches(str(event), events, 1)
+    known = "there is none" if not events else f"it waits for {', '.join(events)}"
+    hint = f"did you mean {near[0]!r}?" if near else known
+    return ValueError(f"{kind.__name__} waits for no event {event!r}; {hint}")
+
+
+__all__ = ["ABSENT", "NEVER", "ROUNDS", "ActivityFailed", "Plain", "Unsettled", "leaves_of", "unknown_event"]

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import copy
 import os
+import pickle
 import random
 import subprocess
 import sys
+import warnings
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -46,6 +50,19 @@ srm robot {
     enter Wait : else / power = power + 0.25
     leave Kick : tick or after(20ms)
     leave Wait : tick
+  }
+}
+"""
+
+
+CIRCLES = """
+system Circles
+srm dancer {
+  var dizzy : bool = false
+  liveness { dancer = (Left . Right)~ }
+  control dancer {
+    enter Right : when [dizzy]
+    repeat (Left . Right) : when [dizzy]
   }
 }
 """
@@ -242,20 +259,7 @@ srm robot {
 
 
 def test_an_instance_that_does_not_settle_is_named(tmp_path: Path) -> None:
-    text = """
-system Circles
-srm dancer {
-  var dizzy : bool = false
-  liveness { dancer = (Left . Right)~ }
-  control dancer {
-    enter Right : when [dizzy]
-    leave Right : when [dizzy]
-    repeat (Left . Right) : when [dizzy]
-  }
-}
-"""
-    text = text.replace("    leave Right : when [dizzy]\n", "")
-    _, kind = made(system_of(text), tmp_path, "dancer")
+    _, kind = made(system_of(CIRCLES), tmp_path, "dancer")
     for engine in ("numpy", "numba"):
         with without_compiling():
             sys.modules.pop(f"{kind.__module__}_compiled", None)
@@ -468,3 +472,147 @@ srm R {
     robots.start()
     assert robots.send("go").tolist() == [True, True]
     assert (robots.bb.changed.tolist(), robots.bb.tracked.tolist()) == ([1, 1], [1, 1])
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_an_event_may_be_for_some_of_the_instances(tmp_path: Path, engine: str) -> None:
+    plain, kind = made(system_of(ROBOT), tmp_path, "robot")
+    together = Together(plain, kind, 4, (engine,))
+    together.start()
+    for instance in range(4):
+        together.set(instance, "seen", True)
+    together.send("tick", [True, False, True, False])
+    together.step([False, True, True, False])
+    together.send("tick", [False] * 4)
+    batch = together.batches[engine]
+    assert batch.send("tick", False).tolist() == [False] * 4
+    for wrong in ([0, 2], np.array([0, 1, 1, 0])):
+        with pytest.raises(TypeError, match="which wants a truth for each instance, not values of type"):
+            batch.send("tick", wrong)
+    with pytest.raises(ValueError, match="which wants one value for all, or an array of 4, not one of 3"):
+        batch.step([True] * 3)
+    together.send("tick")
+
+
+def test_a_misspelt_event_is_told_where_that_is_wanted(tmp_path: Path) -> None:
+    plain, kind = made(system_of(ROBOT), tmp_path, "robot")
+    assert tuple(kind.EVENTS) == plain.EVENTS
+    batch = kind(2)
+    batch.start()
+    assert not batch.send("tikc").any()
+    strict = kind(2, strict=True)
+    strict.start()
+    strict.send("tick")
+    with pytest.raises(ValueError, match=r"RobotBatch waits for no event 'tikc'; did you mean 'tick'\?"):
+        strict.send("tikc")
+    with pytest.raises(ValueError, match="RobotBatch waits for no event 'kick-off'; it waits for tick"):
+        strict.send("kick-off")
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_a_number_that_is_no_constant_of_its_enum_is_refused(tmp_path: Path, engine: str) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    with without_compiling():
+        batch = kind(3, engine)
+    batch.bb.mood = [0, 1, 1]
+    for wrong in (7, [0, 7, 1]):
+        with pytest.raises(ValueError, match="mood cannot be set: 7 is none of 0 CALM, 1 EAGER"):
+            batch.bb.mood = wrong
+    assert batch.bb.mood.tolist() == [0, 1, 1]
+
+
+def test_how_many_instances_there_are_is_a_number(tmp_path: Path) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    with pytest.raises(ValueError, match="RobotBatch wants no instance or more, not -1"):
+        kind(-1)
+    for wrong in ("10", 1e4):
+        with pytest.raises(TypeError, match=f"RobotBatch wants a whole number of instances, not {wrong!r}"):
+            kind(wrong)
+    none = kind(np.int64(0))
+    none.start()
+    assert none.send("tick").shape == (0,)
+    with pytest.raises(IndexError, match="RobotBatch of 0 has no instance 0"):
+        none.configuration(0)
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_a_debugger_shows_what_is_active(tmp_path: Path, engine: str) -> None:
+    _, kind = made(system_of(ROBOT), tmp_path, "robot")
+    with without_compiling():
+        batch = kind(3, engine)
+        assert repr(batch) == f"<RobotBatch of 3, {engine}: not started>"
+        batch.start()
+        batch.bb.seen = [True, False, True]
+        batch.send("tick")
+    first, second = batch.configuration(0)[1], batch.configuration(1)[1]
+    assert f"<RobotBatch of 3, {engine}: " in repr(batch)
+    assert f"1 at {second}, 2 at {first}" in repr(batch)
+    assert "seen: [ True False  True]; near: [False False False]" in repr(batch.bb)
+    assert len(repr(kind(100_000).bb)) < 500
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@pytest.mark.parametrize("means", [copy.copy, copy.deepcopy, lambda batch: pickle.loads(pickle.dumps(batch))])
+def test_a_copy_goes_on_alone(tmp_path: Path, engine: str, means: Any) -> None:
+    plain, kind = made(system_of(ROBOT), tmp_path, "robot")
+    with without_compiling():
+        together = Together(plain, kind, 3, (engine,))
+        batch = together.batches[engine]
+        together.start()
+        together.time(7)
+        together.set(1, "seen", True)
+        together.send("tick")
+        before = [batch.configuration(instance) for instance in range(3)]
+        other = means(batch)
+        together.batches[engine] = other
+        together.compare("copy")
+        table, row = other.table("near")
+        table[row] = [True, False, True]
+        assert other.bb.near.tolist() == [True, False, True] and not batch.bb.near.any()
+        other.bb.near = False
+        together.set(0, "seen", True)
+        together.send("tick")
+        assert [batch.configuration(instance) for instance in range(3)] == before
+        assert not batch.bb.seen[0] and (other.now, other.size) == (7, 3)
+        board = copy.deepcopy(batch.bb)
+        board.seen = True
+        assert not batch.bb.seen[0]
+        with pytest.raises(ValueError, match="mood cannot be set"):
+            board.mood = 9
+
+
+def test_numbers_that_get_too_large_are_as_silent_as_in_python(tmp_path: Path) -> None:
+    text = """
+system Sums
+srm adder {
+  var real : double = 1.0
+  var less : double = 0.0
+  liveness { adder = (A . B)~ }
+  control adder {
+    enter B : go / real = real * real; less = real - real
+    repeat (A . B) :
+  }
+}
+"""
+    plain, kind = made(system_of(text), tmp_path, "adder")
+    one, batch = plain(), kind(2)
+    one.bb.real = batch.bb.real = 1e300
+    one.start()
+    batch.start()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for _ in range(2):
+            one.send("go")
+            batch.send("go")
+    assert repr(batch.bb.real.tolist()) == repr([one.bb.real] * 2) == "[inf, inf]"
+    assert repr(batch.bb.less.tolist()) == repr([one.bb.less] * 2)
+
+
+def test_an_instance_that_did_not_settle_does_not_stop_the_others_later(tmp_path: Path) -> None:
+    _, kind = made(system_of(CIRCLES), tmp_path, "dancer")
+    batch = kind(3)
+    batch.start()
+    batch.bb.dizzy = [False, True, False]
+    with pytest.raises(Unsettled, match="instance 1"):
+        batch.send("turn")
+    assert batch.send("turn", [True, False, True]).tolist() == [False] * 3

@@ -127,6 +127,11 @@ def play(folder: Path, choices: Choices) -> Iterator[Together]:
             if labels and choices.one_in(3):
                 which = [choices.one_in(2) for _ in range(SIZE)]
                 together.done(choices.one_of(labels), which)
+            elif choices.one_in(3):
+                which = [choices.one_in(2) for _ in range(SIZE)]
+                together.send(choices.one_of(together.events), which)
+            elif choices.one_in(4):
+                together.step([choices.one_in(2) for _ in range(SIZE)])
             else:
                 together.send(choices.one_of(together.events))
     except Unsettled:

@@ -84,11 +84,30 @@ class Together:
         for batch in self.batches.values():
             batch.now = now
 
-    def send(self, event: str) -> None:
-        moved = [chart.send(event) for chart in self.scalars]
+    def send(self, event: str, which: list[bool] | None = None) -> None:
+        """One step of these instances, or of all; the others must stay entirely as they are."""
+        chosen = [True] * len(self.scalars) if which is None else which
+        moved = [yes and chart.send(event) for chart, yes in zip(self.scalars, chosen, strict=True)]
         for engine, batch in self.batches.items():
-            assert batch.send(event).tolist() == moved, f"{engine}: {event}"
+            before = [table.copy() for table in batch._tables]
+            found = batch.send(event) if which is None else batch.send(event, which)
+            assert found.tolist() == moved, f"{engine}: {event}"
+            self.same_but(engine, before, chosen)
         self.compare(event)
+
+    def step(self, which: list[bool]) -> None:
+        moved = [yes and chart.step() for chart, yes in zip(self.scalars, which, strict=True)]
+        for engine, batch in self.batches.items():
+            before = [table.copy() for table in batch._tables]
+            assert batch.step(which).tolist() == moved, engine
+            self.same_but(engine, before, which)
+        self.compare("step")
+
+    def same_but(self, engine: str, before: list[Any], which: list[bool]) -> None:
+        for old, new in zip(before, self.batches[engine]._tables, strict=True):
+            rows = (old, new) if engine == "numba" else (old.T, new.T)
+            for one, other, may_change in zip(*rows, which, strict=True):
+                assert may_change or (one == other).all(), f"{engine}: it has changed, and made no step"
 
     def done(self, label: str, which: list[bool]) -> None:
         import numpy as np
@@ -96,10 +115,10 @@ class Together:
         for chart, ended in zip(self.scalars, which, strict=True):
             if ended:
                 chart.done(label)
-            else:
-                chart.step()
-        for batch in self.batches.values():
+        for engine, batch in self.batches.items():
+            before = [table.copy() for table in batch._tables]
             batch.done(label, np.array(which))
+            self.same_but(engine, before, which)
         self.compare(f"done {label}")
 
     def compare(self, what: str) -> None:

@@ -97,7 +97,8 @@ def _array(system: System, variable: Variable) -> Array:
     enum = system.enum(variable.type.name)
     first = value if enum is None else dict(enum.constants)[str(value)]
     assert not isinstance(first, str)
-    return Array(variable.name, _TYPES[variable.type.kind], first, seen=True)
+    constants = () if enum is None else enum.constants
+    return Array(variable.name, _TYPES[variable.type.kind], first, seen=True, constants=constants)
 
 
 def problems_of(chart: Statechart, system: System) -> Iterator[Diagnostic]:
