@@ -39,7 +39,7 @@ class Untried:
     without_code: tuple[str, ...] = ()
     """They have neither code nor a `takes`: how long they last is said by nobody."""
     no_time: tuple[str, ...] = ()
-    """They take no time."""
+    """They say `takes 0s`."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -302,7 +302,7 @@ def _bottleneck(study: Study) -> list[str]:
     for names, why in (
         (untried.by_code, "for how long they last is said by their code or the world, and not by a `takes`"),
         (untried.without_code, "for they have neither code nor a `takes`, and how long they last is made up"),
-        (untried.no_time, "for they take no time"),
+        (untried.no_time, "for their `takes` is 0s"),
     ):
         if names:
             lines += ["", f"Not tried, {why}: {', '.join(names)}."]

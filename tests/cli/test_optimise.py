@@ -624,7 +624,7 @@ def test_an_activity_that_takes_no_time_is_not_tried(here: Here, tmp_path: Path)
         *("-o", tmp_path / "found"),
     )
     assert "**The bottleneck is Go.**" in done.out
-    assert "Not tried, for they take no time: Look." in done.out
+    assert "Not tried, for their `takes` is 0s: Look." in done.out
 
 
 def test_lines_that_are_equal_are_one_and_the_ring_has_a_name(here: Here, trips: Path) -> None:
