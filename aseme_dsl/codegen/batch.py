@@ -66,12 +66,12 @@ class BatchCode:
     """Functions of an instance, each before those that call it; and the loops over all instances."""
 
 
-def generate_batch(code: PlainCode, variables: Sequence[Array], constants: Mapping[str, int]) -> BatchCode:
+def generate_batch(code: PlainCode, variables: Sequence[Array]) -> BatchCode:
     """Both translations of a plain class that has no functions, messages or faults.
 
-    `variables` are those on its blackboard, `constants` the numbers of enum constants by their names there.
+    `variables` are those on its blackboard.
     """
-    functions = _functions(code, constants)
+    functions = _functions(code)
     arrays = [*variables, *_slots(code, variables), Array("stuck", "?")]
     owners = {("bb" if item.seen else "self", item.name): item for item in arrays}
     kinds = {key: item.dtype for key, item in owners.items()}
@@ -124,10 +124,10 @@ class _Known:
     """Where numba finds it."""
 
 
-def _functions(code: PlainCode, constants: Mapping[str, int]) -> dict[str, _Function]:
+def _functions(code: PlainCode) -> dict[str, _Function]:
     """The step of each mode (`start`, `step`, `on_EVENT`) and the methods that they call, by name."""
     tree = _WithoutFaults().visit(
-        _Constants({**constants, "ROUNDS": ROUNDS}).visit(ast.parse("\n".join(code.body)))
+        _Constants({**dict(code.numbers), "ROUNDS": ROUNDS}).visit(ast.parse("\n".join(code.body)))
     )
     (written,) = (node for node in tree.body if isinstance(node, ast.ClassDef))
     methods = {node.name: node for node in written.body if isinstance(node, ast.FunctionDef)}

@@ -6,7 +6,7 @@ condition under which it is true, its negation as the one under which it is fals
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
@@ -42,7 +42,7 @@ from aseme_dsl.amola.expression import (
     VariableValue,
     walk,
 )
-from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, Type, list_of
+from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, EnumType, Type, list_of
 
 Known = Mapping[str, str]
 """Slots that are known to hold a message at this point, with the local name of the message."""
@@ -93,7 +93,10 @@ class Names:
     """The code that reads each variable."""
     fields: Mapping[tuple[str, str], tuple[bool, str]] = field(default_factory=dict)
     """For (message, field) whether it may be absent in a message that is there, and its type's name."""
+    constants: Mapping[tuple[str, str], str] = field(default_factory=dict)
+    """The names of the constants of enums."""
     enums: set[tuple[str, str]] = field(default_factory=set)
+    """The enums' constants that are used."""
     outcomes: Callable[[str], tuple[str, ...]] = _none
     """The states whose outcome is asked for by an activity's name."""
     last_outcome: Callable[[tuple[str, ...]], str] = _of_engine
@@ -122,9 +125,21 @@ def function_key(call: Call) -> str:
     return f"{call.function.name}({', '.join(str(kind) for _, kind in call.function.parameters)})"
 
 
-def enum_name(enum: str, constant: str) -> str:
-    """The module-level name of an enum constant: a global is read faster than an enum's attribute."""
-    return f"{enum}_{constant}"
+def constant_names(enums: Iterable[EnumType], taken: Iterable[str]) -> dict[tuple[str, str], str]:
+    """The module-level names of enum constants: a global is read faster than an enum's attribute.
+
+    Each has its own, and none of those that are taken: `A.B_C` is `A_B_C`, and `A_B.C` is `A_B_C_` then.
+    """
+    names: dict[tuple[str, str], str] = {}
+    known = set(taken)
+    for enum in enums:
+        for constant, _ in enum.constants:
+            name = f"{enum.name}_{constant}"
+            while name in known:
+                name += "_"
+            known.add(name)
+            names[enum.name, constant] = name
+    return names
 
 
 def holds(value: Value, names: Names, known: Known = NOTHING) -> tuple[str, Known]:
@@ -208,7 +223,7 @@ def evaluate(value: Value, names: Names, known: Known = NOTHING) -> Piece:
             return Piece(repr(constant), known=known)
         case EnumConstant(constant=constant, type=kind):
             names.enums.add((kind.name, constant))
-            return Piece(enum_name(kind.name, constant), known=known)
+            return Piece(names.constants[kind.name, constant], known=known)
         case ParameterValue(name=name):
             raise AssertionError(f"{name} is replaced where its formula is expanded")
         case VariableValue(name=name, type=kind):

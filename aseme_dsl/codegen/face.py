@@ -7,7 +7,7 @@ no agents (`plain.py`).
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -16,7 +16,7 @@ from aseme_dsl.amola.meant import states_meant
 from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Variable, transition_text
 from aseme_dsl.amola.system import System
-from aseme_dsl.codegen.expressions import NOTHING, Known, Names, Piece, enum_name, evaluate, holds
+from aseme_dsl.codegen.expressions import NOTHING, Known, Names, Piece, constant_names, evaluate, holds
 from aseme_dsl.codegen.flat import FlatChart
 from aseme_dsl.codegen.place import place
 
@@ -63,11 +63,14 @@ class Method:
 class Face:
     """A statechart on its way to a class: what both faces ask and write."""
 
-    def __init__(self, system: System, chart: Statechart, flat: FlatChart) -> None:
+    def __init__(self, system: System, chart: Statechart, flat: FlatChart, taken: Iterable[str]) -> None:
+        """`taken` are names that mean something in the module, besides those of messages and enums."""
         self.system = system
         self.chart = chart
         self.flat = flat
         self.identifiers = Identifiers()
+        self.document_types = {item.name for item in system.messages} | {item.name for item in system.enums}
+        self.constants = constant_names(system.enums, {*self.document_types, *taken})
         self.enums: set[tuple[str, str]] = set()
         self.messages: set[str] = set()
         self.methods: list[list[str]] = []
@@ -119,7 +122,7 @@ class Face:
         if variable.type.kind is Kind.ENUM:
             constant = str(value)
             self.enums.add((variable.type.name, constant))
-            return enum_name(variable.type.name, constant)
+            return self.constants[variable.type.name, constant]
         return repr(float(value)) if variable.type.kind is Kind.DOUBLE else repr(value)
 
     def _leaf_title(self, leaf: Node, number: int) -> str:

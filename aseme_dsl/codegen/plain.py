@@ -47,7 +47,6 @@ from aseme_dsl.codegen.expressions import (
     Names,
     Piece,
     converted,
-    enum_name,
     evaluate,
     function_key,
     may_fail,
@@ -140,6 +139,8 @@ class PlainCode:
     """What it imports of these, `Any as Any_` where a name is taken."""
     constants: tuple[tuple[str, str], ...]
     """Module-level names of enum constants with the expression they stand for."""
+    numbers: tuple[tuple[str, int], ...]
+    """The same names with the numbers of these constants."""
     functions: tuple[tuple[str, tuple[str, str, str]], ...]
     """Module-level names of functions, each with the target, the name in errors and the declared result."""
     board: tuple[str, ...]
@@ -273,7 +274,8 @@ class _Generator(Face):
         self, system: System, chart: Statechart, class_name: str, options: PlainOptions, board_name: str
     ) -> None:
         self.rests = resting(chart, watched=options.watched)
-        super().__init__(system, chart, FlatChart(chart, system.activities, self.rests.width))
+        taken = {*TAKEN, class_name, f"Watched{class_name}", board_name}
+        super().__init__(system, chart, FlatChart(chart, system.activities, self.rests.width), taken)
         self.truths = frozenset(
             region.number
             for region in self.flat.regions
@@ -282,7 +284,6 @@ class _Generator(Face):
         """The regions with two leaves, of which neither has two numbers."""
         self.class_name = class_name
         self.board_name = board_name
-        self.document_types = {item.name for item in system.messages} | {item.name for item in system.enums}
         self.options = options
         self.board_names = Identifiers()
         # The blackboard of the watched class is that of the other one, which may have these.
@@ -382,7 +383,8 @@ class _Generator(Face):
 
     def _names(self, region: int, prefix: str = "") -> Names:
         variables = self.names[region]
-        names = Names(self.seen, variables, self.fields, self.enums, called=self._called_by, prefix=prefix)
+        names = Names(self.seen, variables, self.fields, self.constants, self.enums, prefix=prefix)
+        names.called = self._called_by
         names.now = _NOW
         names.timer = lambda timer: f"self.{self._timer(region, timer)}"
         names.last_outcome = lambda labels: f"self.{self._outcome(labels)}"
@@ -805,9 +807,11 @@ class _Generator(Face):
         board = tuple(self._board())
         body = [line for method in [head, *methods] for line in [*method, ""]]
         constants = tuple(
-            (enum_name(enum, constant), f"{self._imported(enum)}.{constant}")
+            (self.constants[enum, constant], f"{self._imported(enum)}.{constant}")
             for enum, constant in sorted(self.enums)
         )
+        known = {(enum.name, name): number for enum in self.system.enums for name, number in enum.constants}
+        numbers = tuple((self.constants[item], known[item]) for item in sorted(self.enums))
         functions = tuple(sorted(self.functions.items()))
         used = self.messages | {enum for enum, _ in self.enums}
         return PlainCode(
@@ -817,6 +821,7 @@ class _Generator(Face):
                 name if name not in TAKEN else f"{name} as {self._imported(name)}" for name in sorted(used)
             ),
             constants,
+            numbers,
             functions,
             board,
             tuple(body),

@@ -59,7 +59,6 @@ from aseme_dsl.codegen.expressions import (
     Names,
     Piece,
     converted,
-    enum_name,
     evaluate,
     holds,
 )
@@ -107,7 +106,7 @@ class _Body:
 
 class _Generator(Face):
     def __init__(self, system: System, chart: Statechart, class_name: str) -> None:
-        super().__init__(system, chart, FlatChart(chart, system.activities))
+        super().__init__(system, chart, FlatChart(chart, system.activities), (class_name,))
         self.class_name = class_name
         self.published: set[str] = set()
         self.slots = {region.number: self._region_slots(region.number) for region in self.flat.regions}
@@ -164,7 +163,7 @@ class _Generator(Face):
 
     def _names(self, region: int, prefix: str = "") -> Names:
         variables = {name: f"self.{self._variable(name, region)}" for name in self.variables}
-        return Names(self.seen[region], variables, self.fields, self.enums, prefix=prefix)
+        return Names(self.seen[region], variables, self.fields, self.constants, self.enums, prefix=prefix)
 
     def _held(self, region: int) -> tuple[str, str]:
         return f"b: Board{region}, now: int", "b, now"
@@ -194,7 +193,7 @@ class _Generator(Face):
         boards = [line for region in self.flat.regions for line in self._board(region.number)]
         body = [line for method in [self._head(), *self.methods] for line in [*method, ""]]
         constants = tuple(
-            (enum_name(enum, constant), f"{enum}.{constant}") for enum, constant in sorted(self.enums)
+            (self.constants[enum, constant], f"{enum}.{constant}") for enum, constant in sorted(self.enums)
         )
         used = self.messages | {enum for enum, _ in self.enums} | self.published
         return StepCode(

@@ -27,7 +27,6 @@ from aseme_dsl.backends.backend import Artefact, BackendOptions, Refused
 from aseme_dsl.backends.plain.generate import module_of, refusals
 from aseme_dsl.backends.shared.generate import environment, rendered, source_of, tidy
 from aseme_dsl.codegen.batch import Array, BatchCode, generate_batch
-from aseme_dsl.codegen.expressions import enum_name
 from aseme_dsl.codegen.plain import PlainOptions, generate_plain
 from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic
@@ -86,10 +85,7 @@ def _uses(code: BatchCode, name: str) -> bool:
 
 def _code(system: System, chart: Statechart) -> BatchCode:
     code = generate_plain(system, chart, class_name(chart.name), PlainOptions(tables=False, gates=False))
-    constants = {
-        enum_name(enum.name, constant): number for enum in system.enums for constant, number in enum.constants
-    }
-    return generate_batch(code, [_array(system, item) for item in chart.variables], constants)
+    return generate_batch(code, [_array(system, item) for item in chart.variables])
 
 
 def _array(system: System, variable: Variable) -> Array:
