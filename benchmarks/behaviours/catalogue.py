@@ -292,6 +292,102 @@ def switch() -> Behaviour:
     return Behaviour("switch", "a small machine, many times", counting(root), (), steps)
 
 
+def loop() -> Behaviour:
+    """`(A . B)~`: two activities in turn, driven by their ends."""
+    root = one_of("loop", basic("A", Transition("a_done", "B")), basic("B", Transition("b_done", "A")))
+    ends = (("a_done", "A"), ("b_done", "B"))
+    steps = alternating("a_done", "b_done")
+    return Behaviour("loop", "a loop of two activities", counting(root), (), steps, ends=ends)
+
+
+LOOPS = 8
+FIRST_BALL, BALL_EVERY = 37, 19
+"""The step before which the first message comes, and after how many there is another one."""
+CLOSING = 2 * LOOPS
+"""With so many steps at the end, all loops come back to where they began."""
+
+
+def loops() -> Behaviour:
+    """Eight times `(A . B)~` in parallel, driven by the ends of activities, which come in any order.
+
+    In the first one, B waits for a message that says that the ball is near, and is absent at first: meanwhile
+    it is remembered that A has ended.
+    """
+
+    def region(number: int) -> State:
+        a, b = f"A{number}", f"B{number}"
+        waiting = (basic(f"A{number}_ended", Transition("", b, (("ball.near", True),))),)
+        return one_of(
+            f"r{number}",
+            basic(a, Transition(f"a{number}_done", b if number > 1 else waiting[0].name)),
+            *(waiting if number == 1 else ()),
+            basic(b, Transition(f"b{number}_done", a)),
+        )
+
+    numbers = range(1, LOOPS + 1)
+    root = one_of("loops", all_of("all", *map(region, numbers)))
+    return Behaviour(
+        "loops",
+        "eight loops, one waits for a message",
+        counting(root, but=("A1_ended",)),
+        (),
+        _ends_of_loops(),
+        messages=(("ball", "near"),),
+        ends=tuple(
+            (f"{kind.lower()}{number}_done", f"{kind}{number}") for number in numbers for kind in "AB"
+        ),
+        ended=(("A1_ended", "A1"),),
+    )
+
+
+def _ends_of_loops() -> tuple[tuple[str, Change], ...]:
+    """The ends of activities that run, and whether the ball is near."""
+    random = Random(SEED)
+    is_b = dict.fromkeys(range(1, LOOPS + 1), False)
+    is_waiting = is_near = False
+    steps: list[tuple[str, Change]] = []
+
+    def step(number: int, *near: bool) -> None:
+        nonlocal is_waiting, is_near
+        is_near = near[0] if near else is_near
+        event = f"{'b' if is_b[number] else 'a'}{number}_done"
+        steps.append((event, tuple(("ball.near", value) for value in near)))
+        if number == 1 and not is_b[1]:
+            is_waiting = True
+        else:
+            is_b[number] = not is_b[number]
+        if is_waiting and is_near:
+            is_waiting, is_b[1] = False, True
+
+    while len(steps) < STEPS - CLOSING:
+        comes = len(steps) >= FIRST_BALL and (len(steps) - FIRST_BALL) % BALL_EVERY == 0
+        running = [number for number in is_b if not (number == 1 and is_waiting)]
+        step(random.choice(running), *((random.random() < 0.5,) if comes else ()))
+    step(2, True)  # what waits goes on, and has to end like all that has begun
+    for number in reversed(is_b):
+        if is_b[number]:
+            step(number)
+    while len(steps) < STEPS - 1:
+        step(2)
+    step(2, False)
+    assert not any(is_b.values()), "the first step comes after the last one"
+    return tuple(steps)
+
+
+def lamps(number: int) -> Behaviour:
+    """So many regions of two states in parallel, of which a program has very many."""
+    region = [
+        one_of(
+            f"lamp{place}",
+            basic(f"off{place}", Transition("toggle", f"on{place}")),
+            basic(f"on{place}", Transition("toggle", f"off{place}")),
+        )
+        for place in range(1, number + 1)
+    ]
+    root = one_of(f"lamps_{number}", all_of("lamps", *region))
+    return Behaviour(f"lamps_{number}", f"{number} lamps", root, (), alternating("toggle"))
+
+
 BEHAVIOURS = {
     behaviour.name: behaviour
     for behaviour in (
@@ -301,8 +397,13 @@ BEHAVIOURS = {
         regions(),
         player(),
         idle(),
+        loop(),
+        loops(),
         ring(100),
         ring(1000),
         switch(),
     )
 }
+
+MANY = {1: BEHAVIOURS["switch"], 8: BEHAVIOURS["regions"], 64: lamps(64)}
+"""Those of which there are very many at once, by the number of their regions."""

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from aseme_dsl.build import course as recorded
-from aseme_dsl.runtime.inputs import Happened, Written
+from aseme_dsl.runtime.inputs import Arrived, Completed, Happened, Input, Written
 from aseme_dsl.runtime.plan import Plan
-from benchmarks.behaviours.aseme import labels, text_of
-from benchmarks.behaviours.description import Behaviour
+from benchmarks.behaviours.aseme import camel, channel, labels, names, text_of
+from benchmarks.behaviours.description import Behaviour, Change
 from tests.oracle.interpreter import Reference
 from tests.support.generated import generate
 
@@ -60,21 +60,36 @@ def course_of(behaviour: Behaviour, steps: int) -> Course:
     """Interpret the text of the behaviour for so many steps."""
     made = generate(text_of(behaviour))
     reference = Counting(made.plan(behaviour.name), "agent", {})
-    names = {label: name for name, label in labels(behaviour).items()}
+    called = names(behaviour)
+    label = labels(behaviour)
+    ends = dict(behaviour.ends)
     basic = {state.name for state in behaviour.states if state.kind == "basic"}
 
     def active() -> tuple[str, ...]:
-        return tuple(names[label] for label in reference.configuration() if names.get(label) in basic)
+        return tuple(called[here] for here in reference.configuration() if called.get(here) in basic)
+
+    def written(change: Change, now: int) -> Iterator[Input]:
+        for name, value in change:
+            message, dot, member = name.partition(".")
+            if dot:
+                arrived = made.message(camel(message), **{member: value})
+                yield Arrived(channel(message), arrived, "camera", now, ("camera", now))
+            else:
+                yield Written(name, value)
+
+    def given(event: str) -> Input:
+        if event not in ends:
+            return Happened(event)
+        state = label[ends[event]]
+        return Completed(state, reference.token.get(state, 0))
 
     reference.step(0, [])
     leaves = [active()]
     for number in range(steps):
         event, change = behaviour.steps[number % len(behaviour.steps)]
-        written = [Written(flag, value) for flag, value in change]
-        reference.step(number + 1, [*written, Happened(event)])
+        reference.step(number + 1, [*written(change, number + 1), given(event)])
         leaves.append(active())
     below = [state.name for state in behaviour.states[1:]]
-    label = labels(behaviour)
     return Course(
         {name: reference.entries_of.get(label[name], 0) for name in below},
         {name: reference.exits_of.get(label[name], 0) for name in below},

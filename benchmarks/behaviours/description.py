@@ -3,6 +3,10 @@
 The data says nothing that SCXML and the language of this project read differently (semantics: an event is
 spent per region here, per event there). What enters or leaves parallel regions has an event of its own,
 and one that no transition inside these regions waits for: so one event moves every region at most once.
+
+What this project has and others do not is told them as their users write it. The end of an activity is an
+event that is named after it. A state whose activity has ended, and which waits for a condition, is a state of
+its own (`Behaviour.ended`). A message is a value of the blackboard, which is nothing (`None`) at first.
 """
 
 from __future__ import annotations
@@ -18,10 +22,16 @@ Action = tuple[str, ...] | tuple[str, str, bool]
 over the dictionary `bb`."""
 
 Guard = tuple[tuple[str, bool | str], ...]
-"""The flags that must have these values; with the name "", a condition in Python over the dictionary `bb`."""
+"""The flags that must have these values; with the name "", a condition in Python over the dictionary `bb`.
+
+`ball.near` is the member `near` of the message `ball`: that does not hold while there is no such message.
+"""
 
 Change = tuple[tuple[str, bool | str], ...]
-"""The flags that the program around the statechart sets before an event; a value may be one in Python."""
+"""The flags that the program around the statechart sets before an event; a value may be one in Python.
+
+With `ball.near`, it has got a message `ball`, whose `near` has this value.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +74,12 @@ class Behaviour:
     """What conditions call, by the name that it has there: `module:function`."""
     path: tuple[str, ...] = ()
     """The folders in which these modules are found."""
+    messages: tuple[tuple[str, str], ...] = ()
+    """The messages that conditions read: the name of each and of its only member, a truth."""
+    ends: tuple[tuple[str, str], ...] = ()
+    """Events that are ends of activities, with the state of each; if there are any, all events are such."""
+    ended: tuple[tuple[str, str], ...] = ()
+    """States that stand for others whose activity has ended: their names, and the others'."""
 
     @property
     def counters(self) -> tuple[str, ...]:
@@ -109,23 +125,29 @@ def left(name: str) -> str:
     return f"left_{name}"
 
 
-def counting(state: State) -> State:
-    """The same tree in which each basic state counts its entries, before anything else that it does."""
-    children = tuple(counting(child) for child in state.children)
-    entry = (("count", entered(state.name)), *state.entry) if state.kind == "basic" else state.entry
+def counting(state: State, but: tuple[str, ...] = ()) -> State:
+    """The same tree in which each basic state, but for some, counts its entries before all else it does."""
+    children = tuple(counting(child, but) for child in state.children)
+    is_counted = state.kind == "basic" and state.name not in but
+    entry = (("count", entered(state.name)), *state.entry) if is_counted else state.entry
     return replace(state, children=children, entry=entry)
 
 
 def instrumented(behaviour: Behaviour) -> Behaviour:
-    """The same behaviour in which each state below the root counts its entries and its exits."""
+    """The same behaviour in which each state below the root counts its entries and its exits.
+
+    One that has ended, and waits, is entered before, and left afterwards.
+    """
+    ended = dict(behaviour.ended)
 
     def count(state: State) -> State:
         others = tuple(action for action in state.entry if action[0] != "count")
+        is_entered, is_left = state.name not in ended, state.name not in ended.values()
         return replace(
             state,
             children=tuple(count(child) for child in state.children),
-            entry=(("count", entered(state.name)), *others),
-            exit=(("count", left(state.name)), *state.exit),
+            entry=(("count", entered(state.name)), *others) if is_entered else others,
+            exit=(("count", left(ended.get(state.name, state.name))), *state.exit) if is_left else state.exit,
         )
 
     root = replace(behaviour.root, children=tuple(count(child) for child in behaviour.root.children))
@@ -162,6 +184,9 @@ def as_json(behaviour: Behaviour) -> dict[str, Any]:
         "values": [list(item) for item in behaviour.values],
         "functions": [list(item) for item in behaviour.functions],
         "path": list(behaviour.path),
+        "messages": [list(item) for item in behaviour.messages],
+        "ends": [list(item) for item in behaviour.ends],
+        "ended": [list(item) for item in behaviour.ended],
     }
 
 
@@ -186,9 +211,19 @@ def from_json(data: dict[str, Any]) -> Behaviour:
             ),
         )
 
-    steps = tuple((event, tuple((flag, value) for flag, value in change)) for event, change in data["steps"])
-    values = tuple((name, value) for name, value in data["values"])
-    functions = tuple((name, target) for name, target in data["functions"])
-    path = tuple(data["path"])
-    root = state(data["root"])
-    return Behaviour(data["name"], "", root, tuple(data["flags"]), steps, values, functions, path)
+    def pairs(key: str) -> tuple[tuple[str, str], ...]:
+        return tuple((one, other) for one, other in data[key])
+
+    return Behaviour(
+        data["name"],
+        "",
+        state(data["root"]),
+        tuple(data["flags"]),
+        tuple((event, tuple((flag, value) for flag, value in change)) for event, change in data["steps"]),
+        values=pairs("values"),
+        functions=pairs("functions"),
+        path=tuple(data["path"]),
+        messages=pairs("messages"),
+        ends=pairs("ends"),
+        ended=pairs("ended"),
+    )

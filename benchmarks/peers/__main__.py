@@ -3,7 +3,7 @@
 Every contender has to reproduce the entries and exits of the reference interpreter before it is timed. The
 peers are installed into an environment of their own below `build/peers`, where the report is written, too.
 
-    python -m benchmarks.peers                  all that is measured (about six minutes)
+    python -m benchmarks.peers                  all that is measured (about ten minutes)
     python -m benchmarks.peers --without-peers  ours and the code by hand
     python -m benchmarks.peers --only player idle
     python -m benchmarks.peers --file FILE [--role ROLE] [--inputs TRACE]   the roles of anybody's file
@@ -21,12 +21,23 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from benchmarks.behaviours.catalogue import BEHAVIOURS
+from benchmarks.behaviours.catalogue import BEHAVIOURS, MANY
 from benchmarks.behaviours.counts import Course, course_of
 from benchmarks.behaviours.description import Behaviour, as_json
 from benchmarks.peers.compiling import compiled_into, compiled_natively
-from benchmarks.peers.contenders import BY_HAND, BY_HAND_SLOTS, OURS, PEERS, SEND, Contender, Failed, Process
+from benchmarks.peers.contenders import (
+    BY_HAND,
+    BY_HAND_SLOTS,
+    OURS,
+    PEERS,
+    SEND,
+    SEND_DICT,
+    Contender,
+    Failed,
+    Process,
+)
 from benchmarks.peers.environment import CACHE, Environment, prepare
+from benchmarks.peers.loading import SIMPLE, loadings
 from benchmarks.peers.measuring import Results, check_all, time_in_rounds
 from benchmarks.peers.report import into_page, missed, written, wrongs
 from benchmarks.peers.single import single_figures
@@ -75,7 +86,7 @@ def main(arguments: Sequence[str]) -> int:
     folder = Path(tempfile.mkdtemp(prefix="aseme-peers-"))
     try:
         say("compiling the behaviours")
-        compiled_into(folder, chosen)
+        compiled_into(folder, [*chosen, *(item for item in many_of(chosen) if item not in chosen)])
         reason = compiled_natively(folder, [item for item in chosen if len(item.states) < LARGE])
         if reason:
             say(f"no machine code: {reason}")
@@ -84,12 +95,15 @@ def main(arguments: Sequence[str]) -> int:
             say(f"ours, generation {generation + 1} of {GENERATIONS}")
             measure_ours(contenders, chosen, courses, options.rounds, generation, results)
         single_figures(folder, chosen, results)
+        if any(behaviour.name == SIMPLE for behaviour in chosen):
+            say("loading")
+            results.loadings = loadings(folder)
         if not options.without_peers:
             environment = prepare()
             for name, reason in environment.missing.items():
                 say(f"not installed: {name} ({reason})")
-            send = next(item for item in contenders if item.key == SEND.key)
-            measure_peers(send, environment, chosen, courses, options.peer_rounds, results)
+            sends = [item for item in contenders if item.key in (SEND.key, SEND_DICT.key)]
+            measure_peers(sends, environment, chosen, courses, options.peer_rounds, results)
             results.missing = sorted(environment.missing)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
@@ -144,15 +158,15 @@ def measure_ours(
                 check_all(processes, behaviour, courses[behaviour.name], steps_checked(behaviour), results)
             time_in_rounds("ours", processes, behaviour, rounds, results)
             say(f"  {behaviour.name}")
-        if generation == 0 and "switch" in courses:
-            measure_memory(processes, results)
+        if generation == 0:
+            measure_memory(processes, many_of(behaviours), results)
     finally:
         for process in processes:
             process.end()
 
 
 def measure_peers(
-    send: Contender,
+    sends: Sequence[Contender],
     environment: Environment,
     behaviours: Sequence[Behaviour],
     courses: dict[str, Course],
@@ -161,35 +175,41 @@ def measure_peers(
 ) -> None:
     """Time the peers that could be installed, beside our runtime and the code by hand."""
     there = [peer for peer in PEERS if peer.distribution not in environment.missing]
-    processes = [Process(contender, environment) for contender in (BY_HAND, send, *there)]
+    beside = (BY_HAND, BY_HAND_SLOTS, *sends)
+    processes = [Process(contender, environment) for contender in (*beside, *there)]
+    peers = processes[len(beside) :]
     try:
-        for process in processes[2:]:
+        for process in peers:
             said = process.ask("version")
             results.versions[process.contender.key] = said["version"]
             results.runtimes[process.contender.key] = said["runtime"]
         say("the peers")
         for behaviour in behaviours:
-            check_all(processes[2:], behaviour, courses[behaviour.name], steps_checked(behaviour), results)
+            check_all(peers, behaviour, courses[behaviour.name], steps_checked(behaviour), results)
             time_in_rounds("peers", processes, behaviour, rounds, results)
             say(f"  {behaviour.name}")
-        if "switch" in courses:
-            measure_memory(processes[2:], results)
+        measure_memory(peers, many_of(behaviours)[:1], results)
     finally:
         for process in processes:
             process.end()
 
 
-def measure_memory(processes: Sequence[Process], results: Results) -> None:
-    """What one of many instances of the small machine costs."""
-    behaviour = BEHAVIOURS["switch"]
-    for process in processes:
-        # A library that needs long for one is asked for fewer.
-        instances = INSTANCES if process.contender.group != "peer" else INSTANCES // 10
-        try:
-            found = process.ask("memory", behaviour=as_json(behaviour), instances=instances)
-        except Failed:
-            continue
-        results.memory[process.contender.key] = found["bytes"], found["seconds"]
+def many_of(behaviours: Sequence[Behaviour]) -> Sequence[Behaviour]:
+    """Those of which many instances are made, if the small machine is among what is measured."""
+    return tuple(MANY.values()) if MANY[1] in behaviours else ()
+
+
+def measure_memory(processes: Sequence[Process], behaviours: Sequence[Behaviour], results: Results) -> None:
+    """What one of many instances costs."""
+    for regions, behaviour in MANY.items():
+        for process in processes if behaviour in behaviours else ():
+            # A library that needs long for one is asked for fewer.
+            instances = INSTANCES if process.contender.group != "peer" else INSTANCES // 10
+            try:
+                found = process.ask("memory", behaviour=as_json(behaviour), instances=instances)
+            except Failed:
+                continue
+            results.memory[regions, process.contender.key] = found["bytes"], found["seconds"]
 
 
 def say(text: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import compileall
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -32,6 +33,8 @@ def compiled_into(folder: Path, behaviours: Iterable[Behaviour]) -> None:
         module = f"{system.name}/{behaviour.name}.py"
         assert module in [artefact.path for artefact in typed]
         write(folder / behaviour.name / "dict", [*typed, Artefact(module, text)])
+        for form in ("typed", "dict"):  # as Python keeps them once they were imported
+            compileall.compile_dir(folder / behaviour.name / form, quiet=1)
 
 
 def compiled_natively(folder: Path, behaviours: Iterable[Behaviour]) -> str:
@@ -58,7 +61,16 @@ def system_of(behaviour: Behaviour) -> System:
     Raises:
         ValueError: it does not compile, which the text of a behaviour always should.
     """
-    analysis = analyse(Source(f"{behaviour.name}.aseme", text_of(behaviour)))
+    return system_in(behaviour.name, text_of(behaviour))
+
+
+def system_in(name: str, text: str) -> System:
+    """The system in a text.
+
+    Raises:
+        ValueError: it does not compile.
+    """
+    analysis = analyse(Source(f"{name}.aseme", text))
     if has_errors(analysis.diagnostics) or analysis.system is None:
         raise ValueError(render_text(analysis.diagnostics))
     return analysis.system

@@ -7,7 +7,7 @@ import os
 import subprocess
 import sys
 from collections import deque
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from queue import Empty, Queue
 from threading import Thread
 from typing import Any, Literal
@@ -46,10 +46,12 @@ def ours(key: str, title: str, form: str) -> Contender:
 CORE_DICT = ours("core_dict", "core step, blackboard a dictionary", "dict")
 CORE_TYPED = ours("core_typed", "core step, typed blackboard", "typed")
 SEND = ours("send", "complete runtime (`Machine.send`)", "send")
+SEND_DICT = ours("send_dict", "complete runtime, blackboard a dictionary", "send_dict")
 POST = ours("post", "thread-safe (`Machine.post`)", "post")
+POST_DICT = ours("post_dict", "thread-safe, blackboard a dictionary", "post_dict")
 NATIVE = ours("native", "native build, typed blackboard", "native")
 AGENT = ours("agent", "agent, full step", "agent")
-OURS = (CORE_DICT, CORE_TYPED, SEND, POST, NATIVE, AGENT)
+OURS = (CORE_TYPED, CORE_DICT, SEND, SEND_DICT, POST, POST_DICT, NATIVE, AGENT)
 
 
 def peer(distribution: str, title: str, module: str, is_node: bool = False) -> Contender:
@@ -60,12 +62,28 @@ def peer(distribution: str, title: str, module: str, is_node: bool = False) -> C
 STATECHART = peer("statechart", "statechart", "statechart")
 XSTATE_PYTHON = peer("xstate-statemachine", "xstate-statemachine", "xstate_statemachine")
 SISMIC = peer("sismic", "sismic", "sismic")
+SISMIC_UNCHECKED = replace(
+    SISMIC,
+    key="sismic_unchecked",
+    title="sismic, contracts ignored",
+    how=(("form", "unchecked"),),
+)
 TRANSITIONS = peer("transitions", "transitions", "transitions")
 PYTHON_STATEMACHINE = peer("python-statemachine", "python-statemachine", "python_statemachine")
 PY_TREES = peer("py_trees", "py_trees", "py_trees")
 XSTATE = peer("xstate", "XState (Node)", "xstate", is_node=True)
 SCION = peer("@scion-scxml/core", "SCION (Node)", "scion", is_node=True)
-PEERS = (STATECHART, XSTATE_PYTHON, SISMIC, TRANSITIONS, PYTHON_STATEMACHINE, PY_TREES, XSTATE, SCION)
+PEERS = (
+    STATECHART,
+    XSTATE_PYTHON,
+    SISMIC,
+    SISMIC_UNCHECKED,
+    TRANSITIONS,
+    PYTHON_STATEMACHINE,
+    PY_TREES,
+    XSTATE,
+    SCION,
+)
 
 
 class Failed(Exception):

@@ -10,6 +10,7 @@ from typing import Any, Literal
 from benchmarks.behaviours.counts import Course
 from benchmarks.behaviours.description import Behaviour, as_json, entered, instrumented, left
 from benchmarks.peers.contenders import BY_HAND, Contender, Failed, Process
+from benchmarks.peers.loading import Loading
 
 Run = Literal["ours", "peers"]
 """Ours and the code by hand are timed in many short rounds, the peers beside them in fewer, longer ones."""
@@ -61,8 +62,8 @@ class Results:
     """Those that were timed although they do otherwise: shown, and counted nowhere."""
     constructed: dict[tuple[str, str], float] = field(default_factory=dict)
     """Seconds to make a machine, the second time."""
-    memory: dict[str, tuple[float, float]] = field(default_factory=dict)
-    """Bytes (without the blackboard) and seconds an instance of the small machine."""
+    memory: dict[tuple[int, str], tuple[float, float]] = field(default_factory=dict)
+    """Bytes (without the blackboard) and seconds an instance, by its number of regions and the contender."""
     versions: dict[str, str] = field(default_factory=dict)
     runtimes: dict[str, str] = field(default_factory=dict)
     """What the peers run on."""
@@ -70,6 +71,8 @@ class Results:
     """Peers that could not be installed."""
     figures: dict[str, float] = field(default_factory=dict)
     """Single figures by their names."""
+    loadings: list[Loading] = field(default_factory=list)
+    """What it costs to load what is compiled."""
 
 
 def differences(found: Mapping[str, Any], behaviour: Behaviour, course: Course) -> str:

@@ -7,9 +7,19 @@ from collections.abc import Iterator, Mapping
 from html import escape
 
 from benchmarks.behaviours.catalogue import BEHAVIOURS
-from benchmarks.peers.contenders import BY_HAND, CORE_DICT, CORE_TYPED, NATIVE, PEERS, POST, SEND, Contender
+from benchmarks.peers.contenders import (
+    BY_HAND,
+    CORE_DICT,
+    CORE_TYPED,
+    NATIVE,
+    PEERS,
+    POST,
+    SEND,
+    SISMIC_UNCHECKED,
+    Contender,
+)
 from benchmarks.peers.measuring import Results, Run, Series
-from benchmarks.peers.targets import MEASURED, number
+from benchmarks.peers.targets import ENDS, MEASURED, number
 
 SHOWN: tuple[tuple[Run, Contender], ...] = (
     ("ours", BY_HAND),
@@ -20,13 +30,14 @@ SHOWN: tuple[tuple[Run, Contender], ...] = (
     ("ours", NATIVE),
     *(("peers", peer) for peer in PEERS),
 )
-TITLES = {name: BEHAVIOURS[name].title for name in (*MEASURED, "ring_100", "ring_1000")}
+TITLES = {name: BEHAVIOURS[name].title for name in (*MEASURED, *ENDS, "ring_100", "ring_1000")}
 SHORT = {
     CORE_TYPED.key: "core, typed blackboard",
     CORE_DICT.key: "core, dictionary",
     SEND.key: "complete runtime",
     POST.key: "thread-safe post",
     NATIVE.key: "native build",
+    SISMIC_UNCHECKED.key: "sismic, no contracts",
 }
 COLOURS = {"hand": "#444444", "ours": "#1b7f5c", "peer": "#8fa3b8"}
 HALO = 'stroke="#ffffff" stroke-width="3" paint-order="stroke"'

@@ -6,13 +6,14 @@ import json
 import os
 import platform
 from collections.abc import Iterator, Sequence
+from dataclasses import asdict
 from pathlib import Path
 
 from benchmarks.behaviours.catalogue import BEHAVIOURS
-from benchmarks.peers.contenders import BY_HAND, BY_HAND_SLOTS, OURS, PEERS, SEND, Contender
-from benchmarks.peers.measuring import Results, Run
+from benchmarks.peers.contenders import BY_HAND, BY_HAND_SLOTS, OURS, PEERS, SEND, SEND_DICT, Contender
+from benchmarks.peers.measuring import Results, Run, ratio_between
 from benchmarks.peers.plot import plot_of
-from benchmarks.peers.targets import Row, number, rows
+from benchmarks.peers.targets import Row, number, regions_said, rows
 
 PLOT = "performance.svg"
 BEGIN, END = "<!-- measured by", "<!-- /measured -->"
@@ -34,7 +35,7 @@ def missed(results: Results) -> list[str]:
     return [
         f"{row.what}: {row.found}, wanted {row.wanted} ({row.miss})"
         for row in rows(results)
-        if not row.is_met
+        if row.is_met is False
     ]
 
 
@@ -90,19 +91,37 @@ def lines(results: Results, plot: str) -> Iterator[str]:
     yield "## Ours"
     yield ""
     yield from table(results, "ours", (BY_HAND, BY_HAND_SLOTS, *OURS))
+    yield ""
+    yield "What has a dictionary as its blackboard is for comparison only: `asemec` builds the typed one."
+    yield "With ends of activities, a step is `done(label)`; `post` is for events."
+    if {"around_dict", "around_slots"} <= results.figures.keys():
+        in_dict, in_slots = (number(results.figures[f"around_{form}"]) for form in ("dict", "slots"))
+        yield f"Of a step of the player, {in_dict} ns are the measurement and the setting of four flags,"
+        yield f"with slots {in_slots} ns."
     if any(run == "peers" for run, _, _ in results.series):
         yield ""
         yield "## The peers"
         yield ""
-        yield from table(results, "peers", (BY_HAND, SEND, *PEERS))
+        yield from table(results, "peers", (BY_HAND, BY_HAND_SLOTS, SEND, SEND_DICT, *PEERS))
         yield ""
         yield "\\* does something else than the reference interpreter: shown, but counted nowhere."
         yield from peers(results)
+        against = list(like_for_like(results, "player"))
+        if against:
+            yield ""
+            yield f"## How many times as long, {BEHAVIOURS['player'].title}"
+            yield ""
+            yield from against
     if results.memory:
         yield ""
         yield "## Many of a small machine"
         yield ""
         yield from instances(results)
+    if results.loadings:
+        yield ""
+        yield "## Loading a compiled chart of 1 000 states"
+        yield ""
+        yield from loaded(results)
     constructed = list(construction(results))
     if constructed:
         yield ""
@@ -120,7 +139,9 @@ def machine() -> str:
 
 
 def verdict(row: Row) -> str:
-    """Whether a target is met."""
+    """Whether a target is met, if there is one."""
+    if row.is_met is None:
+        return ""
     return "met" if row.is_met else f"**missed**, {row.miss}"
 
 
@@ -171,26 +192,57 @@ def peers(results: Results) -> Iterator[str]:
         yield f"{title}, {BEHAVIOURS[behaviour].title}: its counts differ ({reason})."
 
 
+def like_for_like(results: Results, behaviour: str) -> Iterator[str]:
+    """How many times as long each peer takes as ours and as the code by hand, with either blackboard."""
+    others = (SEND, SEND_DICT, BY_HAND_SLOTS, BY_HAND)
+    rows = []
+    for peer in PEERS:
+        found = [ratio_between(results, "peers", behaviour, peer.key, other.key) for other in others]
+        if any(found):
+            cells = ["–" if ratio is None else f"{number(ratio)} ×" for ratio in found]
+            rows.append(f"| {named(peer, results)} | {' | '.join(cells)} |")
+    if rows:
+        yield (
+            "| | of the complete runtime, typed blackboard | of the complete runtime, a dictionary "
+            "| of the code by hand, slots | of the code by hand, a dictionary |"
+        )
+        yield "| --- | --- | --- | --- | --- |"
+        yield from rows
+
+
 def instances(results: Results) -> Iterator[str]:
-    """Memory and time of one of many."""
-    yield "| | bytes an instance, without its blackboard | µs to make and start one |"
-    yield "| --- | --- | --- |"
-    for contender in (BY_HAND, *OURS, *PEERS):
-        if contender.key in results.memory:
-            size, seconds = results.memory[contender.key]
-            yield f"| {named(contender, results)} | {number(size)} | {number(1e6 * seconds)} |"
+    """Memory and time of one of many, by the number of regions."""
+    counts = sorted({regions for regions, _ in results.memory})
+    titles = [regions_said(regions) for regions in counts]
+    sizes = " | ".join(f"bytes, {title}" for title in titles)
+    yield f"| | {sizes} | {' | '.join(f'µs to make and start, {title}' for title in titles)} |"
+    yield "| --- |" + " --- |" * 2 * len(counts)
+    for contender in (BY_HAND, BY_HAND_SLOTS, *OURS, *PEERS):
+        found = [results.memory.get((regions, contender.key)) for regions in counts]
+        if any(found):
+            cells = ["–" if item is None else number(item[0]) for item in found]
+            cells += ["–" if item is None else number(1e6 * item[1]) for item in found]
+            yield f"| {named(contender, results)} | {' | '.join(cells)} |"
+
+
+def loaded(results: Results) -> Iterator[str]:
+    """What it costs to load what is compiled."""
+    yield "| | kB | again, ms | in a new process, ms |"
+    yield "| --- | --- | --- | --- |"
+    for item in results.loadings:
+        cells = number(item.size / 1e3), number(1e3 * item.again), number(1e3 * item.cold)
+        yield f"| {item.title} | {' | '.join(cells)} |"
 
 
 def construction(results: Results) -> Iterator[str]:
     """How long the largest behaviour takes until it can be sent an event."""
-    found = [peer for peer in PEERS if ("ring_1000", peer.key) in results.constructed]
-    if not found:
+    if not any(("ring_1000", peer.key) in results.constructed for peer in PEERS):
         return
     yield "| | ms |"
     yield "| --- | --- |"
-    if "load" in results.figures:
-        yield f"| loading the module that was compiled | {number(results.figures['load'])} |"
-    for contender in found:
+    for contender in (SEND, *PEERS):
+        if ("ring_1000", contender.key) not in results.constructed:
+            continue
         seconds = results.constructed["ring_1000", contender.key]
         yield f"| {named(contender, results)} | {number(1e3 * seconds)} |"
 
@@ -211,8 +263,10 @@ def figures(results: Results) -> dict[str, object]:
             for (run, behaviour, key), series in results.series.items()
         ],
         "memory": {
-            key: {"bytes": size, "seconds": seconds} for key, (size, seconds) in results.memory.items()
+            f"{key}, {regions_said(regions)}": {"bytes": size, "seconds": seconds}
+            for (regions, key), (size, seconds) in results.memory.items()
         },
+        "loading": [asdict(item) for item in results.loadings],
         "versions": results.versions,
         "single": results.figures,
         "targets": [

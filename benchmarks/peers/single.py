@@ -1,31 +1,26 @@
-"""Figures that are not about a step of one behaviour: the size of a chart, and loading one."""
+"""Figures that are not about a step of one behaviour: the size of a chart, and the measurement itself."""
 
 from __future__ import annotations
 
 import gc
-import marshal
 import statistics
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
-from benchmarks.behaviours.aseme import camel
 from benchmarks.behaviours.catalogue import BEHAVIOURS
 from benchmarks.behaviours.description import Behaviour
-from benchmarks.peers.adapters import compiled
-from benchmarks.peers.driving import driver
+from benchmarks.peers.adapters import by_hand, compiled
+from benchmarks.peers.driving import blackboard, driver, with_attributes, with_dictionary
 from benchmarks.peers.measuring import Results
 
 ROUNDS = 31
-LOADS = 200
-LARGE, SMALL = "ring_1000", "ring_100"
-STATES = 1000
-"""Of the large one."""
+TURNS = 40
+LARGE, SMALL, PLAYER = "ring_1000", "ring_100", "player"
 
 
 def single_figures(folder: Path, behaviours: list[Behaviour], results: Results) -> None:
-    """What an event costs with more states, what it costs to load a module, and the measurement itself."""
+    """What an event costs with more states, and the measurement itself."""
     names = {behaviour.name for behaviour in behaviours}
     if {LARGE, SMALL} <= names:
         large, small = (
@@ -33,10 +28,9 @@ def single_figures(folder: Path, behaviours: list[Behaviour], results: Results) 
             for name in (LARGE, SMALL)
         )
         results.figures["size"] = ratio(lambda: large(40), lambda: small(40))
-    if LARGE in names:
-        module = folder / LARGE / "typed" / camel(LARGE) / f"{LARGE}.py"
-        results.figures["load"] = 1e3 * loading(module) * 1000 / STATES
-    results.figures["loop"] = 1e9 * empty_loop()
+    if PLAYER in names:
+        for form in by_hand.FORMS:
+            results.figures[f"around_{form}"] = 1e9 * around(BEHAVIOURS[PLAYER], form)
 
 
 def ratio(one: Callable[[], object], other: Callable[[], object]) -> float:
@@ -52,37 +46,18 @@ def ratio(one: Callable[[], object], other: Callable[[], object]) -> float:
     return statistics.median(found)
 
 
-def loading(module: Path) -> float:
-    """Seconds to load a module from the bytes of its `.pyc`: what is read is made into code, and run.
-
-    The shortest of many counts: it is so short that whatever else the machine does is longer.
-    """
-    code = compile(module.read_text("utf-8"), module.name, "exec")
-    data = marshal.dumps(code)
-
-    def load() -> float:
-        namespace: dict[str, Any] = {"__name__": "loaded"}
-        begun = time.process_time()
-        exec(marshal.loads(data), namespace)
-        return time.process_time() - begun
-
-    return min(load() for _ in range(LOADS))
-
-
-def empty_loop() -> float:
-    """Seconds a step that the loop of the measurement itself takes, with a function that does nothing."""
+def around(behaviour: Behaviour, form: by_hand.Form) -> float:
+    """Seconds a step that is not the machine's: the loop of the measurement, and what sets flags before."""
 
     def nothing(event: str) -> bool:
         return False
 
-    events = ["tick"] * 512
-
-    def loop() -> None:
-        for _ in range(40):
-            for event in events:
-                nothing(event)
-
-    return min(spent(loop) for _ in range(ROUNDS)) / (40 * len(events))
+    if form == "dict":
+        running = with_dictionary(nothing, blackboard(behaviour))
+    else:
+        running = with_attributes(nothing, by_hand.board_of(behaviour)())
+    drive = driver(running, behaviour)
+    return min(spent(lambda: drive(TURNS)) for _ in range(ROUNDS)) / (TURNS * len(behaviour.steps))
 
 
 def spent(what: Callable[[], object]) -> float:

@@ -6,21 +6,25 @@ import statistics
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from benchmarks.behaviours.catalogue import BEHAVIOURS
+from benchmarks.behaviours.catalogue import BEHAVIOURS, MANY
 from benchmarks.peers.contenders import (
     CORE_DICT,
     CORE_TYPED,
     NATIVE,
     POST,
+    POST_DICT,
     PYTHON_STATEMACHINE,
     SEND,
+    SEND_DICT,
     SISMIC,
+    SISMIC_UNCHECKED,
     STATECHART,
     TRANSITIONS,
     XSTATE,
     XSTATE_PYTHON,
     Contender,
 )
+from benchmarks.peers.loading import GUARDED, SIMPLE
 from benchmarks.peers.measuring import Results, ratio_between
 
 MEASURED = ("two_states", "deep_leaf", "deep_top", "regions", "player", "idle")
@@ -36,7 +40,8 @@ PEERS_AT_LEAST = {
 }
 """How many times as long a peer takes with the player as our complete runtime."""
 
-REGIONS_OF_SWITCH = 1
+ENDS = ("loop", "loops")
+"""The behaviours that are driven by ends of activities."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,10 +78,22 @@ def rows(results: Results) -> Iterator[Row]:
     found = _ratio(results, "player", POST)
     if found is not None:
         yield at_most("thread-safe `post`, the player", found, 1.8, "× by hand")
+    for what, contender in (("complete runtime", SEND_DICT), ("thread-safe `post`", POST_DICT)):
+        found = _ratio(results, "player", contender)
+        if found is not None:
+            yield beside(f"{what} with a dictionary, the player", found, "× by hand")
     for peer, least in PEERS_AT_LEAST.items():
         found = ratio_between(results, "peers", "player", peer.key, SEND.key)
         if found is not None:
             yield at_least(f"{peer.title} against the complete runtime, the player", found, least, "×")
+    found = ratio_between(results, "peers", "player", SISMIC_UNCHECKED.key, SEND.key)
+    if found is not None:
+        yield beside(f"{SISMIC_UNCHECKED.title}, against the complete runtime, the player", found, "×")
+    for form, contender in (("core `done`", CORE_TYPED), ("`Machine.done`", SEND)):
+        for name in ENDS:
+            found = _ratio(results, name, contender)
+            if found is not None:
+                yield beside(f"{form}, {BEHAVIOURS[name].title}", found, "× by hand")
     yield from _idle(results)
     yield from _single(results)
     for name, least in (("player", 2), ("idle", 10)):
@@ -99,12 +116,17 @@ def _single(results: Results) -> Iterator[Row]:
     figures = results.figures
     if "size" in figures:
         yield at_most("1 000 states against 100, an event", figures["size"], 1.2, "×")
-    if "load" in figures:
-        yield at_most("loading a compiled chart, 1 000 states", figures["load"], 0.1, "ms")
-    if CORE_TYPED.key in results.memory:
-        found, _ = results.memory[CORE_TYPED.key]
-        limit = 100 + 8 * REGIONS_OF_SWITCH
-        yield at_most("memory of an instance, one region, without its blackboard", found, limit, "bytes")
+    for loading in results.loadings:
+        if loading.key == SIMPLE:
+            yield at_most("loading a compiled chart, 1 000 states", 1e3 * loading.again, 0.1, "ms")
+        elif loading.key == GUARDED:
+            what = "loading a compiled chart, 1 000 states, each with a guard and an action"
+            yield beside(what, 1e3 * loading.again, "ms")
+    for regions in MANY:
+        if (regions, CORE_TYPED.key) in results.memory:
+            size, _ = results.memory[regions, CORE_TYPED.key]
+            what = f"memory of an instance without its blackboard, {regions_said(regions)}"
+            yield at_most(what, size, 100 + 8 * regions, "bytes")
 
 
 def _ratio(results: Results, behaviour: str, contender: Contender) -> float | None:
@@ -116,6 +138,16 @@ def at_most(what: str, found: float, limit: float, unit: str) -> Row:
     """A figure that is not to be above its limit."""
     miss = "" if found <= limit else f"{100 * (found / limit - 1):.0f} % above"
     return Row(what, f"{number(found)} {unit}", f"≤ {number(limit)}", found <= limit, miss)
+
+
+def beside(what: str, found: float, unit: str) -> Row:
+    """A figure of which nothing is wanted."""
+    return Row(what, f"{number(found)} {unit}", "–", None)
+
+
+def regions_said(number: int) -> str:
+    """How many regions."""
+    return "one region" if number == 1 else f"{number} regions"
 
 
 def at_least(what: str, found: float, limit: float, unit: str) -> Row:

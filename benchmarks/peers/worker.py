@@ -38,7 +38,7 @@ class Worker:
             found: Running = self.adapter.running(behaviour, **order.get("how", {}))
             return found
         bb = blackboard(behaviour)
-        return with_dictionary(self.adapter.maker(behaviour, bb)(), bb)
+        return with_dictionary(self.adapter.maker(behaviour, bb, **order.get("how", {}))(), bb)
 
     def answer(self, order: dict[str, Any]) -> dict[str, Any]:
         """Do what is asked for.
@@ -92,7 +92,7 @@ class Worker:
         else:
             # What the instances of a library have in common knows one blackboard.
             boards = [blackboard(behaviour)] * instances
-            start = self.adapter.maker(behaviour, boards[0])
+            start = self.adapter.maker(behaviour, boards[0], **order.get("how", {}))
 
             def make(bb: Any) -> object:
                 return start()

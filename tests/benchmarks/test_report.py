@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.peers.contenders import BY_HAND, CORE_TYPED, PY_TREES, SEND, STATECHART
+from benchmarks.peers.contenders import BY_HAND, CORE_TYPED, PY_TREES, SEND, SEND_DICT, STATECHART
+from benchmarks.peers.loading import GUARDED, SIMPLE, Loading
 from benchmarks.peers.measuring import Results, Series
 from benchmarks.peers.report import PLOT, into_page, missed, written, wrongs
 
@@ -47,6 +48,48 @@ def test_the_report_says_what_is_met_and_by_how_much_something_is_missed(
     assert f"]({PLOT})" in text
     assert (tmp_path / PLOT).read_text("utf-8").startswith("<svg ")
     assert str(tmp_path) not in text
+
+
+def test_both_blackboards_are_shown_and_what_has_no_target_is_not_missed(
+    results: Results, tmp_path: Path
+) -> None:
+    for run in ("ours", "peers"):
+        results.series[run, "player", SEND_DICT.key] = Series([5e-7] * 4, [1.25] * 4)  # type: ignore[index]
+    results.series["ours", "loops", CORE_TYPED.key] = Series([4e-7] * 4, [2.5] * 4)
+    results.figures |= {"around_dict": 104.4, "around_slots": 70.2}
+    before = missed(results)
+    text = written(results, tmp_path).read_text("utf-8")
+    assert "| complete runtime with a dictionary, the player | 1.25 × by hand | – |  |" in text
+    assert "| core `done`, eight loops, one waits for a message | 2.50 × by hand | – |  |" in text
+    assert "| statechart 0.4.2 | 25 × | 20 × | – | 20 × |" in text
+    assert "104 ns are the measurement and the setting of four flags,\nwith slots 70.2 ns." in text
+    assert missed(results) == before
+
+
+def test_memory_has_a_limit_for_each_number_of_regions(results: Results, tmp_path: Path) -> None:
+    for regions, size in ((1, 48), (8, 200), (64, 600)):
+        results.memory[regions, CORE_TYPED.key] = size, 1e-6
+    results.memory[1, STATECHART.key] = 9754, 1e-4
+    text = written(results, tmp_path).read_text("utf-8")
+    assert "without its blackboard, one region | 48 bytes | ≤ 108 | met |" in text
+    assert "without its blackboard, 8 regions | 200 bytes | ≤ 164 | **missed**, 22 % above |" in text
+    assert "without its blackboard, 64 regions | 600 bytes | ≤ 612 | met |" in text
+    assert "| statechart 0.4.2 | 9 754 | – | – | 100 | – | – |" in text
+
+
+def test_what_is_loaded_is_told_beside_what_is_made(results: Results, tmp_path: Path) -> None:
+    results.loadings = [
+        Loading(SIMPLE, "a simple one", 90_000, 8e-5, 4e-4),
+        Loading(GUARDED, "with guards", 270_000, 2.5e-4, 1e-3),
+    ]
+    results.constructed["ring_1000", SEND.key] = 1e-3
+    results.constructed["ring_1000", STATECHART.key] = 4e-2
+    text = written(results, tmp_path).read_text("utf-8")
+    assert "| loading a compiled chart, 1 000 states | 0.08 ms | ≤ 0.10 | met |" in text
+    assert "each with a guard and an action | 0.25 ms | – |  |" in text
+    assert "| a simple one | 90 | 0.08 | 0.40 |" in text
+    making = text.partition("## Making a machine")[2]
+    assert f"| {SEND.title} | 1 |" in making and "| statechart 0.4.2 | 40 |" in making
 
 
 def test_who_does_something_else_is_shown_and_not_counted(results: Results, tmp_path: Path) -> None:

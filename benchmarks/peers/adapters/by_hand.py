@@ -12,6 +12,7 @@ from benchmarks.behaviours.description import Behaviour
 from benchmarks.peers.driving import Running, blackboard, with_attributes, with_dictionary
 
 Form = Literal["dict", "slots"]
+FORMS: tuple[Form, ...] = ("dict", "slots")
 
 MODULES = {"deep_leaf": "deep", "deep_top": "deep"}
 """The module of a behaviour, where it is called otherwise."""
@@ -57,7 +58,10 @@ def running(behaviour: Behaviour, form: Form = "dict") -> Running:
     bb = blackboard(behaviour) if form == "dict" else board_of(behaviour)()
     machine = machine_of(behaviour, form)(bb)
     machine.start()
-    return (with_dictionary if form == "dict" else with_attributes)(machine.send, bb, machine.leaves)
+    send = machine.done if behaviour.ends else machine.send
+    running = (with_dictionary if form == "dict" else with_attributes)(send, bb, machine.leaves)
+    running.told = dict(behaviour.ends)
+    return running
 
 
 def instances(

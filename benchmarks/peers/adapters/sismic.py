@@ -20,8 +20,12 @@ from benchmarks.peers.adapters.python_code import FUNCTIONS, Blackboard, Send, c
 DISTRIBUTION = "sismic"
 
 
-def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
-    """What makes a running interpreter of a statechart that is made once."""
+def maker(behaviour: Behaviour, bb: Blackboard, form: str = "") -> Callable[[], Send]:
+    """What makes a running interpreter of a statechart that is made once.
+
+    In the form `unchecked`, it does not look for contracts, of which no behaviour has any.
+    """
+    is_unchecked = form == "unchecked"
     chart = Statechart(behaviour.name)
 
     def make(state: State, parent: str | None) -> None:
@@ -49,7 +53,9 @@ def maker(behaviour: Behaviour, bb: Blackboard) -> Callable[[], Send]:
     events = {event: Event(event) for event, _ in behaviour.steps}
 
     def start() -> Send:
-        interpreter = Interpreter(chart, initial_context={"bb": bb, **FUNCTIONS})
+        interpreter = Interpreter(
+            chart, ignore_contract=is_unchecked, initial_context={"bb": bb, **FUNCTIONS}
+        )
         interpreter.execute()
         queue, execute = interpreter.queue, interpreter.execute
 

@@ -2,8 +2,14 @@
 
 /** A function that says whether a guard holds. */
 export function guardFunction(guard, bb) {
-  const condition = guard.map(([flag, wanted]) => `${wanted ? "" : "!"}bb.${flag}`).join(" && ");
+  const condition = guard.map(([flag, wanted]) => `${there(flag)}${wanted ? "" : "!"}bb.${flag}`).join(" && ");
   return new Function("bb", `return () => ${condition};`)(bb);
+}
+
+/** What asks first whether a message is there, for a member of one. */
+function there(flag) {
+  const [message, member] = flag.split(".");
+  return member === undefined ? "" : `bb.${message} !== null && `;
 }
 
 /** A function that does actions. */

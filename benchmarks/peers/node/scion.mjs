@@ -14,7 +14,7 @@ export default function adapter(require) {
       if (state.children.length) found.states = state.children.map(definition);
       if (state.transitions.length) {
         found.transitions = state.transitions.map(({ event, target, guard }) => {
-          const item = { event, target };
+          const item = event ? { event, target } : { target };
           if (guard.length) item.cond = guardFunction(guard, bb);
           return item;
         });

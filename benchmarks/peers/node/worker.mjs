@@ -12,10 +12,11 @@ const { maker, distribution } = (await import(`./${adapter}.mjs`)).default(requi
 
 const machines = new Map();
 
-/** A blackboard with all flags false and all counters 0. */
+/** A blackboard with all flags false, no message, and all counters 0. */
 function blackboard(behaviour) {
   const bb = {};
   for (const flag of behaviour.flags) bb[flag] = false;
+  for (const [message] of behaviour.messages) bb[message] = null;
   for (const counter of behaviour.counters) bb[counter] = 0;
   return bb;
 }
@@ -23,7 +24,11 @@ function blackboard(behaviour) {
 /** What is set before an event, as a function; undefined if it is nothing. */
 function changes(change) {
   if (change.length === 0) return undefined;
-  return new Function("bb", change.map(([flag, value]) => `bb.${flag} = ${value};`).join(""));
+  const statements = change.map(([flag, value]) => {
+    const [name, member] = flag.split(".");
+    return member === undefined ? `bb.${name} = ${value};` : `bb.${name} = { ${member}: ${value} };`;
+  });
+  return new Function("bb", statements.join(""));
 }
 
 /** A running machine with what drives it through its steps once. */

@@ -18,6 +18,10 @@ export default function adapter(require) {
       for (const { event, target, guard } of state.transitions) {
         const item = { target: `#${target}`, reenter: true };
         if (guard.length) item.guard = guardFunction(guard, bb);
+        if (!event) {
+          (found.always ??= []).push(item);
+          continue;
+        }
         found.on ??= {};
         (found.on[event] ??= []).push(item);
       }
