@@ -37,7 +37,7 @@ from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, T
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.plain.generate import problems_of
 from aseme_dsl.build.course import Course, Given, Recorder, begun, give, runs
-from aseme_dsl.codegen.expressions import Names, converted, enum_name, evaluate, function_key, holds
+from aseme_dsl.codegen.expressions import Names, converted, evaluate, function_key, holds
 from aseme_dsl.codegen.flat import FlatChart, Way
 from aseme_dsl.codegen.place import place
 from aseme_dsl.diagnostics import render_text
@@ -125,8 +125,8 @@ class _Describing:
         self.chart = chart
         self.flat = FlatChart(chart, system.activities)
         self.name = {node.label: identifier(node) for node in chart.nodes}
-        self.enums = {
-            enum_name(enum.name, name): str(value) for enum in system.enums for name, value in enum.constants
+        self.constants = {
+            (enum.name, name): str(value) for enum in system.enums for name, value in enum.constants
         }
         self.slots: dict[tuple[str, str | None], str] = {}
         for members in self.flat.members.values():
@@ -283,7 +283,7 @@ class _Describing:
         slots = {key: f"bb[{slot!r}]" for key, slot in self.slots.items()}
         variables = {item.name: f"bb['var_{item.name}']" for item in self.chart.variables}
         timer = partial(_timer_code, region)
-        return Names(slots, variables, self.fields, timer=timer, called=self.called)
+        return Names(slots, variables, self.fields, self.constants, timer=timer, called=self.called)
 
     def called(self, call: Call, arguments: Sequence[str]) -> str:
         """The code of a call of the document's functions."""
@@ -308,9 +308,8 @@ class _Describing:
             yield "python", self.code(f"if {needs}: {text}" if needs else text)
 
     def code(self, text: str) -> str:
-        """What the compiler has written, with the numbers of enums in it."""
-        known = {**self.enums, "now": "bb['now']"}
-        text = re.sub(r"(?<![.'\w])[A-Za-z]\w*\b(?!')", lambda found: known.get(found[0], found[0]), text)
+        """What the compiler has written, with the time where peers find it."""
+        text = re.sub(r"(?<![.'\w])now\b(?!')", "bb['now']", text)
         used = {node.id for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name)}
         strange = [
             name
