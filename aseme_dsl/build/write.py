@@ -217,6 +217,30 @@ def write_file(path: Path, content: bytes, disk: Disk = DISK) -> Written:
     return Written(changed=(path,)) if existed else Written(created=(path,))
 
 
+def check_room(path: Path, disk: Disk = DISK) -> tuple[Diagnostic, ...]:
+    """Why `write_file` could not write that file, found by trying beside it; nothing is left of that."""
+    plan = _Plan(path.parent, force=True)
+    if path.is_dir():
+        plan.refuse(path, "is a folder, and a file must go there")
+        return tuple(plan.errors)
+    if path.exists() and not path.is_file():
+        return ()
+    target = Path(os.path.realpath(path))
+    trial = target.with_name(f"{STAGED}{secrets.token_hex(4)}.new")
+    folders: list[Path] = []
+    try:
+        _make_folders(target.parent, folders, disk)
+        disk.create(trial, b"", None)
+    except OSError as problem:
+        return (_failed(problem, path),)
+    finally:
+        with _uninterrupted():
+            _fails(disk.remove, trial)
+            for folder in reversed(folders):
+                _fails(disk.remove_folder, folder)
+    return ()
+
+
 def _is(path: Path, content: bytes) -> bool:
     try:
         return path.read_bytes() == content

@@ -10,6 +10,7 @@ import click
 
 from aseme_dsl.cli.shared import (
     FilePath,
+    check_outputs,
     colour_option,
     json_option,
     one_system,
@@ -20,6 +21,7 @@ from aseme_dsl.diagnostics import closest, has_errors
 
 if TYPE_CHECKING:
     from aseme_dsl.build.bench import Bench
+    from aseme_dsl.build.outputs import Kind
 
 
 @click.command(
@@ -71,10 +73,15 @@ def command(
     """Print the report in Markdown; 1 if the file has errors, or two ways to run a role do not agree."""
     from tempfile import TemporaryDirectory
 
+    from aseme_dsl.build.write import check_room
+
     if traces and seed is not None:
         raise click.UsageError("--seed draws inputs, --inputs takes recorded ones: choose one.")
     if plot is not None and plot.suffix != ".svg":
         raise click.BadParameter("a plot is an SVG file: FILE.svg.", param_hint="'--plot'")
+    for number, trace in enumerate(traces):
+        if os.path.realpath(trace) in map(os.path.realpath, traces[:number]):
+            raise click.UsageError(f"{trace} is given twice: its agents would count twice.")
     compiled = one_system(file)
     if compiled.system is None or has_errors(compiled.diagnostics):
         print_diagnostics(compiled.diagnostics, colour)
@@ -85,6 +92,13 @@ def command(
             near = closest(role, known)
             hint = f"Did you mean {near!r}?" if near else f"There are {', '.join(known)}."
             raise click.UsageError(f"{compiled.system.name} has no role {role!r}. {hint}")
+    outputs: list[tuple[Path | None, Kind]] = [(output, "bench"), (plot, "plot")]
+    wanted = [(path, kind) for path, kind in outputs if path is not None]
+    check_outputs(wanted, [file, *compiled.depends, *traces])
+    problems = [problem for path, _ in wanted for problem in check_room(path)]
+    if problems:
+        print_diagnostics(problems, colour)
+        return 1
     from aseme_dsl.build.bench import Different, bench
     from aseme_dsl.build.recorded import NotPlayable
 

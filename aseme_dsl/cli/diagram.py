@@ -10,6 +10,7 @@ import click
 
 from aseme_dsl.cli.shared import (
     FilePath,
+    check_outputs,
     colour_option,
     diagnostics_json,
     json_option,
@@ -78,6 +79,7 @@ def command(
     """Draw and write; 1 if the file has errors or a drawing cannot be made or written."""
     from aseme_dsl.build.build import with_labels
     from aseme_dsl.build.draw import NoSuchDrawing, choose, draw_all, into_folder
+    from aseme_dsl.build.outputs import marked
     from aseme_dsl.build.write import write_file
     from aseme_dsl.diagrams import FORMATS, DrawingFailed, Expressions, Layout, NoSuchState, Options
 
@@ -104,6 +106,8 @@ def command(
         if to_file and len(chosen) != 1:
             names = ", ".join(item.name for item in chosen) or "none"
             raise click.UsageError(f"{output} takes one drawing, and these are {len(chosen)}: {names}.")
+        if to_file and output != "-" and not force:
+            check_outputs([(Path(output), "drawing")], [file, *compiled.depends])
         drawn = draw_all(chosen, format_)
     except (NoSuchDrawing, NoSuchState) as problem:
         raise click.UsageError(f"{problem}.") from problem
@@ -115,7 +119,7 @@ def command(
         sys.stdout.buffer.write(drawn.files[0][1])
         return 0
     if to_file:
-        written = write_file(Path(output), drawn.files[0][1])
+        written = write_file(Path(output), marked(drawn.files[0][1], f".{format_}", "diagram"))
     else:
         written = into_folder(compiled.system, Path(output), drawn, force=force)
     return print_written(written, drawn.notes, as_json, colour)

@@ -31,6 +31,7 @@ from aseme_dsl.cli.shared import (
     FilePath,
     activities_option,
     check_choice,
+    check_outputs,
     colour_option,
     folder_option,
     leave_at_once,
@@ -119,6 +120,8 @@ def command(
     from aseme_dsl.build.supervisor import WORLD
     from aseme_dsl.cli.telling import Telling
 
+    if trace is not None:
+        check_outputs([(trace, "trace")], [target, *([script] if script is not None else [])])
     try:
         if source is not None or is_output(Path(target)):
             folder = source or Path(target)

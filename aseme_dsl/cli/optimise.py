@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,7 @@ from aseme_dsl.cli.playing import duration_option, refuse
 from aseme_dsl.cli.shared import (
     FilePath,
     activities_option,
+    check_outputs,
     colour_option,
     diagnostics_json,
     folder_option,
@@ -25,6 +27,7 @@ from aseme_dsl.diagnostics import Diagnostic, has_errors
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
+    from aseme_dsl.build.outputs import Kind
     from aseme_dsl.build.study_report import Study
     from aseme_dsl.build.variation import Knob
 
@@ -154,9 +157,10 @@ def command(
         min(jobs or os.cpu_count() or 1, runs),
     )
     folder = output or home / "optimise"
+    check_outputs([(folder / name, kind) for name, kind in _FILES.items()], [target, *compiled.depends])
     in_the_way = _in_the_way(folder)
-    if in_the_way is not None:
-        return refuse((in_the_way,), as_json, colour)
+    if in_the_way:
+        return refuse(in_the_way, as_json, colour)
     progress = _Progress(quiet or as_json or not sys.stderr.isatty())
     try:
         study = optimise(compiled.system, question, plan, choice, total=progress.total, told=progress.told)
@@ -169,8 +173,19 @@ def command(
     return _leave(study, folder, as_json, colour)
 
 
-def _in_the_way(folder: Path) -> Diagnostic | None:
+_FILES: Mapping[str, Kind] = {
+    "report.md": "study",
+    "report.json": "study",
+    "measure.svg": "plot",
+    "bottleneck.svg": "plot",
+}
+"""What is left in the folder."""
+
+
+def _in_the_way(folder: Path) -> tuple[Diagnostic, ...]:
     """Why nothing can be written there, as far as that is known before all is played."""
+    from aseme_dsl.build.write import check_room
+
     around = (folder, *folder.absolute().parents)
     there = next(place for place in around if os.path.exists(place))  # noqa: PTH110  raises nothing
     if not there.is_dir():
@@ -178,8 +193,8 @@ def _in_the_way(folder: Path) -> Diagnostic | None:
     elif not os.access(there, os.W_OK | os.X_OK):
         why = "its folder is read-only" if there != folder else "it is read-only"
     else:
-        return None
-    return Diagnostic("E009", f"{folder} cannot be written: {why}", None, path=str(folder))
+        return tuple(problem for name in _FILES for problem in check_room(folder / name))[:1]
+    return (Diagnostic("E009", f"{folder} cannot be written: {why}", None, path=str(folder)),)
 
 
 def _measures(system: System) -> str:
@@ -221,16 +236,18 @@ def _leave(study: Study, folder: Path, as_json: bool, colour: str) -> int:
     """Write the report, its data and its plots, and print it; the exit code."""
     import json
 
+    from aseme_dsl.build.findings import is_measured
     from aseme_dsl.build.plots import PlotsMissing, gains_plot, measure_plot
     from aseme_dsl.build.study_report import as_json as data_of
     from aseme_dsl.build.study_report import markdown
     from aseme_dsl.build.write import write_file
 
     text, data = markdown(study), data_of(study)
+    measured = is_measured(study.rows)
     files = {"report.md": text.encode(), "report.json": (json.dumps(data, indent=2) + "\n").encode()}
     missing = ""
     try:
-        if study.knobs:
+        if study.knobs and measured:
             files["measure.svg"] = measure_plot(
                 study.knobs, study.rows, study.what, study.chosen, "worth it" if study.counts else "best"
             )
@@ -245,6 +262,10 @@ def _leave(study: Study, folder: Path, as_json: bool, colour: str) -> int:
         if has_errors(problems):
             break
         left.append(name)
+    else:
+        for name in _FILES.keys() - files.keys():  # of an earlier question
+            if (folder / name).is_file():
+                (folder / name).unlink()
     if as_json:
         result: dict[str, Any] = {**data, "folder": str(folder), "files": left}
         print_json({"result": result, **diagnostics_json(problems)})
@@ -255,4 +276,4 @@ def _leave(study: Study, folder: Path, as_json: bool, colour: str) -> int:
         print_diagnostics(problems, colour)
     if missing:
         click.echo(missing, err=True)
-    return 1 if has_errors(problems) else 0
+    return 1 if has_errors(problems) or not measured else 0

@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from aseme_dsl import __version__
-from aseme_dsl.cli.shared import FORMAT, CommandT, FilePath, print_diagnostics
+from aseme_dsl.cli.shared import FORMAT, CommandT, FilePath, check_outputs, print_diagnostics
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, render_text
 
 FORMATS = ("text", "json", "sarif", "github", "junit", "codequality")
@@ -62,6 +62,8 @@ def form_of(form: str | None, as_json: bool, report: Path | None) -> str:
         raise click.UsageError(f"--json is --format json, and not --format {form}.")
     if report is not None and report.suffix == ".aseme":
         raise click.UsageError(f"{report} is the name of a source: give the report another one.")
+    if report is not None:
+        check_outputs([(report, "report")])
     return "json" if as_json else form or "text"
 
 

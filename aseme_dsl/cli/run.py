@@ -26,6 +26,7 @@ from aseme_dsl.cli.shared import (
     FilePath,
     activities_option,
     check_choice,
+    check_outputs,
     colour_option,
     count_lines,
     diagnostics_json,
@@ -138,6 +139,8 @@ def command(
         raise click.UsageError("--plan plays one plan, in this process: not with --platform.")
     if process_per_robot and platform == IN_PROCESS:
         raise click.UsageError("--process-per-robot needs a platform between processes, such as zenoh.")
+    if trace is not None:
+        check_outputs([(trace, "trace")], [target, *([script] if script is not None else [])])
     report: Report | None = None
     try:
         if is_output(Path(target)):
@@ -157,6 +160,8 @@ def command(
             systems = (load(folder, report.system, configuration, choice),)
         if list_:
             return _list(systems, as_json)
+        if trace is None and configuration.run is not None and configuration.run.trace is not None:
+            check_outputs([(configuration.run.trace, "trace")])
         loaded, plan = select(systems, plan)
         if platform is None and plan is None and (real or process_per_robot):
             platform = configuration.platform

@@ -23,6 +23,7 @@ from aseme_dsl.diagnostics import (
 if TYPE_CHECKING:
     from aseme_dsl.build.build import Choice
     from aseme_dsl.build.counting import Count
+    from aseme_dsl.build.outputs import Kind
     from aseme_dsl.build.project import Compiled
     from aseme_dsl.build.write import Written
 
@@ -171,6 +172,16 @@ def one_system(file: str) -> Compiled:
         names = ", ".join(str(getattr(root, "path", root)) for root in inputs.roots)
         raise click.UsageError(f"{file} means {len(inputs.roots)} systems ({names}): name one of them.")
     return compile_root(inputs.roots[0])
+
+
+def check_outputs(outputs: Iterable[tuple[Path, Kind]], inputs: Iterable[Path | str] = ()) -> None:
+    """Refuse, as wrong use, to write over what is not asemec's, or is among what is read, or twice."""
+    from aseme_dsl.build import outputs as files
+
+    try:
+        files.check_outputs(outputs, inputs)
+    except files.NotOurs as problem:
+        raise click.UsageError(f"{problem}.") from problem
 
 
 def print_written(written: Written, notes: Iterable[str], as_json: bool, colour: str) -> int:

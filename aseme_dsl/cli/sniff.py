@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from aseme_dsl.cli.shared import FilePath, json_option, moment_of, plural, print_json
+from aseme_dsl.cli.shared import FilePath, check_outputs, json_option, moment_of, plural, print_json
 
 if TYPE_CHECKING:
     from aseme_dsl.build.sniff import Wanted
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 _PAUSE = 0.1
 """Seconds between two looks at a trace that is being written."""
 _SUFFIXES = {".svg": "svg", ".mmd": "mermaid", ".mermaid": "mermaid", ".txt": "text"}
+_SUFFIX_OF = {"svg": ".svg", "mermaid": ".mmd", "text": ".txt"}
 
 
 @click.command(
@@ -195,7 +196,7 @@ def _show(
         else:
             click.echo(_drawn(diagram, format_), nl=False)
     else:
-        files = _write(diagram, format_, output, each)
+        files = _write(diagram, format_, output, each, paths)
         if as_json:
             print_json({"files": [str(path) for path in files], "remarks": list(diagram.remarks)})
         else:
@@ -208,26 +209,29 @@ def _show(
     return int(bool(problems))
 
 
-def _write(diagram: SequenceDiagram, format_: str, output: Path, each: bool) -> list[Path]:
+def _write(
+    diagram: SequenceDiagram, format_: str, output: Path, each: bool, read: Sequence[Path]
+) -> list[Path]:
     """The files: one a page of each picture."""
+    from aseme_dsl.build.outputs import marked
     from aseme_dsl.build.sniff import of_conversation
     from aseme_dsl.diagrams.sequence import pages
 
     pictures = [(output, diagram)]
     if each:
         pictures = [(_named(output, name), of_conversation(diagram, name)) for name in diagram.conversations]
-    files: list[Path] = []
+    files: list[tuple[Path, SequenceDiagram]] = []
     for path, picture in pictures:
-        parts = [picture] if format_ == "text" else list(pages(picture))
-        for number, part in enumerate(parts, 1):
-            file = path if number == 1 else _named(path, str(number))
-            try:
-                file.parent.mkdir(parents=True, exist_ok=True)
-                file.write_text(_drawn(part, format_), "utf-8")
-            except OSError as problem:
-                raise click.ClickException(f"{file} cannot be written: {problem.strerror}") from problem
-            files.append(file)
-    return files
+        for number, part in enumerate([picture] if format_ == "text" else pages(picture), 1):
+            files.append((path if number == 1 else _named(path, str(number)), part))
+    check_outputs([(file, "talk") for file, _ in files], read)
+    for file, part in files:
+        try:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(marked(_drawn(part, format_).encode(), _SUFFIX_OF[format_], "sniff"))
+        except OSError as problem:
+            raise click.ClickException(f"{file} cannot be written: {problem.strerror}") from problem
+    return [file for file, _ in files]
 
 
 def _named(path: Path, what: str) -> Path:

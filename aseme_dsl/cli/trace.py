@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from aseme_dsl.cli.shared import FilePath, json_option, moment_of, plural, print_json
+from aseme_dsl.cli.shared import FilePath, check_outputs, json_option, moment_of, plural, print_json
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -107,6 +107,8 @@ def command(
         raise click.UsageError("-o writes one trace: name one FILE.")
     if output is not None and lines:
         raise click.UsageError("-o writes the lines into a file, --lines shows them: choose one.")
+    if output is not None:
+        check_outputs([(output, "trace")], files)
     wanted = Filter(agents, kinds, channels, states, since, until)
     sums: list[dict[str, Any]] = []
     code = 0

@@ -107,9 +107,9 @@ def _tell(done: Done, before: Iterable[Diagnostic], news: str, seconds: float, c
 
 
 def _kind(item: Diagnostic) -> tuple[object, ...]:
-    """What a message is, wherever its line has moved."""
+    """What a message is, wherever its line has moved: of another severity, it is another one."""
     place = (item.span.source.path, item.span.text) if item.span is not None else (item.path, "")
-    return item.code, item.message, *place
+    return item.code, item.severity, item.message, *place
 
 
 def _news(changes: Changes) -> str:

@@ -113,6 +113,34 @@ def test_the_command(tmp_path: Path) -> None:
     assert wrong.code == 2 and "Did you mean 'robot'?" in wrong.err
 
 
+def test_no_file_of_the_user_is_written_over(tmp_path: Path) -> None:
+    (tmp_path / "good.aseme").write_text(GOOD, "utf-8")
+    (tmp_path / "top.aseme").write_text('import "good.aseme"\n', "utf-8")
+    run = asemec("run", "good.aseme", "--for", "2s", "--trace", "run.jsonl", cwd=tmp_path)
+    assert run.code == 0, run.err
+    (tmp_path / "mine.svg").write_text("<svg/>\n", "utf-8")
+    (tmp_path / "pyproject.toml").write_text("[tool.asemec]\n", "utf-8")
+    (tmp_path / "link.md").symlink_to("good.aseme")
+    before = {path: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()}
+    few = ("bench", "good.aseme", "--steps", "20", "--rounds", "1")
+    for arguments, text in (
+        (("-o", "good.aseme"), "good.aseme is read"),
+        (("-o", "link.md"), "link.md is read"),
+        (("-o", "top.aseme"), "top.aseme is there already"),
+        (("-o", "pyproject.toml"), "pyproject.toml is there already"),
+        (("--inputs", "run.jsonl", "-o", "run.jsonl"), "run.jsonl is read"),
+        (("-o", "run.jsonl"), "is not the report of a bench that asemec wrote"),
+        (("--plot", "mine.svg"), "is not a plot that asemec wrote"),
+        (("-o", "new.svg", "--plot", "./new.svg"), "would be written twice"),
+        (("--inputs", "run.jsonl", "--inputs", "./run.jsonl"), "run.jsonl is given twice"),
+    ):
+        done = asemec(*few, *arguments, cwd=tmp_path)
+        assert done.code == 2 and done.out == "" and text in done.err, done.err
+    assert {path: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()} == before
+    for _ in range(2):  # what asemec wrote, it writes again
+        assert asemec(*few, "-o", "bench.md", "--plot", "bench.svg", cwd=tmp_path).code == 0
+
+
 def test_the_report_and_its_plot_as_files(tmp_path: Path) -> None:
     (tmp_path / "good.aseme").write_text(GOOD, "utf-8")
     few = ("--steps", "50", "--rounds", "1")

@@ -174,13 +174,25 @@ class TestReports:
 
     @pytest.mark.parametrize("form", ["text", "json", "sarif", "github", "junit", "codequality"])
     def test_a_file_gets_what_would_be_printed(self, here: Here, folder: Path, form: str) -> None:
-        (folder / "report").write_text("the last one\n" * 1000)
+        here("check", "--format", "junit", "good.aseme", "-o", "report")  # the last one
         printed = here("check", "--format", form, "bad.aseme")
         done = here("check", "--format", form, "bad.aseme", "-o", "report")
         assert (done.code, done.err) == (1, "")
         assert done.out == "2 errors in 1 file\n"
         assert (folder / "report").read_text("utf-8") == printed.out
         assert sorted(path.name for path in folder.iterdir()) == ["bad.aseme", "good.aseme", "report"]
+
+    @pytest.mark.parametrize("form", ["text", "json", "sarif", "github", "junit", "codequality"])
+    def test_a_report_takes_the_place_of_a_report_and_of_nothing_else(
+        self, here: Here, folder: Path, form: str
+    ) -> None:
+        for name in ("good.aseme", "bad.aseme"):
+            for _ in range(2):
+                assert here("check", "--format", form, name, "-o", "report").code == int(name == "bad.aseme")
+        (folder / "mine").write_text("my own words\n")
+        done = here("check", "--format", form, "good.aseme", "-o", "mine")
+        assert done.code == 2 and "mine is there already, and is not a report that asemec wrote" in done.err
+        assert (folder / "mine").read_text() == "my own words\n"
 
     def test_a_report_goes_where_a_link_leads_and_into_a_pipe(self, here: Here, folder: Path) -> None:
         (folder / "link").symlink_to("there.json")

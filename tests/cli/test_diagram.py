@@ -76,10 +76,22 @@ def test_a_picture_that_cannot_be_written_is_no_folder(here: Here, folder: Path,
     assert not (folder / name).exists()
 
 
-def test_a_named_file_is_overwritten_and_others_are_not(here: Here, folder: Path) -> None:
-    (folder / "one.svg").write_text("old")
-    assert here("diagram", "good.aseme", "srm", "-o", "one.svg").code == 0
-    assert (folder / "one.svg").read_text() != "old"
+@pytest.mark.parametrize("format", ["svg", "png", "pdf", "dot"])
+def test_a_drawing_takes_the_place_of_a_drawing_and_of_nothing_else(
+    here: Here, folder: Path, format: str
+) -> None:
+    one = folder / f"one.{format}"
+    for model in ("srm", "iac.robot", "srm"):
+        assert here("diagram", "good.aseme", model, "--layout", "nested", "-o", one).code == 0
+    one.write_text("mine")
+    done = here("diagram", "good.aseme", "srm", "-o", one)
+    assert done.code == 2 and "is not a drawing that asemec wrote" in done.err
+    assert one.read_text() == "mine"
+    assert here("diagram", "good.aseme", "srm", "-o", one, "--force").code == 0
+    assert one.read_bytes() != b"mine"
+
+
+def test_what_was_not_drawn_stays_in_a_folder(here: Here, folder: Path) -> None:
     (folder / "some").mkdir()
     (folder / "some/srm.robot.svg").write_text("mine")
     done = here("diagram", "good.aseme", "srm", "-o", "some")

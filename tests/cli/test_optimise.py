@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from aseme_dsl.build.write import Written
+from aseme_dsl.diagnostics import Diagnostic
 from tests.cli.support import Done, Here, asemec
 
 FEED = """\
@@ -172,16 +174,25 @@ def test_a_function_of_the_project_measures_its_world(
         "def measure(world):\n"
         "    return world.seed * 10\n"
         "def word(world):\n"
-        "    return 'much'\n",
+        "    return 'much'\n"
+        "def endless(world):\n"
+        "    return float('inf')\n"
+        "def long(world):\n"
+        "    return 10**400\n"
+        "def nothing(world):\n"
+        "    return None\n",
         "utf-8",
     )
     base = ("optimise", "trips.aseme", "--runs", "3", "--for", "1s", "--quicker", "1", "--json", "-j", "1")
     done = here(*base, "--world", "place:make", "--measure", "place:measure")
     assert done.code == 0, done.err
     assert done.json["result"]["rows"][0]["measure"]["mean"] == 20
-    wrong = here(*base, "--world", "place:make", "--measure", "place:word")
-    assert wrong.code == 1
-    assert "place:word gave 'much', which is no number" in wrong.err
+    for name, value in (("word", "'much'"), ("endless", "inf"), ("long", "10000000")):
+        wrong = here(*base, "--world", "place:make", "--measure", f"place:{name}")
+        assert wrong.code == 1
+        assert f"place:{name} gave {value}" in wrong.err and "which is no number to reckon with" in wrong.err
+    none = here(*base, "--world", "place:make", "--measure", "place:nothing")
+    assert none.code == 1 and none.json["result"]["rows"][0]["measure"] is None
 
 
 @pytest.mark.parametrize(
@@ -259,16 +270,28 @@ def test_where_the_report_cannot_go_nothing_is_played(
         done = here("optimise", feed, "--measure", "Carry", "-j", "1", "-o", feed.parent / folder)
         assert done.code == 1 and done.out == ""
         assert f"error[E009]: {feed.parent / folder} cannot be written: {why}" in done.err
+    done = here("optimise", feed, "--measure", "Carry", "-j", "1", "-o", "/proc/of/it")
+    assert done.code == 1 and done.out == "" and "error[E009]: /proc/of" in done.err
+    (feed.parent / "some" / "bottleneck.svg").mkdir(parents=True)
+    done = here("optimise", feed, "--measure", "Carry", "-j", "1", "-o", feed.parent / "some")
+    assert done.code == 1 and done.out == "" and "bottleneck.svg is a folder" in done.err
+    (feed.parent / "mine").mkdir()
+    (feed.parent / "mine" / "report.md").write_text("# Mine\n", "utf-8")
+    done = here("optimise", feed, "--measure", "Carry", "-j", "1", "-o", feed.parent / "mine")
+    assert done.code == 2 and done.out == "" and "report.md is there already, and is not" in done.err
 
 
-def test_a_report_that_cannot_be_left_is_printed(here: Here, feed: Path) -> None:
+def test_a_report_that_cannot_be_left_is_printed(
+    here: Here, feed: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     out = feed.parent / "found"
-    (out / "report.md").mkdir(parents=True)
+    problem = Diagnostic("E009", "the disk is full", None, path=str(out))
+    monkeypatch.setattr("aseme_dsl.build.write.write_file", lambda *_: Written(diagnostics=(problem,)))
     base = ("optimise", feed, "--measure", "Carry", "--runs", "1", "--for", "5s", "-o", out)
     done = here(*base)
     assert done.code == 1
     assert "| Carry per minute |" in done.out
-    assert "report.md is a folder, and a file must go there" in done.err
+    assert "the disk is full" in done.err
     told = here(*base, "--json")
     assert told.code == 1 and told.json["diagnostics"][0]["code"] == "E009"
     assert told.json["result"]["rows"][0]["measure"]["runs"] == 1
@@ -313,13 +336,15 @@ def test_what_was_not_tried_may_be_the_bottleneck(here: Here, trips: Path) -> No
 
 
 def test_if_nothing_was_measured_nothing_is_concluded(here: Here, feed: Path) -> None:
-    done = here(
-        *("optimise", feed, "--measure", "time", "--runs", "2", "--for", "5s", "-j", "1"),
-        *("-o", feed.parent / "found"),
-    )
-    assert done.code == 0, done.err
+    base = ("optimise", feed, "--vary", "carrier=1,2", "--runs", "2", "-j", "1", "-o", feed.parent / "found")
+    assert here(*base, "--measure", "Carry", "--for", "10s").code == 0
+    assert {path.suffix for path in (feed.parent / "found").iterdir()} == {".md", ".json", ".svg"}
+    done = here(*base, "--measure", "time", "--for", "5s")
+    assert done.code == 1, done.err
     assert "**Nothing was measured:** within 5 s no run finished." in done.out
     assert "Every seed gave the same" not in done.out and "times as quick" not in done.out
+    left = sorted(path.name for path in (feed.parent / "found").iterdir())
+    assert left == ["report.json", "report.md"]  # and no plot, nor that of another question
 
 
 def test_a_run_of_no_time_is_refused(here: Here, feed: Path) -> None:

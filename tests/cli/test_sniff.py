@@ -250,6 +250,16 @@ def test_a_long_talk_has_pages_and_each_conversation_may_have_its_own(folder: Pa
     assert sorted(path.name for path in folder.glob("one-*")) == [f"one-talk-one-{n}.svg" for n in (1, 2, 3)]
 
 
+@pytest.mark.parametrize("name", ["talk.svg", "talk.mmd", "talk.txt"])
+def test_no_file_of_the_user_becomes_a_picture(folder: Path, here: Here, name: str) -> None:
+    write(Path("t.jsonl"), header("one", "two"), *(mail(n, "one", ["two"], n) for n in range(150)), FINISH)
+    for _ in range(2):
+        assert here("sniff", "t.jsonl", "-o", name).code == 0
+    Path(name).write_text("mine")
+    done = here("sniff", "t.jsonl", "-o", name)
+    assert done.code == 2 and f"{name} is there already" in done.err and Path(name).read_text() == "mine"
+
+
 def test_nine_agents_and_sixty_messages_do_not_overlap(folder: Path, here: Here) -> None:
     """Each label is in a row of its own, and inside the picture."""
     names = [f"agent{n}" for n in range(9)]

@@ -158,10 +158,23 @@ def test_converted_and_back(here: Here, trace: Path) -> None:
     assert (done.code, done.out) == (0, "run.mcap: 13 lines\n")
     assert here("trace", "run.mcap", "-o", "back.jsonl").code == 0
     assert Path("back.jsonl").read_bytes() == trace.read_bytes()
-    here("trace", "run.mcap", "-o", "two.jsonl", "--agent", "two")
+    for _ in range(2):  # what is a trace may become another one
+        assert here("trace", "run.mcap", "-o", "two.jsonl", "--agent", "two").code == 0
     assert [line.record["kind"] for line in TraceReader(Path("two.jsonl"))] == [
         *("header", "message", "conversation", "fault", "finish")
     ]
+
+
+def test_no_file_of_the_user_becomes_a_trace(here: Here, trace: Path) -> None:
+    Path("mine.jsonl").write_text("{}\n")
+    before = trace.read_bytes()
+    done = here("trace", "run.jsonl", "-o", "mine.jsonl")
+    assert done.code == 2 and "mine.jsonl is there already, and is not a trace that asemec wrote" in done.err
+    done = here("trace", "run.jsonl", "-o", "./run.jsonl", "--agent", "two")
+    assert done.code == 2 and "run.jsonl is read, and would be written over" in done.err
+    done = here("run", "good.aseme", "--for", "1s", "--trace", "good.aseme")
+    assert done.code == 2 and "good.aseme is read" in done.err
+    assert (Path("mine.jsonl").read_text(), trace.read_bytes()) == ("{}\n", before)
 
 
 def test_a_torn_trace_is_read_and_the_exit_code_says_so(here: Here, trace: Path) -> None:

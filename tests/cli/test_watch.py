@@ -242,6 +242,18 @@ def test_check_tells_what_is_new_in_a_folder(tmp_path: Path) -> None:
         assert watching.stop() == 0
 
 
+def test_a_note_that_has_become_an_error_is_told(tmp_path: Path) -> None:
+    text = GOOD.replace("  liveness", "  var tries : int = 0\n  liveness", 1)
+    text = text.replace("Seen.ball]", "Seen.ball] / tries = tries + 1")
+    (tmp_path / "walker.aseme").write_text(text, "utf-8")
+    with Watching(tmp_path, "check", "walker.aseme") as watching:
+        watching.until("watching")
+        for severity in ("error", "note"):
+            save(tmp_path / "pyproject.toml", f'[tool.asemec.diagnostics]\nN725 = "{severity}"\n')
+            said = watching.until(r"1 \w+ in 1 file")
+            assert f"{severity}[N725]" in said and "as before" not in said
+
+
 def test_an_unknown_backend_in_the_configuration_can_be_mended(project: Path, watching: Watching) -> None:
     save(project / "pyproject.toml", '[tool.asemec]\nbackends = ["monass"]\n')
     watching.until("monass")
