@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import inspect
+import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass, field, fields, replace
+from numbers import Integral
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from aseme_dsl.build.configuration import Configuration, RunConfiguration
 from aseme_dsl.diagnostics import closest
@@ -16,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from aseme_dsl.build.build import Agents, Choice
+    from aseme_dsl.runtime.body import World
     from aseme_dsl.runtime.control import Changed
     from aseme_dsl.runtime.loading import Loaded, Mixture
     from aseme_dsl.runtime.plan import State
@@ -248,7 +251,7 @@ def _play_here(
         agent = next((name for name, role in loaded.team if role == request.plan), None)
     with importing(folders):
         made_by = request.world or (project.world if project and not request.bodies else None)
-        world = call(made_by, seed=seed) if made_by else None
+        world = made_world(made_by, seed) if made_by else None
         bodies = _bodies(request.bodies, loaded, request.plan, agent)
         watch = _Watch(world, project.progress if project and world is not None else None, tell, tick)
         script = _script(request.script, loaded)
@@ -283,8 +286,9 @@ def _play_here(
             raise PlayError(f"{place} cannot be written: {problem.strerror or problem}") from problem
         with operable(team, loaded, activities) if request.real else nullcontext():
             try:
-                result = team.run()
-            except TeamError as problem:  # the platform cannot be used
+                with users_mistakes(*([loaded.folder] if loaded.folder else [])):
+                    result = team.run()
+            except TeamError as problem:  # the platform cannot be used, or the world stands still
                 raise PlayError(str(problem)) from problem
         watch.look(team)
         summary = ""
@@ -562,6 +566,79 @@ def call(target: str, *arguments: Any, **named: Any) -> Any:
     function = function_of(target)
     with _users_own(function):
         return function(*arguments, **named)
+
+
+def made_world(target: str, seed: int) -> World[Any, Any]:
+    """The world that a function of the project makes. Raises PlayError if it fails, or makes no world."""
+    world = call(target, seed=seed)
+    function = function_of(target)
+    wrong: list[str] = []
+    for name, what, fits in _WORLD:
+        with _users_own(function):  # a property of its own may raise, too
+            try:
+                is_there = fits(getattr(world, name))
+            except AttributeError:
+                is_there = False
+        if not is_there:
+            wrong.append(f"{name}, {what}")
+    if wrong:
+        raise PlayError(f"{target} gave {_short(world)}, which is no world: it needs {'; '.join(wrong)}")
+    return cast("World[Any, Any]", world)
+
+
+def _short(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else f"a {type(value).__name__}"
+
+
+def _is_time(value: object) -> bool:
+    return isinstance(value, Integral)
+
+
+def _takes_one(function: object) -> bool:
+    if not callable(function):
+        return False
+    try:
+        inspect.signature(function).bind(0)
+    except TypeError:
+        return False
+    except ValueError:  # written in C
+        return True
+    return True
+
+
+_WORLD: tuple[tuple[str, str, Callable[[Any], bool]], ...] = (
+    ("bodies", "the bodies by the names of the agents", lambda bodies: isinstance(bodies, Mapping)),
+    ("step_ns", "how long one step of it lasts, in whole ns", lambda step: _is_time(step) and step > 0),
+    ("now_ns", "how far it has been simulated, in whole ns", _is_time),
+    ("advance", "a method that is given the time up to which to simulate, in ns", _takes_one),
+)
+"""What a world has: the name, what it is, and whether something is that."""
+
+
+@contextmanager
+def users_mistakes(*generated: Path) -> Iterator[None]:
+    """What the code of the project raises while agents play (a world, a body) is said with its place.
+
+    It is not the project's mistake if it is raised by us, or by code that was `generated`.
+    """
+    import sysconfig
+    import traceback
+
+    import aseme_dsl
+
+    try:
+        yield
+    except Exception as error:
+        libraries = tuple(sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib"))
+        ours = tuple(str(path.resolve()) for path in (Path(aseme_dsl.__file__).parent, *generated))
+        for place in reversed(traceback.extract_tb(error.__traceback__)):
+            if os.path.realpath(place.filename).startswith(ours):
+                raise
+            if not place.filename.startswith((*libraries, "<")):
+                where = f"{place.filename}:{place.lineno}"
+                raise PlayError(f"{place.name} failed: {type(error).__name__}: {error} ({where})") from error
+        raise
 
 
 @contextmanager

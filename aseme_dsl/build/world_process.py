@@ -48,13 +48,13 @@ def _own_output() -> IO[str]:
 
 
 def _simulate(request: Mapping[str, Any], configuration: Any, lines: IO[str], out: IO[str]) -> int:
-    from aseme_dsl.build.play import LOOK_NS, Progress, call
+    from aseme_dsl.build.play import LOOK_NS, Progress, call, made_world, users_mistakes
     from aseme_dsl.runtime.shared_world import WorldServer
 
     def tell(kind: str, text: str) -> None:
         out.write(json.dumps({kind: text}) + "\n")
 
-    world = call(request["world"], seed=request["seed"])
+    world = made_world(request["world"], request["seed"])
     project = configuration.run
     progress = Progress(world, project.progress if project else None, lambda text: tell("line", text))
     server = WorldServer(world, bytes.fromhex(request["key"]))
@@ -74,7 +74,8 @@ def _simulate(request: Mapping[str, Any], configuration: Any, lines: IO[str], ou
         over = getattr(world, "over", False) is True or (until is not None and world.now_ns >= until)
         return over or stopped()
 
-    server.run(begin, stop)
+    with users_mistakes():
+        server.run(begin, stop)
     progress.look(lambda: server.doing)
     if project and project.summary:
         tell("line", str(call(project.summary, world)))

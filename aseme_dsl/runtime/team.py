@@ -554,8 +554,15 @@ class Team:
     def _move_world(self) -> None:
         """Let a simulated world go on step by step: with real time, or because it may end the run."""
         assert self.world is not None
-        self.world.advance(self.driver.clock.now())
-        self.driver.at(self.world.now_ns + self.world.step_ns, self._move_world)
+        now = self.driver.clock.now()
+        self.world.advance(now)
+        following = self.world.now_ns + self.world.step_ns
+        if following <= now:
+            raise TeamError(
+                f"the world stands still: after advance({now}) its now_ns is {self.world.now_ns}, and its step"
+                f" {self.world.step_ns} ns"
+            )
+        self.driver.at(following, self._move_world)
 
     def _complain(self, text: str, agent: str = "", activity: str | None = None) -> None:
         self.trace.fault(self.driver.clock.now(), agent, text, activity=activity)

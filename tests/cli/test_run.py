@@ -19,6 +19,29 @@ SCRIPT = """\
 {"at": "5500ms", "channel": "eyes.state.Seen", "message": {"home": true}}
 """
 
+WRONG = """\
+from world import Court
+class Late(Court):
+    def __repr__(self):
+        return "late" * 20
+    now_ns = property(lambda self: "now", lambda self, value: None)
+class Deaf(Court):
+    def __repr__(self):
+        return "deaf" * 20
+    def advance(self):
+        pass
+class Still(Court):
+    def advance(self, until_ns):
+        pass
+class Raising(Court):
+    def advance(self, until_ns):
+        if until_ns > 1_000_000_000:
+            return 1 / 0
+        super().advance(until_ns)
+empty, none, late, deaf = lambda seed: {}, lambda seed: None, Late, Deaf
+still, raising = Still, Raising
+"""
+
 WORLD = '''\
 """A world with a counter for the robots to look at."""
 
@@ -368,10 +391,23 @@ class TestProjects:
             ("world:nothing", "no function nothing in module world"),
             ("nowhere:court", "no function court in module nowhere"),
             ("faulty:court", "faulty cannot be imported: SyntaxError"),
+            (
+                "wrong:empty",
+                "wrong:empty gave {}, which is no world: it needs bodies, the bodies by the names of the agents;"
+                " step_ns, how long one step of it lasts, in whole ns; now_ns, how far it has been simulated, in"
+                " whole ns; advance, a method that is given the time up to which to simulate, in ns\n",
+            ),
+            ("wrong:none", "wrong:none gave None, which is no world: it needs bodies,"),
+            ("wrong:late", "a Late, which is no world: it needs now_ns, how far it has been simulated"),
+            ("wrong:deaf", "a Deaf, which is no world: it needs advance, a method that is given the time"),
+            ("wrong:still", "the world stands still: after advance(100000000) its now_ns is 0, and its step"),
+            ("wrong:raising", "advance failed: ZeroDivisionError: division by zero ({folder}/wrong.py:17)"),
         ],
     )
     def test_a_world_that_cannot_be_made(self, here: Here, project: Path, function: str, words: str) -> None:
         (project / "faulty.py").write_text("def court(:\n")
+        (project / "wrong.py").write_text(WRONG)
+        words = words.replace("{folder}", str(project))
         done = here("run", ".", "--world", function)
         assert done.code == 1
         assert words in done.err
