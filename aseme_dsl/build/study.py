@@ -10,10 +10,11 @@ from __future__ import annotations
 import signal
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from functools import lru_cache
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context, resource_tracker
 from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -147,16 +148,36 @@ def _play(jobs: Sequence[_Job], processes: int, told: Callable[[], None]) -> lis
             found.append(run(job.package, job.seed, job.plan))
             told()
         return found
+    others = {*active_children()}
     # Spawned, not forked: a run leaves imported modules and threads behind.
     pool = ProcessPoolExecutor(processes, mp_context=get_context("spawn"), initializer=_ignore_interrupts)
     try:
-        futures = [pool.submit(run, job.package, job.seed, job.plan) for job in jobs]
+        with _interrupts_wait():
+            futures = [pool.submit(run, job.package, job.seed, job.plan) for job in jobs]
         for future in _as_they_end(futures):
             future.result()
             told()
         return [future.result() for future in futures]
+    except KeyboardInterrupt:  # nobody waits for what the workers are at
+        for worker in {*active_children()} - others:
+            worker.terminate()
+        raise
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
+
+
+@contextmanager
+def _interrupts_wait() -> Iterator[None]:
+    """Inside, Ctrl-C waits, and processes that start never hear of it: it would break that off."""
+    if not hasattr(signal, "pthread_sigmask"):  # Windows
+        yield
+        return
+    resource_tracker.ensure_running()  # which would let it through in between
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _as_they_end(futures: Sequence[Future[Run]]) -> Iterator[Future[Run]]:

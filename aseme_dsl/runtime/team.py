@@ -559,8 +559,8 @@ class Team:
         following = self.world.now_ns + self.world.step_ns
         if following <= now:
             raise TeamError(
-                f"the world stands still: after advance({now}) its now_ns is {self.world.now_ns}, and its step"
-                f" {self.world.step_ns} ns"
+                f"the world stands still: after advance({now}) its now_ns is {self.world.now_ns},"
+                f" and its step {self.world.step_ns} ns"
             )
         self.driver.at(following, self._move_world)
 

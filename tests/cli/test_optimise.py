@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import json
+import os
 import re
+import signal
+import subprocess
+import time
 from pathlib import Path
 
 import pytest
 
 from aseme_dsl.build.write import Written
 from aseme_dsl.diagnostics import Diagnostic
-from tests.cli.support import Done, Here, asemec
+from tests.cli.support import Done, Here, asemec, command
 
 FEED = """\
 system Feed
@@ -345,6 +349,41 @@ def test_if_nothing_was_measured_nothing_is_concluded(here: Here, feed: Path) ->
     assert "Every seed gave the same" not in done.out and "times as quick" not in done.out
     left = sorted(path.name for path in (feed.parent / "found").iterdir())
     assert left == ["report.json", "report.md"]  # and no plot, nor that of another question
+
+
+STARTING = """\
+import pathlib, sys, time
+if any("spawn_main" in item for item in sys.orig_argv):
+    pathlib.Path("starting").touch()
+    time.sleep(1)
+"""
+"""What each process does first: that of a worker says that it starts, and takes its time."""
+
+
+def test_ctrl_c_while_the_workers_start_is_told_once(feed: Path) -> None:
+    (feed.parent / "site").mkdir()
+    (feed.parent / "site" / "sitecustomize.py").write_text(STARTING, "utf-8")
+    path = os.pathsep.join([str(feed.parent / "site"), os.environ.get("PYTHONPATH", "")])
+    process = subprocess.Popen(
+        command("optimise", feed, "--measure", "Carry", "--runs", "20", "--for", "20min", "-j", "2"),
+        cwd=feed.parent,
+        env={**os.environ, "PYTHONPATH": path},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        start_new_session=True,
+    )
+    try:
+        while not (feed.parent / "starting").exists():
+            assert process.poll() is None
+            time.sleep(0.01)
+        os.killpg(process.pid, signal.SIGINT)
+        said, _ = process.communicate(timeout=60)
+    finally:
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.communicate()
+    assert (process.returncode, said.strip()) == (130, "asemec: stopped")
 
 
 def test_a_run_of_no_time_is_refused(here: Here, feed: Path) -> None:

@@ -393,9 +393,10 @@ class TestProjects:
             ("faulty:court", "faulty cannot be imported: SyntaxError"),
             (
                 "wrong:empty",
-                "wrong:empty gave {}, which is no world: it needs bodies, the bodies by the names of the agents;"
-                " step_ns, how long one step of it lasts, in whole ns; now_ns, how far it has been simulated, in"
-                " whole ns; advance, a method that is given the time up to which to simulate, in ns\n",
+                "wrong:empty gave {}, which is no world: it needs bodies, the bodies by the names of the"
+                " agents; step_ns, how long one step of it lasts, in whole ns; now_ns, how far it has been"
+                " simulated, in whole ns; advance, a method that is given the time up to which to simulate,"
+                " in ns\n",
             ),
             ("wrong:none", "wrong:none gave None, which is no world: it needs bodies,"),
             ("wrong:late", "a Late, which is no world: it needs now_ns, how far it has been simulated"),
