@@ -14,7 +14,7 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path, PurePosixPath
 
@@ -43,19 +43,20 @@ def compiled(files: Iterable[Planned]) -> Iterator[Planned]:
     Raises:
         NativeError: mypyc or a C compiler is missing, or cannot compile one.
     """
-    modules = [file for file in files if _is_chart(file)]
+    others = {file.path: file.content for file in files}
+    modules = [file for file in files if _is_chart(file, others)]
     if not modules:
         return
     check_installed()
-    others = {file.path: file.content for file in files}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for made in pool.map(lambda file: _compiled(file, others), modules):
             yield from made
 
 
-def _is_chart(file: Planned) -> bool:
+def _is_chart(file: Planned, others: Collection[str]) -> bool:
     """Whether a file is a class that is not watched: what is watched waits for others anyway."""
-    if file.part != BACKEND or file.path.endswith(f"{WATCHED}.py"):
+    beside = f"{file.path.removesuffix(f'{WATCHED}.py')}.py"
+    if file.part != BACKEND or (beside != f"{file.path}.py" and beside in others):
         return False
     return f"from {_BASE} import ".encode() in file.content
 

@@ -625,13 +625,11 @@ def users_mistakes(*generated: Path) -> Iterator[None]:
     import sysconfig
     import traceback
 
-    import aseme_dsl
-
     try:
         yield
     except Exception as error:
         libraries = tuple(sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib"))
-        ours = tuple(str(path.resolve()) for path in (Path(aseme_dsl.__file__).parent, *generated))
+        ours = tuple(str(path.resolve()) for path in (Path(__file__).parents[1], *generated))
         for place in reversed(traceback.extract_tb(error.__traceback__)):
             if os.path.realpath(place.filename).startswith(ours):
                 raise

@@ -46,6 +46,26 @@ def built(tmp_path: Path, text: str) -> Path:
     return tmp_path / "plain"
 
 
+@pytest.mark.parametrize("names", [("a", "a_watched"), ("a_watched", "a"), ("messages", "messages_")])
+def test_roles_whose_modules_would_be_called_alike(tmp_path: Path, names: tuple[str, str]) -> None:
+    roles = "".join(f"srm {name} {{ liveness {{ {name} = Walk{n}~ }} }}\n" for n, name in enumerate(names))
+    folder = built(tmp_path, f"system Two\n{roles}")
+    program = """
+import Two, importlib
+for name in sorted(vars(Two)):
+    kind = getattr(Two, name)
+    if isinstance(kind, type) and hasattr(kind, "LEAVES"):
+        module = importlib.import_module(f"{kind.__module__}_watched")
+        chart = getattr(module, f"Watched{name}")()
+        chart.start()
+        print(name, [item.removeprefix("start_") for item in dir(chart) if item.startswith("start_")])
+"""
+    done = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert len(done.stdout.splitlines()) == 2
+    assert "Walk0" in done.stdout and "Walk1" in done.stdout
+
+
 def test_a_statechart_is_an_ordinary_class(tmp_path: Path) -> None:
     folder = built(tmp_path, LAMP)
     program = """

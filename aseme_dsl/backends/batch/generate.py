@@ -24,7 +24,7 @@ from aseme_dsl.amola.messages import DOUBLE, DURATION, Kind, Type
 from aseme_dsl.amola.statechart import Statechart, Transition, Variable
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Artefact, BackendOptions, Refused
-from aseme_dsl.backends.plain.generate import module_of, refusals
+from aseme_dsl.backends.plain.generate import module_names, refusals
 from aseme_dsl.backends.shared.generate import environment, rendered, source_of, tidy
 from aseme_dsl.codegen.batch import Array, BatchCode, generate_batch
 from aseme_dsl.codegen.plain import PlainOptions, generate_plain
@@ -64,8 +64,9 @@ class BatchBackend:
         templates = environment(options, Path(__file__).parent / "templates")
         known = {"system": system, "source": source_of(system)}
         artefacts = [rendered(templates, "batch_system.py.j2", f"{system.name}/__init__.py", known)]
+        modules = module_names(system, COMPILED)
         for chart in system.iacs:
-            name = f"{system.name}/{module_of(chart.name)}"
+            name = f"{system.name}/{modules[chart.name]}"
             code = _code(system, chart)
             used = ["Batch", "Selection", *(name for name in _CALLED if _uses(code, name))]
             written = {**known, "chart": chart, "code": code, "role": class_name(chart.name), "used": used}

@@ -44,8 +44,9 @@ class PlainBackend:
             raise Refused(tuple(problems))
         templates = environment(options, Path(__file__).parent / "templates")
         called = class_names(system)
+        modules = module_names(system, WATCHED)
         roles = [
-            (chart.name, module_of(chart.name), classes_of(called[chart.name])[:2]) for chart in system.iacs
+            (chart.name, modules[chart.name], classes_of(called[chart.name])[:2]) for chart in system.iacs
         ]
         names = sorted(name for _, _, classes in roles for name in classes)
         exported = f"[{', '.join(map(_quoted, names))}]"
@@ -55,11 +56,12 @@ class PlainBackend:
             messages_file(system),
         ]
         for chart in system.iacs:
-            path = f"{system.name}/{module_of(chart.name)}"
+            module = modules[chart.name]
+            path = f"{system.name}/{module}"
             name = called[chart.name]
             artefacts.append(Artefact(f"{path}.py", module_text(system, chart, options, name=name)))
             watched = PlainOptions(watched=True, gates=False)
-            told = module_text(system, chart, options, watched, board=True, name=name)
+            told = module_text(system, chart, options, watched, board=module, name=name)
             artefacts.append(Artefact(f"{path}{WATCHED}.py", told))
         return tuple(artefacts)
 
@@ -87,9 +89,17 @@ def _quoted(name: str) -> str:
     return f'"{name}"'
 
 
-def module_of(role: str) -> str:
-    """The name of the module of a role."""
-    return f"{role}_" if role == "messages" else usable(role)
+def module_names(system: System, suffix: str) -> dict[str, str]:
+    """The module of each role: no other is called so, nor so with the suffix of the role's second module."""
+    found: dict[str, str] = {}
+    taken = {"messages"}
+    for chart in system.iacs:
+        name = usable(chart.name)
+        while not taken.isdisjoint({name, name + suffix}):
+            name += "_"
+        taken |= {name, name + suffix}
+        found[chart.name] = name
+    return found
 
 
 def module_text(
@@ -98,10 +108,10 @@ def module_text(
     options: BackendOptions,
     plain: PlainOptions | None = None,
     *,
-    board: bool = False,
+    board: str = "",
     name: str = "",
 ) -> str:
-    """The module with the class of a role; with `board`, the blackboard is of the role's other module.
+    """The module with the class of a role; the blackboard is of its module `board`, if one is named.
 
     `name` is what `class_names` calls it, if that is known.
     """
@@ -126,7 +136,7 @@ def module_text(
         "standard": standard,
         "used": used,
         "messages": used_messages,
-        "board": f".{module_of(chart.name)}" if board else "",
+        "board": f".{board}" if board else "",
     }
     return tidy(rendered(templates, "plain.py.j2", "", known).text)
 
