@@ -112,28 +112,6 @@ def test_a_variable_is_a_row_of_a_table(tmp_path: Path, engine: str) -> None:
             batch.table("stuck")
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
-def test_a_batch_can_be_copied_and_pickled(tmp_path: Path, engine: str) -> None:
-    _, kind = made(system_of(ROBOT), tmp_path, "robot")
-    with without_compiling():
-        batch = kind(4, engine)
-        batch.start()
-        batch.bb.near = batch.bb.seen = [True, False, True, False]
-        batch.send("tick")
-        others = [copy.copy(batch), copy.deepcopy(batch), pickle.loads(pickle.dumps(batch))]
-        for other in others:
-            assert [other.configuration(n) for n in range(4)] == [batch.configuration(n) for n in range(4)]
-            table, row = other.table("shots")
-            table[row] = 9
-            assert other.bb.shots.tolist() == [9] * 4 and not batch.bb.shots.any()  # each has its own
-            other.bb.shots = 0
-        batch.bb.near = True
-        moved = batch.send("tick").tolist()
-        for other in others:
-            other.bb.near = True
-            assert other.send("tick").tolist() == moved and other.counts() == batch.counts()
-
-
 def test_roles_whose_modules_would_be_called_alike() -> None:
     text = (
         "system Two\nsrm a { liveness { a = Walk~ } }\nsrm a_compiled { liveness { a_compiled = Walk~ } }\n"
@@ -148,19 +126,6 @@ def test_roles_whose_modules_would_be_called_alike() -> None:
             "Two/a_compiled__compiled.py",
         )
     ]
-
-
-def test_a_batch_that_is_strict_takes_no_event_that_nothing_waits_for(tmp_path: Path) -> None:
-    plain, kind = made(system_of(ROBOT), tmp_path, "robot")
-    assert set(kind.EVENTS) == set(plain.EVENTS)
-    batch, strict = kind(2), kind(2, strict=True)
-    for each in (batch, strict):
-        each.start()
-        each.send("tick")
-    assert not batch.send("tcik").any()
-    for one in (strict, pickle.loads(pickle.dumps(strict))):
-        with pytest.raises(ValueError, match=r"RobotBatch waits for no event 'tcik'; did you mean 'tick'\?"):
-            one.send("tcik")
 
 
 def test_what_is_active_is_asked_of_all_at_once(tmp_path: Path) -> None:
