@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.build.build import Choice, build
 from aseme_dsl.build.course import Course, begun, doings, plain_begun, plain_player, player
-from aseme_dsl.build.drawn import drawn
+from aseme_dsl.build.drawn import drawn_anew
 from aseme_dsl.build.recorded import NobodyThere, Recording, recorded
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.loading import importing, load_system
@@ -59,8 +59,10 @@ class Measured:
     states: int
     regions: int
     transitions: int
+    starts: int
+    """How many statecharts begin: one where the first has come to its end, or one for each agent of a run."""
     steps: int
-    """How many steps are played, those aside with which agents begin."""
+    """How many steps are played, those aside with which statecharts begin."""
     inputs: int
     activities: int
     """How many states have an activity."""
@@ -141,8 +143,8 @@ def bench(
         if traces:
             courses, agents = _courses(recordings, chart.name)
         else:
-            one = drawn(system, chart, kind, messages, STEPS if steps is None else steps, seed)
-            courses, agents = [one] if len(one.steps) > 1 else [], ()
+            asked = STEPS if steps is None else steps
+            courses, agents = drawn_anew(system, chart, kind, messages, asked, seed), ()
         measured = _measured(chart, kind, plain.get(chart.name), courses, rounds, recorded=bool(traces))
         found.append(replace(measured, agents=agents, refused=refused.get(chart.name, ())))
     loads: list[float] = []
@@ -247,6 +249,7 @@ def _measured(
         len(chart.nodes),
         len(kind.REGIONS),
         len(chart.transitions),
+        len(courses),
         sum(len(course.steps) - 1 for course in courses),
         sum(course.inputs for course in courses),
         len(kind.RUNNING),

@@ -62,6 +62,11 @@ def _notes(item: Measured, *, several: bool) -> Iterator[str]:
     for one in item.agents:
         if one.until:
             yield f"- `{item.role}`: {one.agent} is played {_counted(one.steps)} far: {one.until}."
+    if item.starts > 1 and not item.agents:
+        yield (
+            f"- `{item.role}` came to its end before all inputs were played, and was begun"
+            f" {item.starts} times. To begin is not timed."
+        )
     if item.refused:
         yield f"- `{item.role}` has no plain statechart: {', '.join(item.refused)}."
     if item.one_by_one > item.steps:

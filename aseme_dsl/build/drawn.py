@@ -22,16 +22,25 @@ from aseme_dsl.runtime.inputs import Arrived, Completed, Happened, Input, Mail, 
 MS = 1_000_000
 _LONGEST = 50
 """Milliseconds between two inputs, at most; now and then it is a thousand times as long."""
+STARTS = 100
+"""How often a chart begins at the most."""
 
 
 def drawn(
-    system: System, chart: Statechart, kind: type[Chart], messages: Mapping[str, Any], steps: int, seed: int
+    system: System,
+    chart: Statechart,
+    kind: type[Chart],
+    messages: Mapping[str, Any],
+    steps: int,
+    seed: int,
+    number: int = 0,
 ) -> Course:
     """A course with so many inputs after its first step, or with as many as the chart takes before its end.
 
-    `messages` are the classes of the messages and enums that `kind` reads.
+    `messages` are the classes of the messages and enums that `kind` reads. With each `number`, other inputs
+    are drawn by the same seed.
     """
-    chance = random.Random(f"{seed} {chart.name}")
+    chance = random.Random(f"{seed} {chart.name} {number}" if number else f"{seed} {chart.name}")
     drawing = _Drawing(system, chart, kind, messages, chance)
     running = begun(kind, "one")
     recorder = Recorder(running, "one")
@@ -44,6 +53,23 @@ def drawn(
             break
         recorder.play(Given(now, (item,)))
     return recorder.course()
+
+
+def drawn_anew(
+    system: System, chart: Statechart, kind: type[Chart], messages: Mapping[str, Any], steps: int, seed: int
+) -> list[Course]:
+    """Courses with so many inputs in all: where one comes to an end of the chart, another begins.
+
+    Of a chart that comes to its end soon there are no more than `STARTS`; of one that takes no input, none.
+    """
+    found: list[Course] = []
+    while steps > 0 and len(found) < STARTS:
+        one = drawn(system, chart, kind, messages, steps, seed, len(found))
+        if len(one.steps) <= 1:
+            break
+        found.append(one)
+        steps -= len(one.steps) - 1
+    return found
 
 
 class _Drawing:
@@ -158,4 +184,4 @@ class _Drawing:
         return None
 
 
-__all__ = ["drawn"]
+__all__ = ["STARTS", "drawn", "drawn_anew"]

@@ -54,6 +54,18 @@ def test_a_plain_statechart_is_compared_and_timed_beside(tmp_path: Path) -> None
     assert item.ways["Machine.send"].memory > item.ways["plain"].memory + 500  # it has a queue
 
 
+def test_a_role_that_comes_to_its_end_is_begun_anew(tmp_path: Path) -> None:
+    text = "system Short\nsrm one { liveness { one = Go . Stop } }\nsrm two { liveness { two = Go~ } }\n"
+    (tmp_path / "short.aseme").write_text(text, "utf-8")
+    found = measured(tmp_path / "short.aseme", tmp_path / "out", steps=60)
+    one, two = found.roles
+    assert (one.steps, two.steps, two.starts) == (60, 60, 1) and one.starts >= 20
+    assert list(one.ways) == ["agent", "plain", "Machine.send", "Machine.post"]
+    said = markdown(found)
+    assert f"`one` came to its end before all inputs were played, and was begun {one.starts} times." in said
+    assert "`two` came to its end" not in said
+
+
 def test_variables_that_are_called_otherwise_on_the_blackboard(tmp_path: Path) -> None:
     """`changed` is a method of a blackboard that is told of changes: the variable is `changed_2` there."""
     text = LAMP.replace("touched", "changed").replace("touch [", "touch [changed < 2 && ")
