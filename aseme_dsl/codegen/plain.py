@@ -102,7 +102,7 @@ TAKEN = frozenset(dir(builtins)) | {
         "Plain",
         "Random",
     ),
-    *("Unsettled", "annotations", "cache", "function_at", "leaves_of", "logging"),
+    *("Unsettled", "annotations", "cache", "function_at", "leaves_of", "logging", "unknown_event"),
 }
 """What other names mean in a module, also in one of machine code, which has the class `Plain` in it."""
 
