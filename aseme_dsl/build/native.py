@@ -150,6 +150,7 @@ def native_source(module: str) -> str:
 
     head, imported, rest = re.split(rf"^(from {re.escape(_BASE)} import .*)$", module, maxsplit=1, flags=re.M)
     assert imported
+    rest = re.sub(r"^ +self\..* = UNSTARTED\n", "", rest, flags=re.M)  # an attribute has one type there
     tree = ast.parse(inspect.getsource(plain))
     others = [node.name for node in tree.body if isinstance(node, ast.ClassDef) and node.name != "Plain"]
     kept = [node for node in tree.body if not _is_left_out(node, others)]

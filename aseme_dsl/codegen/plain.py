@@ -94,6 +94,7 @@ TAKEN = frozenset(dir(builtins)) | {
         "ABSENT",
         "NEVER",
         "ROUNDS",
+        "SHOWN",
         "ActivityFailed",
         "Any",
         "Callable",
@@ -101,8 +102,18 @@ TAKEN = frozenset(dir(builtins)) | {
         "Mapping",
         "Plain",
         "Random",
+        "UNSTARTED",
     ),
-    *("Unsettled", "annotations", "cache", "function_at", "leaves_of", "logging", "unknown_event"),
+    *(
+        "NotStarted",
+        "Unsettled",
+        "annotations",
+        "cache",
+        "function_at",
+        "leaves_of",
+        "logging",
+        "unknown_event",
+    ),
 }
 """What other names mean in a module, also in one of machine code, which has the class `Plain` in it."""
 
@@ -120,13 +131,15 @@ class PlainOptions:
     `mapping`: the blackboard is a dictionary instead of a class with slots. `watched`: each activity has a
     method that is called as it starts, and one that is called when it is cut short, and `took` is told of
     each transition. `tables`: regions with many leaves find what is to do in a tuple of functions. `gates`:
-    many conditions in a row are skipped while a tracked blackboard has not changed.
+    many conditions in a row are skipped while a tracked blackboard has not changed. `translated`: the steps
+    are for `batch.py`, which has a `done` of its own, and nothing is called there that may raise.
     """
 
     mapping: bool = False
     watched: bool = False
     tables: bool = True
     gates: bool = True
+    translated: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,6 +207,8 @@ class _Candidate:
     """"" if it spends no event, "yes", or the condition under which it does not."""
     stays: bool = False
     """Whether its source is not left."""
+    leads_on: bool = True
+    """Whether it can be taken: a choice may have no way out, but what may fail before it is to be told."""
 
 
 @dataclass(slots=True)
@@ -292,6 +307,8 @@ class _Generator(Face):
         for name in self.variables:
             self._on_board(name)
         self.function_names = Identifiers()
+        for name in ("_EVENTS", "_PLACES"):
+            self.function_names.name(("reserved", name), name)
         self.functions: dict[str, tuple[str, str, str]] = {}
         self.event_methods: dict[str, str] = {}
         self.leaving: dict[str, bool] = {}
@@ -794,9 +811,11 @@ class _Generator(Face):
             self._leave_region(region.number)
         self._share()
         bodies = {event: self._mode(event) for event in self.modes}
-        methods.append(self._start())
+        methods.append(self._start(bodies[STEP][0]))
         methods.append(self._send(bodies))
         methods.append(self._written("step(self) -> bool", "One step without an event.", bodies[STEP][0]))
+        if not self.options.translated:
+            methods += self._done()
         for mode in (*(mode for _, mode in bodies.values()), *([self.others] if self.others else ())):
             methods += mode.functions.values()
             self.tables += [line for table in mode.tables.values() for line in table]
@@ -942,7 +961,7 @@ class _Generator(Face):
             "",
             f"    EVENTS = {_tuple(sorted(event for event in self.modes if event != STEP))}",
             "    NAMES = (",
-            *(f"        {names!r}," for names in self._of_leaves(_leaf_name)),
+            *(f"        {names!r}," for names in self._of_leaves(_name_or_type)),
             "    )",
             "    LEAVES = (",
             *(f"        {labels!r}," for labels in self._of_leaves(lambda node: node.label)),
@@ -953,13 +972,13 @@ class _Generator(Face):
             lines.append(f"    INNER: ClassVar[Mapping[tuple[int, int], tuple[int, ...]]] = {table!r}")
         if running:
             lines.append(f"    RUNNING: ClassVar[Mapping[str, tuple[int, int]]] = {running!r}")
-        outcomes = {
-            node.label: tuple(self._outcome(labels) for labels in self.asked if node.label in labels)
+        ends = {
+            node.label: said.ends
             for node in self.chart.nodes
-            if any(node.label in labels for labels in self.asked)
+            if node.label in self.flat.leaf and (said := self.flat.said_of(node)) is not None and said.ends
         }
-        if outcomes:
-            lines.append(f"    OUTCOMES: ClassVar[Mapping[str, tuple[str, ...]]] = {outcomes!r}")
+        if ends:
+            lines.append(f"    ENDS: ClassVar[Mapping[str, tuple[str, ...]]] = {ends!r}")
         messages = tuple((slot, *key) for key, (slot, _) in self._message_slots().items())
         if messages:
             lines.append(f"    MESSAGES = {messages!r}")
@@ -977,7 +996,23 @@ class _Generator(Face):
         if self.is_timed:
             lines.append("        self.now = 0")
         lines += [f"        self.{name}: {kind} = {value}" for name, kind, value, _ in fields]
+        first = [f"self.r{region.number}" for region in regions if self._is_around_all(region.number)]
+        first += [
+            f"self.{name}"
+            for name in dict.fromkeys(
+                self._time(label)
+                for label in sorted(self.flat.timed)
+                if self._is_active(self.chart.node(label)) == "True"
+            )
+        ]
+        if first and not self.options.translated:
+            lines.append(f"        {' = '.join(first)} = UNSTARTED")
         return lines
+
+    def _is_around_all(self, region: int) -> bool:
+        """Whether a region is active whatever the other numbers are."""
+        parent = self.chart.node(self.flat.regions[region].label).parent
+        return parent is None or self._is_active(self.chart.node(parent)) == "True"
 
     def _legend(self) -> Iterator[str]:
         """What the slots mean, for people who look at an instance."""
@@ -1018,26 +1053,30 @@ class _Generator(Face):
 
     # ---- the interface ---------------------------------------------------------------------
 
-    def _start(self) -> list[str]:
-        """The method that enters the root and goes on until nothing is enabled."""
+    def _start(self, step: list[str]) -> list[str]:
+        """The method that enters the root and goes on until nothing is enabled, as a `step` does."""
         root = self.chart.root
         lines = [f"self.{self._count(label)} = 0" for label in self.flat.counted]
-        for name in self.copied:
-            lines += self._taken_copies(name)
-        lines += [*self._on_entry(0, root), *self._enter_inside(0, root.label)]
-        rest = self._rest(root.label)
-        if (
+        copies = [line for name in self.copied for line in self._taken_copies(name)]
+        lines += [*copies, *self._on_entry(0, root)]
+        entered = self._enter_inside(0, root.label)
+        goes_on = (
             self.rests.asked
-            or self._open_at(STEP, rest, False, root.label)
-            or self.chart.outgoing(root.label)
-        ):
-            lines.append("self.step()")
-        else:
-            lines += self._spread()
-        lines = _indented(lines or ["pass"], 2)
-        return self._written(
-            "start(self) -> None", "Enter the root, and go on until nothing is enabled.", lines
+            or self._open_at(STEP, self._rest(root.label), False, root.label)
+            or bool(self.chart.outgoing(root.label))
         )
+        signature, document = "start(self) -> None", "Enter the root, and go on until nothing is enabled."
+        if goes_on and any(line.startswith("self.writes = ") for line in entered):
+            # It is one step: what a region has written it sees, so the copies are not taken again.
+            again = set(_indented(copies, 2))
+            rest = [line for line in step[:-1] if line not in again]
+            place, depth = (rest.index("        try:") + 1, 3) if "        try:" in rest else (0, 2)
+            rest[place:place] = _indented(entered, depth)
+            return self._written(signature, document, [*_indented(lines, 2), *rest])
+        lines += entered if goes_on else self._ended_by(entered, self._spread())
+        if goes_on:
+            lines.append("self.step()")
+        return self._written(signature, document, _indented(lines or ["pass"], 2))
 
     def _due(self) -> list[list[str]]:
         """The method that says when time alone may matter, where it may."""
@@ -1109,6 +1148,133 @@ class _Generator(Face):
             lines.append("        return self.step()")
         return [f"    def {signature}:", f'        """{document}"""', *lines]
 
+    # ---- an activity that has returned -----------------------------------------------------
+
+    def _done(self) -> Iterator[list[str]]:
+        """The method that makes a step before which an activity has returned, if that matters anywhere.
+
+        States are found by their place among the leaves of all regions, one region after the other.
+        """
+        bodies: list[_Body] = []
+        places = 0
+        alone = self._alone()
+        for region in self.flat.regions:
+            for leaf in self.flat.leaves(region.number):
+                if leaf.type is NodeType.BASIC and self.rests.width(leaf) > 1:
+                    place = places + self.flat.leaf[leaf.label]
+                    does = self._returned(region.number, leaf, places, alone[region.number])
+                    bodies.append(_Body(place, place, f"{leaf.label} {leaf.name}", tuple(does)))
+            places += region.size
+        bodies = _merged(bodies)
+        if not bodies:
+            return
+        if sum(len(body.lines) for body in bodies) > IN_LINE:
+            bodies = [
+                self._done_apart(number, bodies[first : first + CHUNK])
+                for number, first in enumerate(range(0, len(bodies), CHUNK))
+            ]
+        says = any(map(self.flat.ending.__contains__, self.flat.leaf))
+        key, kind = ("(label, outcome)", "tuple[str, str | None]") if says else ("label", "str")
+        self.tables += ["", f"_PLACES: dict[{kind}, int] = {{}}"]
+        self.tables.append('"""The activities that have returned before, as they were given to `done`."""')
+        lines = [
+            f"place = _PLACES.get({key})",
+            "if place is None:",
+            "    place = self.place(label, outcome)",
+            "    if place < 0:",
+            "        return self.step()",
+            *(
+                ["    if outcome is None or outcome in self.ENDS.get(self.label_of(label), ()):"]
+                if says
+                else []
+            ),
+            f"    {'    ' * says}_PLACES[{key}] = place",
+            *self._tree("place", bodies),
+            "return self.step()",
+        ]
+        yield [
+            "    def done(self, label: str, outcome: str | None = None) -> bool:",
+            '        """One step, before which the activity of a BASIC state has returned."""',
+            *_indented(lines, 2),
+        ]
+
+    def _done_apart(self, number: int, bodies: list[_Body]) -> _Body:
+        """A method for some of the activities that have returned; what calls it."""
+        name = self.identifiers.name(("done", number), f"_done_{number}")
+        given = {"place": "int"} | ({"outcome": "str | None"} if self.asked else {})
+        signature = ", ".join(["self", *(f"{item}: {kind}" for item, kind in given.items())])
+        both = _joined(bodies[0], bodies[-1])
+        lines = [*self._tree("place", bodies), "return self.step()"]
+        head = [
+            f"    def {name}({signature}) -> bool:",
+            f'        """{docstring(both.title)} has returned."""',
+        ]
+        self.methods.append([*head, *_indented(lines, 2)])
+        return replace(both, lines=(f"return self.{name}({', '.join(given)})",))
+
+    def _returned(self, region: int, leaf: Node, places: int, alone: bool) -> list[str]:
+        """What is done as the activity of a leaf has returned, and all of the step if it moves `alone`.
+
+        Where nothing can be said of the rest, a step is to follow.
+        """
+        number = self.flat.leaf[leaf.label]
+        slot = f"self.r{region}"
+        ends = [f"self.{self._outcome(labels)} = outcome" for labels in self.asked if leaf.label in labels]
+        around = self.chart.node(self.flat.regions[region].label).parent
+        inside = "" if around is None else self._is_active(self.chart.node(around))
+        before = f"{inside} and " if inside not in ("", "True") else ""
+        again = self._loops_at(STEP, leaf)
+        if self.flat.regions[region].size > TABLE or not alone or (again and (self.copied or self.faults)):
+            if not ends:  # the same for all
+                running = f"place - {places}" if places else "place"
+                return [f"if {before}{slot} == {running}:", f"    {slot} += 1"]
+            return [f"if {before}{slot} == {number}:", f"    {slot} = {number + 1}", *_indented(ends, 1)]
+        mode = _Mode(STEP, direct=not self.copied and not self.faults)
+        lines = self._whole(mode, self._from_leaf(mode, region, leaf, number + 1, 4), region)
+        lines = [f"{slot} = {number + 1}  # {self._title(leaf, number + 1)}", *ends, *lines]
+        return [f"if {before}{slot} == {number}:", *_indented([*self._locals(lines, 0), *lines], 1)]
+
+    def _alone(self) -> list[bool]:
+        """The regions in which something may move by itself: by the regions' numbers, whether in a step
+        without an event nothing else does, as long as no other activity returns."""
+        failing = any(
+            isinstance(e, Failed) for item in self.chart.transitions for e in item.expression.events
+        )
+        moves = [
+            any(self._moves_by_itself(leaf, complete=True) for leaf in leaves)
+            for leaves in self._all_leaves()
+        ]
+        inside = list(moves)
+        for region in reversed(self.flat.regions[1:]):  # innermost first
+            around = self.flat.enclosing(region.number)
+            assert around is not None
+            inside[around] |= inside[region.number]
+        alone = [not failing]
+        moving = Counter(
+            self.chart.node(region.label).parent for region in self.flat.regions if inside[region.number]
+        )
+        for region in self.flat.regions[1:]:
+            parent = self.chart.node(region.label).parent
+            assert parent is not None
+            is_calm = not self._moves_by_itself(self.chart.node(parent), complete=False)
+            others = moving[parent] - inside[region.number]
+            alone.append(alone[self.flat.region_number[parent]] and is_calm and not others)
+        return alone
+
+    def _moves_by_itself(self, leaf: Node, *, complete: bool) -> bool:
+        """Whether something may be taken while a leaf is active that has no event and rests there until then.
+
+        `complete`: it may be complete. What is left as soon as it is complete does not rest.
+        """
+        for source in (leaf, *self.flat.around(leaf.label)):
+            ended = complete if source is leaf else leaf.type is NodeType.END and leaf.parent == source.label
+            rests = ended and not self._is_left(source)
+            for way in (*self.flat.first_ways(source.label), *self.flat.ways(source.label)):
+                waits = self.flat.waits_for_event(way)
+                if (rests or waits) and self._spends(OTHER, (way.number,)) is not None:
+                    return True
+        return False
+
     # ---- a step ----------------------------------------------------------------------------
 
     def _mode(self, event: str) -> tuple[list[str], _Mode]:
@@ -1119,13 +1285,17 @@ class _Generator(Face):
             if is_deep and not self._is_shared(mode, region.number):
                 self._apart(mode, region.number)
         lines = self._region(mode, 0, 3 if mode.loops else 2)
+        return _indented(self._whole(mode, lines), 2), mode
+
+    def _whole(self, mode: _Mode, lines: list[str], region: int | None = None) -> list[str]:
+        """What a step does, with what comes before and after it; of one `region` if nothing else is done."""
         if not lines:
-            return list(_NOTHING), mode
+            return ["return False"]
         if mode.direct:
-            return [*_indented(lines, 2), *([] if _returns(lines) else _NOTHING)], mode
+            return lines if _returns(lines) else [*lines, "return False"]
         head: list[str] = []
         for name in self.copied:
-            head += self._taken_copies(name)
+            head += self._taken_copies(name, region)
         tail = self._spread()
         if self.faults:
             tail += ["if self.faulty:", "    self.faulty = ()"]
@@ -1134,16 +1304,23 @@ class _Generator(Face):
             if any("self.spent" in line for text in every for line in text):
                 self.spends = True
                 head.append("self.spent = 0")
-            head += ["rounds = 0", "moved = False", "while True:", "    again = False"]
-            lines = [*_indented(lines, 1), "    if not again:", "        break", "    rounds += 1"]
+            head += ["rounds = 0", "moved = False"]
+            lines = ["while True:", "    again = False", *_indented(lines, 1), "    if not again:"]
+            lines += ["        break", "    rounds += 1"]
             lines += ["    if rounds == ROUNDS:", "        raise self.unsettled()"]
         else:
             says = f"{_MOVED} = True"
             if says in lines and all(line == says for line in lines if re.search(rf"\b{_MOVED}\b", line)):
                 lines = [line for line in lines if line != says]
-                return _indented([*head, *lines, *tail, "return True"], 2), mode
+                return [*head, *self._ended_by(lines, tail), "return True"]
             head.append(f"{_MOVED} = False")
-        return _indented([*head, *lines, *tail, f"return {_MOVED}"], 2), mode
+        return [*head, *self._ended_by(lines, tail), f"return {_MOVED}"]
+
+    def _ended_by(self, lines: list[str], tail: list[str]) -> list[str]:
+        """A step with what ends it: also one that something raises, where a program is called in it."""
+        if not tail or self.options.translated:
+            return [*lines, *tail]
+        return ["try:", *_indented(lines, 1), "finally:", *_indented(tail, 1)]
 
     def _mode_of(self, event: str) -> _Mode:
         mode = _Mode(event, self._may_loop(event))
@@ -1170,10 +1347,12 @@ class _Generator(Face):
             and region not in self.touched.get(mode.event, {})
         )
 
-    def _taken_copies(self, name: str) -> list[str]:
-        """The copies of a variable at the beginning of a step."""
-        copies = [f"self.{self._copy(name, region)}" for region in self.copied[name]]
-        return [f"{' = '.join(copies)} = {self._place_on_board(self._on_board(name))}"]
+    def _taken_copies(self, name: str, only: int | None = None) -> list[str]:
+        """The copies of a variable at the beginning of a step, of all regions or only one."""
+        copies = [
+            f"self.{self._copy(name, region)}" for region in self.copied[name] if only in (None, region)
+        ]
+        return [f"{' = '.join(copies)} = {self._place_on_board(self._on_board(name))}"] if copies else []
 
     def _spread(self) -> list[str]:
         """The end of a step: all regions see what some have written into their copies."""
@@ -1285,8 +1464,8 @@ class _Generator(Face):
         return found
 
     def _is_left(self, leaf: Node) -> bool:
-        """Whether a BASIC state is left as soon as it is complete: no step with an event finds it so."""
-        ways = self.chart.ways_from(leaf.label) if leaf.type is NodeType.BASIC else ()
+        """Whether a state is left as soon as it is complete: no step with an event finds it so."""
+        ways = self.chart.ways_from(leaf.label)
         return any(
             is_open(way.expression) and self.chart.node(way.target).type is not NodeType.CONDITION
             for way in ways
@@ -1535,7 +1714,7 @@ class _Generator(Face):
         word = "if"
         gate = "" if otherwise else self._gate(candidates)
         for candidate in candidates:
-            taken = self._take(mode, region, leaf, number, candidate)
+            taken = self._take(mode, region, leaf, number, candidate) if candidate.leads_on else ["pass"]
             notes = [f"# {self._place(step)}" for step in candidate.taken]
             if not candidate.tests:
                 if word == "if":
@@ -1608,8 +1787,14 @@ class _Generator(Face):
                 tests = (*tests, guard)
         taken = (*before, way.number)
         if self.chart.node(transition.target).type is NodeType.CONDITION:
-            for branch in way.branches:
-                yield from self._candidates(mode, region, source, complete, branch, taken, tests, spends)
+            found_ways = [
+                item
+                for branch in way.branches
+                for item in self._candidates(mode, region, source, complete, branch, taken, tests, spends)
+            ]
+            if not found_ways and _may_do(tests):
+                found_ways = [_Candidate(source, (*tests, "False"), taken, "", leads_on=False)]
+            yield from found_ways
             return
         yield _Candidate(source, tests, taken, spends, transition.kind is TransitionKind.ON)
 
@@ -1663,7 +1848,7 @@ class _Generator(Face):
     def _moved(self, mode: _Mode, again: bool) -> list[str]:
         """What is noted when something was taken."""
         if mode.direct:
-            return ["return True"]
+            return ["self.step()", "return True"] if again else ["return True"]
         flags = [*mode.flags, "again"] if mode.loops and again else mode.flags
         return [f"{' = '.join(flags)} = True"]
 
@@ -1963,9 +2148,16 @@ def _leaf_name(node: Node) -> str:
     return node.name if node.name.isidentifier() else node.type.value
 
 
+def _name_or_type(node: Node) -> str:
+    """The name of a leaf, or what it is in brackets."""
+    name = _leaf_name(node)
+    return name if name == node.name else f"({name})"
+
+
 def _first(words: Sequence[str]) -> list[str]:
-    """Not too many words for a line."""
-    return [*words[:LEGEND], *["..."] * (len(words) > LEGEND)]
+    """Not too many words for a line, with how many there are besides."""
+    more = len(words) - LEGEND
+    return [*words[:LEGEND], *([f"and {more} more"] if more > 0 else [])]
 
 
 def _naturally(name: str) -> list[tuple[int, str]]:
@@ -2002,6 +2194,11 @@ def _paths(way: Way) -> Iterator[tuple[int, ...]]:
     for branch in way.branches:
         for path in _paths(branch):
             yield (way.number, *path)
+
+
+def _may_do(tests: Iterable[str]) -> bool:
+    """Whether to test does anything: it may be told that a condition has failed, or chance goes on."""
+    return any("self._holds_" in test or "self.random()" in test for test in tests)
 
 
 def _written_by(expression: TransitionExpression) -> set[str]:

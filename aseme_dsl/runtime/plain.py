@@ -15,6 +15,9 @@ from typing import Any, ClassVar
 ROUNDS = 1000
 """A step that has not settled after so many rounds never will."""
 
+SHOWN = 16
+"""So many states are named in an error."""
+
 ABSENT = "absent value"
 """Why an action was not done that needs a message which is not there."""
 
@@ -33,6 +36,32 @@ class Unsettled(RuntimeError):
     """A step does not come to an end: its transitions enable each other."""
 
 
+class NotStarted(RuntimeError):
+    """A step before `start`: nothing is active yet."""
+
+
+class _Unstarted:
+    """What a region has for a number before `start`: whoever looks at it is told.
+
+    So it costs a step nothing to look whether there is a number.
+    """
+
+    __slots__ = ()
+
+    def __reduce__(self) -> str:
+        return "UNSTARTED"
+
+    def _refuse(self, other: object = None) -> Any:
+        raise NotStarted("nothing is active yet: call start() first")
+
+    __eq__ = __ne__ = __lt__ = __le__ = __gt__ = __ge__ = __rsub__ = __rshift__ = _refuse
+    __bool__ = __hash__ = _refuse
+
+
+UNSTARTED: Any = _Unstarted()
+"""Stands where a number will be."""
+
+
 @cache
 def leaves_of(labels: str) -> tuple[str, ...]:
     """The labels of a region's leaves by their numbers, of `LEAVES`."""
@@ -43,9 +72,11 @@ class Plain:
     """A running statechart. Subclasses are generated; `semantics.md` says what a step does.
 
     A region is a slot with the number of its active leaf, or a truth where it has two. Nothing is active
-    before `start`: until then these slots have no value (`AttributeError`). The methods may not be called
-    while one of them runs (from a function of a condition, or from the method of an activity): `Machine` is
-    for that.
+    before `start`: until then a step raises `NotStarted`. The methods may not be called while one of them
+    runs (from a function of a condition, or from the method of an activity): nobody looks whether they are,
+    and the regions may then stand anywhere. `Machine` is for that.
+
+    Where a method is given a state, that is its label, or its name if no other state has that.
     """
 
     __slots__ = ()
@@ -65,13 +96,13 @@ class Plain:
     LEAVES: ClassVar[tuple[str, ...]] = ()
     """The labels of each region's leaves by their numbers, in one text: that is loaded faster than many."""
     NAMES: ClassVar[tuple[str, ...]] = ()
-    """The same leaves, by their names."""
+    """The same leaves, by their names; those that have none, by their type: `(AND)`."""
     INNER: ClassVar[Mapping[tuple[int, int], tuple[int, ...]]] = {}
     """For each AND, as its region and number, the regions inside it."""
     RUNNING: ClassVar[Mapping[str, tuple[int, int]]] = {}
     """The BASIC states whose completion matters: their region, and their number until they are complete."""
-    OUTCOMES: ClassVar[Mapping[str, tuple[str, ...]]] = {}
-    """The states whose last outcome somebody asks for, and the slots that hold it."""
+    ENDS: ClassVar[Mapping[str, tuple[str, ...]]] = {}
+    """The states whose activity says how it has ended, and the names of how it may."""
     MESSAGES: ClassVar[tuple[tuple[str, str, str | None], ...]] = ()
     """The places of messages on the blackboard, each with its channel, and whose it is (None: anybody's)."""
     VARIABLES: ClassVar[Mapping[str, str]] = {}
@@ -101,17 +132,15 @@ class Plain:
         """One step, before which the activity of a BASIC state has returned; whether anything was taken.
 
         That is of no account if the state is not active, or its activity has returned before. `outcome` is
-        the name of how it has ended, for activities that say so.
+        the name of how it has ended, for activities that say so; it is of no account for others.
 
         Raises:
-            KeyError: the statechart has no such state, or can never be in it.
+            KeyError: the statechart has no such state, or can never be in it, or has several of that name.
+            ValueError: the activity does not end so, or it was not said how it has.
         """
-        found = self._running(label)
-        if found is not None:
-            region, number = found
-            setattr(self, f"r{region}", number + 1)
-            for slot in self.OUTCOMES.get(label, ()) if outcome is not None else ():
-                setattr(self, slot, outcome)
+        self.place(
+            label, outcome
+        )  # classes in which it matters whether something has returned have their own
         return self.step()
 
     def failed(self, label: str, reason: str) -> bool:
@@ -125,6 +154,7 @@ class Plain:
                 without such transitions keeps no account: one that was left and entered again in the same
                 step counts as not left.
         """
+        label = self.label_of(label)
         found = self._running(label)
         takes = hasattr(self, "failures")  # there is an `error` transition
         if takes and found is not None:
@@ -139,35 +169,80 @@ class Plain:
     def _running(self, label: str) -> tuple[int, int] | None:
         """The region of a BASIC state and its number, if its activity runs and that matters."""
         found = self.RUNNING.get(label)
-        if found is None and not any(label in leaves_of(labels) for labels in self.LEAVES):
-            raise KeyError(f"{type(self).__name__} has no state {label}")
         return found if found is not None and found in self._active() else None
+
+    def place(self, state: str, outcome: str | None) -> int:
+        """Where a BASIC state whose completion matters stands among the leaves of all regions, else -1.
+
+        Raises:
+            KeyError: the statechart has no such state, or can never be in it.
+            ValueError: its activity does not end with that outcome.
+        """
+        label = self.label_of(state)
+        ends = self.ENDS.get(label, ())
+        if ends and outcome not in ends:
+            ended = "it was not said how it has ended" if outcome is None else f"not with {outcome!r}"
+            raise ValueError(f"the activity of {state} ends with {' or '.join(map(repr, ends))}; {ended}")
+        found = self.RUNNING.get(label)
+        if found is None:
+            return -1
+        region, number = found
+        return sum(len(leaves_of(labels)) for labels in self.LEAVES[:region]) + number
+
+    def label_of(self, state: str) -> str:
+        """The label of a state that is given by it, or by a name that no other has.
+
+        Raises:
+            KeyError: the statechart has no such state, or can never be in it, or has several of that name.
+        """
+        named = {
+            label: name
+            for labels, names in zip(self.LEAVES, self.NAMES, strict=True)
+            for label, name in zip(leaves_of(labels), leaves_of(names), strict=True)
+        }
+        if state in named:
+            return state
+        found = [label for label, name in named.items() if name == state]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise KeyError(f"{type(self).__name__} has several states {state}: {', '.join(found)}")
+        known = [f"{label} {name}" for label, name in named.items() if not name.startswith("(")]
+        more = f" and {len(known) - SHOWN} more" if len(known) > SHOWN else ""
+        raise KeyError(f"{type(self).__name__} has no state {state}; it has {', '.join(known[:SHOWN])}{more}")
 
     def configuration(self) -> tuple[str, ...]:
         """The labels of the active leaves, region by region in document order."""
         return tuple(leaves_of(self.LEAVES[region])[number] for region, number in sorted(self._active()))
 
     def names(self) -> tuple[str, ...]:
-        """The names of the active leaves, in the same order; with the label where several have that name."""
-        return tuple(self._called(region, number) for region, number in sorted(self._active()))
+        """The names of the active leaves that have one, in the same order; with the label where several have
+        that name."""
+        named = (item for item in sorted(self._active()) if not self._name(*item).startswith("("))
+        return tuple(self._called(*item) for item in named)
+
+    def _name(self, region: int, number: int) -> str:
+        return leaves_of(self.NAMES[region])[number]
 
     def _called(self, region: int, number: int) -> str:
         """The name of a leaf, with its label where others have that name, too."""
-        label, name = leaves_of(self.LEAVES[region])[number], leaves_of(self.NAMES[region])[number]
+        label, name = leaves_of(self.LEAVES[region])[number], self._name(region, number)
         others = (
             place
             for labels, names in zip(self.LEAVES, self.NAMES, strict=True)
             for place, other in zip(leaves_of(labels), leaves_of(names), strict=True)
             if other == name and place != label
         )
-        return name if next(others, None) is None else f"{name} {label}"
+        alone = next(others, None) is None
+        name = name.strip("()")  # what has no name is called by its type
+        return name if alone else f"{name} {label}"
 
     def __repr__(self) -> str:
         """For debuggers: which states are active."""
         try:
             active = [self._called(*item) for item in sorted(self._active()) if item not in self.INNER]
             return f"<{type(self).__name__}: {', '.join(active)}>"
-        except AttributeError:  # a region has no number yet
+        except (AttributeError, NotStarted):  # a region has no number yet
             return f"<{type(self).__name__}: not started>"
 
     @property
@@ -248,4 +323,15 @@ def unknown_event(kind: type, event: str) -> ValueError:
     return ValueError(f"{kind.__name__} waits for no event {event!r}; {hint}")
 
 
-__all__ = ["ABSENT", "NEVER", "ROUNDS", "ActivityFailed", "Plain", "Unsettled", "leaves_of", "unknown_event"]
+__all__ = [
+    "ABSENT",
+    "NEVER",
+    "ROUNDS",
+    "UNSTARTED",
+    "ActivityFailed",
+    "NotStarted",
+    "Plain",
+    "Unsettled",
+    "leaves_of",
+    "unknown_event",
+]

@@ -90,7 +90,10 @@ draw, lamp, seen = random.Random(5), Lamp(), []
 def move(kind):
     active = draw.choice(lamp.configuration())
     if kind == "done":
-        return lamp.done(active)
+        try:
+            return lamp.done(active)
+        except ValueError as error:
+            return str(error)
     if kind == "ended":
         return lamp.done(active, draw.choice(("held", "slipped", "broken")))
     if kind == "failed":

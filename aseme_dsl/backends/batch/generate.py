@@ -85,7 +85,8 @@ def _uses(code: BatchCode, name: str) -> bool:
 
 
 def _code(system: System, chart: Statechart) -> BatchCode:
-    code = generate_plain(system, chart, class_name(chart.name), PlainOptions(tables=False, gates=False))
+    options = PlainOptions(tables=False, gates=False, translated=True)
+    code = generate_plain(system, chart, class_name(chart.name), options)
     return generate_batch(code, [_array(system, item) for item in chart.variables])
 
 

@@ -23,7 +23,7 @@ _STANDARD = (
     ("random", ("Random",)),
     ("typing", ("Any", "ClassVar")),
 )
-_RUNTIME = ("ABSENT", "NEVER", "ROUNDS", "Plain")
+_RUNTIME = ("ABSENT", "NEVER", "ROUNDS", "UNSTARTED", "Plain")
 """What a module imports where it uses it."""
 
 
