@@ -7,14 +7,16 @@ not by chance; runs are spread over processes.
 
 from __future__ import annotations
 
+import os
 import signal
+import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from functools import lru_cache
-from multiprocessing import active_children, get_context, resource_tracker
+from multiprocessing import get_context, resource_tracker
 from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,6 +25,8 @@ from aseme_dsl.build.configuration import Configuration
 from aseme_dsl.build.variation import Variant, quicker, varied
 
 if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
+
     from aseme_dsl.amola.system import System
     from aseme_dsl.build.build import Choice
     from aseme_dsl.runtime.loading import Loaded
@@ -148,9 +152,10 @@ def _play(jobs: Sequence[_Job], processes: int, told: Callable[[], None]) -> lis
             found.append(run(job.package, job.seed, job.plan))
             told()
         return found
-    others = {*active_children()}
     # Spawned, not forked: a run leaves imported modules and threads behind.
-    pool = ProcessPoolExecutor(processes, mp_context=get_context("spawn"), initializer=_ignore_interrupts)
+    spawned = get_context("spawn")
+    end, ours = spawned.Pipe(duplex=False)
+    pool = ProcessPoolExecutor(processes, spawned, _begin_worker, (end,))
     try:
         with _interrupts_wait():
             futures = [pool.submit(run, job.package, job.seed, job.plan) for job in jobs]
@@ -158,12 +163,13 @@ def _play(jobs: Sequence[_Job], processes: int, told: Callable[[], None]) -> lis
             future.result()
             told()
         return [future.result() for future in futures]
-    except KeyboardInterrupt:  # nobody waits for what the workers are at
-        for worker in {*active_children()} - others:
-            worker.terminate()
+    except BaseException:
+        ours.close()  # what is being played is of no use any more, and may never end
         raise
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
+        ours.close()
+        end.close()
 
 
 @contextmanager
@@ -187,9 +193,15 @@ def _as_they_end(futures: Sequence[Future[Run]]) -> Iterator[Future[Run]]:
         yield from done
 
 
-def _ignore_interrupts() -> None:
-    """Ctrl-C is for the one who started the study; it ends the others."""
+def _begin_worker(end: Connection) -> None:
+    """Ctrl-C is for the one who started the study; when that closes its side, or is gone, we end, too."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+    def wait_for_end() -> None:
+        end.poll(None)
+        os._exit(1)
+
+    threading.Thread(target=wait_for_end, name="aseme end of study", daemon=True).start()
 
 
 class _Clocks:
@@ -291,6 +303,8 @@ def _run(package: Path, seed: int, plan: Plan) -> Run:
     except (LoadError, play.PlayError) as problem:
         raise StudyError(f"with seed {seed}: {problem}") from problem
     result = played.result
+    if result.reason == "interrupted":
+        raise KeyboardInterrupt
     clocks.end(result.time)
     if played.world is not None:
         _check_bodies(played.world, [name for name, _ in loaded.team])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
@@ -169,6 +170,10 @@ def _built(
             )
             if choice.native:
                 _check_native(choice)
+                if sys.stderr.isatty():
+                    click.echo(
+                        f"{item.system.name}: compiling to machine code, which takes a while", err=True
+                    )
             alone = output or item.configuration.output or Path(OUTPUT)
             among = alone / item.system.name
             folder, other = (among, alone) if len(compiled) > 1 else (alone, among)

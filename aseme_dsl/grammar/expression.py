@@ -647,7 +647,11 @@ class _Reader:
                 hint, fix = "comparisons are written < <= > >= == !=", None
         if previous == "after" and found[:1].isdigit():
             hint = f"write after({found})"
-        if found in RESERVED:
+        if found == "or" and previous == "]":
+            hint = (
+                "the condition stands behind all events; where it is for one of them, write an entry for each"
+            )
+        elif found in RESERVED:
             hint = f"{shown(found)} cannot be a name here"
         following = self.tokens[self.index + 1] if self.index + 1 < len(self.tokens) else None
         if (

@@ -28,7 +28,7 @@ class Activity:
     A subclass overrides `execute`. A plain function runs in a resident thread (or, with `kind = "process"`, a
     resident process); an `async def` on the event loop; a generator is advanced inside the agent's steps,
     must not block, and yields the seconds until it wants to go on (or nothing, for 10 ms). A class whose
-    `execute` is not overridden, or empty, counts as an activity without code.
+    `execute` is not overridden, or still nothing but a docstring, counts as an activity without code.
     """
 
     kind: ClassVar[str | None] = None
@@ -86,7 +86,7 @@ _NOTHING = {_empty.__code__.co_code, _described.__code__.co_code}
 
 
 def has_code(kind: type[Any] | None) -> bool:
-    """Whether a class says what its activity does: an `execute` that is missing or empty does not."""
+    """Whether a class says what its activity does: an `execute` that is missing or unwritten does not."""
     execute = getattr(kind, "execute", None)
     if execute is None or execute is Activity.execute:
         return False
@@ -94,7 +94,22 @@ def has_code(kind: type[Any] | None) -> bool:
     if code is None or code.co_code not in _NOTHING:
         return True
     # One that returns a constant has the same code.
-    return any(constant is not None and constant != execute.__doc__ for constant in code.co_consts)
+    if any(constant is not None and constant != execute.__doc__ for constant in code.co_consts):
+        return True
+    return not _is_unwritten(execute)
+
+
+def _is_unwritten(execute: Callable[..., Any]) -> bool:
+    """Whether there is only a docstring, as a build starts it, or `...`; `pass` is somebody's word."""
+    import ast
+
+    try:
+        source = inspect.getsource(execute)
+        tree = ast.parse(f"if True:\n{source}" if source[:1].isspace() else source)
+    except (OSError, TypeError, SyntaxError):  # nothing to be seen: nothing is done
+        return True
+    written = next(node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef))
+    return all(isinstance(part, ast.Expr) for part in written.body)
 
 
 def kind_of(kind: type[Any], declared: str) -> str:

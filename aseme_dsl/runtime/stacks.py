@@ -20,3 +20,18 @@ def place_of(thread: int | None) -> str:
         if not entry.filename.startswith(_RUNTIME) and entry.filename != _THREADING:
             return f" (at {Path(entry.filename).name}:{entry.lineno} in {entry.name})"
     return ""
+
+
+def activity_of(thread: int | None) -> tuple[str, ...]:
+    """The agent and the activity whose code a thread runs; nothing if it runs none."""
+    from aseme_dsl.runtime.execution import Execution
+
+    frame = sys._current_frames().get(thread) if thread is not None else None
+    while frame is not None:
+        if frame.f_code.co_filename.startswith(_RUNTIME):
+            for name in ("self", "execution"):
+                found = frame.f_locals.get(name)
+                if isinstance(found, Execution):
+                    return found.agent, found.activity
+        frame = frame.f_back
+    return ()

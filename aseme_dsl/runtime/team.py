@@ -481,8 +481,7 @@ class Team:
             raise
         now = driver.clock.now()
         results = tuple(self._result(agent) for agent in self.agents)
-        left = driver.left if isinstance(driver, RealDriver) else ()
-        return RunResult(driver.reason, now, results, self.trace.error, left)
+        return RunResult(driver.reason, now, results, self.trace.error, driver.left)
 
     def _end(self, reason: str) -> None:
         """Keep what is to be kept, write the last line, close the trace."""

@@ -9,19 +9,25 @@ thread that runs the loop is not always the same: if activity code waits, its th
 stack) sleeps, and another one leads the loop on; when the wait is over, the leader wakes the sleeper and
 hands the lead over to it. Still only one thread runs at any time, and code that never waits costs no switch.
 Nothing of the loop's state is on its stack while code runs; that is what makes this possible.
+
+The thread that asks for the run leads nothing: it waits for its end, says so where code does not return, and
+leaves such code behind, with its thread, once the run is to end.
 """
 
 from __future__ import annotations
 
+import sys
 import threading
 from collections import deque
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
+from contextvars import copy_context
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.clock import VirtualClock, shown
 from aseme_dsl.runtime.context import Cancelled
 from aseme_dsl.runtime.snapshot import run_snapshot
+from aseme_dsl.runtime.stacks import activity_of, place_of
 from aseme_dsl.runtime.timers import Timer, Timers
 
 if TYPE_CHECKING:
@@ -34,15 +40,23 @@ if TYPE_CHECKING:
 STEPS = 1000
 """After so many steps at one instant an agent is taken to go round in circles."""
 
+LOOK = 0.25
+"""How often the thread that waits for the end looks whether anything moves, in s of real time."""
+GRACE = 4
+"""Once the run is to end, code is left behind that has not returned at so many looks."""
+PATIENCE = 20
+"""It is told of code that has not returned at so many looks."""
+
 _FREE = nullcontext()
 
 
 class _Seat:
     """A thread's place: it leads, or it sleeps here until it is handed the lead."""
 
-    __slots__ = ("go", "queued", "steps_aside")
+    __slots__ = ("go", "queued", "steps_aside", "thread")
 
     def __init__(self) -> None:
+        self.thread: int | None = None
         self.go = threading.Lock()
         self.go.acquire()
         self.steps_aside = False
@@ -64,10 +78,12 @@ class VirtualDriver:
         """Called each time that the clock has jumped, before anything that is due then."""
         self.settled: Callable[[], str | None] = _no_reason
         """Called when nothing is left to do at an instant; a reason ends the run."""
-        self.complain: Callable[[str], None] = _nothing
-        """Called for an error in a callback of the activities' event loop."""
+        self.complain: Callable[..., None] = _nothing
+        """Called with what is wrong, the agent and the activity, as far as that is known."""
         self.reason = ""
         """Why the run has ended: what `settled` or `stop` said, "time", or "idle"."""
+        self.left: tuple[str, ...] = ()
+        """What did not return when the run was to end, if something did not."""
         self._timers = Timers()
         self._jobs: deque[Callable[[], None]] = deque()
         self._wave: deque[tuple[Agent, list[Any]]] = deque()
@@ -76,6 +92,14 @@ class VirtualDriver:
         self._interrupt: str | None = None
         self._closing = False
         self._done = False
+        self._things = 0
+        self._told: set[str] = set()
+        self._ending = threading.Lock()
+        """Held from the moment at which somebody ends the loop: it is ended once."""
+        self._over = threading.Lock()
+        """Held until it has ended."""
+        self._over.acquire()
+        self._context = copy_context()
         self._error: BaseException | None = None
         self._leader = _Seat()
         self._spares: list[_Seat] = []
@@ -163,12 +187,18 @@ class VirtualDriver:
             spare.go.release()
             return
         self._leader = spare = _Seat()
-        thread = threading.Thread(target=self._lead, args=(spare,), name="aseme leader", daemon=True)
+        self._new_thread(spare)
+
+    def _new_thread(self, seat: _Seat) -> None:
+        context = self._context.copy()  # what `contextvars` keep is as for who asks for the run
+        run = context.run
+        thread = threading.Thread(target=run, args=(self._lead, seat), name="aseme leader", daemon=True)
         self._threads.append(thread)
         thread.start()
 
     def _lead(self, seat: _Seat) -> None:
         """Lead the loop; when somebody else does, sleep until the lead comes back."""
+        seat.thread = threading.get_ident()
         try:
             while not self._done:
                 self._one_thing()
@@ -179,12 +209,16 @@ class VirtualDriver:
             self._error = error
             self._finish()
 
-    def _finish(self) -> None:
-        """End the loop: every thread comes back from where it sleeps."""
+    def _finish(self) -> bool:
+        """End the loop, unless somebody has: every thread comes back from where it sleeps."""
+        if not self._ending.acquire(blocking=False):
+            return False
         self._done = True
         for seat in (*self._spares, *self._sleepers):
             seat.go.release()
         self._spares.clear()
+        self._over.release()
+        return True
 
     # ---- the loop ----------------------------------------------------------------------------
 
@@ -194,13 +228,63 @@ class VirtualDriver:
         Then the agents are stopped and their activities cancelled. Raises what the loop itself raises, never
         what activities raise.
         """
-        self._lead(self._leader)
+        self._context = copy_context()
+        if sys.gettrace() is None and sys.getprofile() is None:
+            self._new_thread(self._leader)
+            self._look_after()
+        else:  # who debugs or profiles this thread wants to see the code
+            self._lead(self._leader)
         for thread in self._threads:
-            thread.join(timeout=1.0)
+            if not self.left or thread.ident != self._leader.thread:
+                thread.join(timeout=1.0)
         if self._loop is not None:
             self._loop.shut()
         if self._error is not None:
             raise self._error
+
+    def _look_after(self) -> None:
+        """Wait for the end of the loop."""
+        seen: tuple[int, str | None] = (-1, None)
+        looks = 0
+        try:
+            while not self._over.acquire(timeout=LOOK):
+                before, seen = seen, (self._things, self._interrupt)
+                looks = looks + 1 if seen == before else 0
+                if self._interrupt is not None and looks >= GRACE:
+                    self._leave(self._interrupt)
+                elif looks == PATIENCE:
+                    self._tell()
+        except BaseException:  # a second signal
+            self._finish()
+            raise
+
+    def _tell(self) -> None:
+        """Say which code does not return; not in the trace, which is the same in each run."""
+        import logging
+
+        name, _, place = self._what_runs()
+        if name in self._told:
+            return
+        self._told.add(name)
+        waited = f"{LOOK * PATIENCE:g} s"
+        logging.getLogger(__name__).warning("%s has not returned for %s%s", name, waited, place)
+
+    def _leave(self, reason: str) -> None:
+        """End the run with the code that does not return, and its thread, left behind."""
+        name, activity, place = self._what_runs()
+        if not self._finish():
+            return
+        self.left = (name,)
+        self.complain(f"{name} has not ended {LOOK * GRACE:g} s after it was to{place}", *activity)
+        if not self._closing:
+            self._close(reason)
+
+    def _what_runs(self) -> tuple[str, tuple[str, ...], str]:
+        """Which code runs, the agent and activity if it is one's, and where in it."""
+        thread = self._leader.thread
+        activity = activity_of(thread)
+        name = f"activity {activity[1]} of {activity[0]}" if activity else "what runs"
+        return name, activity, place_of(thread)
 
     def stop(self, reason: str) -> None:
         """End the run before the next thing is done. May be called from a signal handler."""
@@ -208,6 +292,7 @@ class VirtualDriver:
 
     def _one_thing(self) -> None:
         """Do the next thing. While code of an activity runs in here, nothing of the loop is on the stack."""
+        self._things += 1
         if self._interrupt is not None and not self._closing:
             self._close(self._interrupt)
         elif self._wave:
@@ -287,7 +372,7 @@ def _end_task(execution: Execution, task: asyncio.Task[None]) -> None:
         execution.returned(Cancelled())
 
 
-def _nothing(value: object) -> None:
+def _nothing(*values: object) -> None:
     pass
 
 

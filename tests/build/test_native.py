@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import io
 import json
 import os
 import shutil
@@ -15,6 +16,7 @@ import pytest
 from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.plain.generate import module_text
 from aseme_dsl.build.native import native_source, run_mypyc
+from aseme_dsl.cli.program import run_program
 from tests.cli.support import Here, asemec
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices
@@ -187,6 +189,21 @@ srm R {{
 }}
 """
 """So many states of one region that they are found in a table."""
+
+
+@pytest.mark.parametrize("is_terminal", [True, False])
+def test_a_terminal_is_told_what_takes_long(
+    is_terminal: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "room.aseme").write_text(ROOM, "utf-8")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("aseme_dsl.build.native.compiled", lambda files: [])
+    stream = io.StringIO()
+    stream.isatty = lambda: is_terminal  # type: ignore[method-assign]
+    monkeypatch.setattr(sys, "stderr", stream)
+    assert run_program(["build", "room.aseme", "--only", "plain", "-o", "out", "--native"]) == 0
+    told = "Room: compiling to machine code, which takes a while\n"
+    assert (told in stream.getvalue()) == is_terminal
 
 
 def random_charts(count: int) -> list[tuple[Generated, str]]:

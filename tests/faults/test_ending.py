@@ -12,7 +12,7 @@ import psutil
 import pytest
 
 from tests.cli.support import command
-from tests.support.waiting import LONG
+from tests.support.waiting import LONG, wait_until
 
 TEXT = """
 system Stubborn
@@ -198,3 +198,101 @@ def test_workers_end_when_their_robot_is_killed(tmp_path: Path) -> None:
     started.communicate(timeout=LONG)
     gone, alive = psutil.wait_procs(children, timeout=LONG)
     assert gone and not alive
+
+
+STUCK = {
+    "sleeps": "time.sleep(1000)",
+    "computes": "while True: pass",
+    "deaf": """
+                while True:
+                    try:
+                        time.sleep(1000)
+                    except BaseException:
+                        pass
+        """,
+}
+LOOK = """
+import os, sys, time
+from pathlib import Path
+class Look:
+    def execute(self, context):
+        context.wait(WAITS)
+        Path(f"{os.getpid()}.begun").touch()
+        STUCK
+"""
+
+
+def _begin_stuck(folder: Path, code: str, *arguments: str, processes: int = 1) -> subprocess.Popen[str]:
+    """A command that plays an activity in virtual time which never returns, once it runs."""
+    (folder / "activities").mkdir()
+    (folder / "activities" / "look.py").write_text(code)
+    (folder / "lonely.aseme").write_text(
+        "system Lonely\nsrm robot { liveness { robot = Look~ } control robot { repeat Look : } }\n"
+        "team Crew { r[1..2] : robot }\n"
+    )
+    name, *options = arguments
+    started = subprocess.Popen(
+        command(name, "lonely.aseme", "--activities", "activities", *options),
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+    wait_until(lambda: len(list(folder.glob("*.begun"))) >= processes, pause=0.05)
+    return started
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("stuck", STUCK)
+@pytest.mark.parametrize("waits", [0, 1], ids=["", "after a wait"])
+def test_a_signal_ends_a_run_in_virtual_time_whose_activity_does_not_return(
+    number: int, stuck: str, waits: int, tmp_path: Path
+) -> None:
+    code = LOOK.replace("STUCK", textwrap.dedent(STUCK[stuck]).strip().replace("\n", "\n        "))
+    started = _begin_stuck(tmp_path, code.replace("WAITS", str(waits)), "run")
+    try:
+        started.send_signal(number)
+        out, _ = started.communicate(timeout=LONG)
+    finally:
+        started.kill()
+    assert started.returncode == 130, out
+    assert "stopped" in out
+    lines = [json.loads(line) for line in (tmp_path / "out/trace.jsonl").read_text().splitlines()]
+    assert lines[-1]["kind"] == "finish" and lines[-1]["reason"] == "interrupted"
+    (fault,) = [line for line in lines if line["kind"] == "fault"]
+    assert (fault["agent"], fault["activity"]) == ("r1", "Look")
+    assert fault["reason"].startswith("activity Look of r1 has not ended 1 s after it was to (at look.py:")
+    assert [line["agent"] for line in lines if line.get("what") == "cancel"] == ["r1", "r2"]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_a_study_ends_with_its_processes_though_an_activity_does_not_return(
+    number: int, jobs: int, tmp_path: Path
+) -> None:
+    code = LOOK.replace("STUCK", STUCK["sleeps"]).replace("WAITS", "0")
+    options = (
+        "optimise",
+        "--measure",
+        "Look",
+        "--runs",
+        "2",
+        "--for",
+        "5s",
+        "--quicker",
+        "1",
+        "-j",
+        str(jobs),
+    )
+    started = _begin_stuck(tmp_path, code, *options, processes=jobs)
+    try:
+        children = psutil.Process(started.pid).children(recursive=True)
+        assert len(children) >= (jobs if jobs > 1 else 0)
+        started.send_signal(number)
+        out, _ = started.communicate(timeout=LONG)
+    finally:
+        started.kill()
+    assert started.returncode in (-signal.SIGKILL, 130, 143), out
+    assert "Traceback" not in out
+    _, alive = psutil.wait_procs(children, timeout=LONG)
+    assert not alive

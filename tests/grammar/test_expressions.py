@@ -92,6 +92,8 @@ def test_hints() -> None:
     assert hint("[a & b]") == "'&&' is and"
     assert hint("[!a.b == c]") == "write !(a.b == …) or (!a.b) == …"
     assert hint("a.b > 3") == "write [a.b > 3]"
+    behind = "the condition stands behind all events; where it is for one of them, write an entry for each"
+    assert hint("tock [a] or after(2s)") == hint("[a] or tock") == behind
     assert hint("a = 3") == "write / before actions"
     assert hint("send cfp Task to b") == "write / before actions"
     assert hint("inform Done form b") == "did you mean 'from'?"

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import asyncio
+import contextvars
+import sys
+import threading
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from aseme_dsl.runtime import Cancelled, Context
+from aseme_dsl.runtime import Cancelled, Context, virtual
 from tests.runtime.playing import MS, SECOND, play
+from tests.support.waiting import wait_until
 
 LOOP = """
 system S
@@ -41,6 +46,45 @@ def test_an_empty_execute_is_no_code() -> None:
 
     run = play("system S srm R { liveness { R = A } }", {"A": A})
     assert run.activities() == ["0 start A", "100 end A"]
+
+
+def test_pass_is_code_that_does_nothing() -> None:
+    class A:
+        def execute(self, context: Context) -> None:
+            pass
+
+    class B:
+        def execute(self, context: Context) -> None:
+            """Nothing is to be done."""
+            return
+
+    class C:
+        @staticmethod
+        def execute(context: Context) -> None: ...
+
+    class D:
+        def execute(
+            self,
+            context: Context,
+        ) -> None:
+            """Not written
+            yet."""
+
+    run = play("system S srm R { liveness { R = A . B . C . D } }", {"A": A, "B": B, "C": C, "D": D})
+    assert run.activities() == [
+        "0 start A",
+        "0 end A",
+        "0 start B",
+        "0 end B",
+        "0 start C",
+        "100 end C",
+        "100 start D",
+        "200 end D",
+    ]
+    assert [fault["reason"] for fault in run.of("fault")] == [
+        "activity C has neither code nor `takes`: it lasts 0.1 s",
+        "activity D has neither code nor `takes`: it lasts 0.1 s",
+    ]
 
 
 def test_code_without_takes_lasts_as_long_as_it_waits() -> None:
@@ -308,3 +352,69 @@ def test_agents_that_are_due_at_one_instant_step_in_the_order_of_the_team() -> N
 
 def test_cancelled_is_no_exception() -> None:
     assert not issubclass(Cancelled, Exception)
+
+
+def test_it_is_told_once_which_activity_does_not_return_and_where(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(virtual, "LOOK", 0.001)
+    start = "activity A of me has not returned for 0.02 s (at "
+
+    class A:
+        def execute(self, context: Context) -> None:
+            for _ in range(2):
+                context.wait(1)
+                wait_until(lambda: start in caplog.text)
+                time.sleep(0.1)
+
+    run = play("system S srm R { liveness { R = A } }", {"A": A})
+    assert caplog.text.count(start) == 1
+    assert run.result.left == () and run.result.reason == "finished"
+    assert not run.of("fault")
+
+
+def test_what_runs_and_is_no_activity_is_told_too(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(virtual, "LOOK", 0.001)
+    driver = virtual.VirtualDriver()
+    told = "what runs has not returned for 0.02 s (at "
+    driver.at(5, lambda: wait_until(lambda: told in caplog.text) and None)
+    driver.run()
+    assert caplog.text.count(told) == 1
+
+
+def test_code_sees_the_context_of_who_asks_for_the_run() -> None:
+    wanted: contextvars.ContextVar[int] = contextvars.ContextVar("wanted", default=0)
+    seen = []
+
+    class A:
+        def execute(self, context: Context) -> None:
+            seen.append(wanted.get())
+            context.wait(1)
+            seen.append(wanted.get())
+
+    class B:
+        def execute(self, context: Context) -> None:
+            context.wait(0.5)
+            seen.append(wanted.get())
+
+    wanted.set(7)
+    play("system S srm R { liveness { R = A || B } }", {"A": A, "B": B})
+    assert seen == [7, 7, 7]
+
+
+def test_who_debugs_a_thread_sees_the_code_run_in_it() -> None:
+    threads = []
+
+    class A:
+        def execute(self, context: Context) -> None:
+            threads.append(threading.current_thread())
+
+    before = sys.gettrace()
+    sys.settrace(lambda frame, event, argument: None)
+    try:
+        play("system S srm R { liveness { R = A } }", {"A": A})
+    finally:
+        sys.settrace(before)
+    assert threads == [threading.current_thread()]
