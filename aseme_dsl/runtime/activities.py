@@ -108,8 +108,8 @@ def _is_unwritten(execute: Callable[..., Any]) -> bool:
         tree = ast.parse(f"if True:\n{source}" if source[:1].isspace() else source)
     except (OSError, TypeError, SyntaxError):  # nothing to be seen: nothing is done
         return True
-    written = next(node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef))
-    return all(isinstance(part, ast.Expr) for part in written.body)
+    written = next((node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)), None)
+    return written is not None and all(isinstance(part, ast.Expr) for part in written.body)
 
 
 def kind_of(kind: type[Any], declared: str) -> str:

@@ -94,6 +94,8 @@ class Machine(Generic[C]):
             KeyError: the statechart has no such state, or can never be in it.
         """
         chart = self.chart
+        if outcome is None:
+            return self._run("done", label, chart.done)
         return self._run("done", label, lambda label: chart.done(label, outcome))
 
     def failed(self, label: str, reason: str) -> bool:

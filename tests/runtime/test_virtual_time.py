@@ -9,6 +9,7 @@ import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -70,7 +71,11 @@ def test_pass_is_code_that_does_nothing() -> None:
             """Not written
             yet."""
 
-    run = play("system S srm R { liveness { R = A . B . C . D } }", {"A": A, "B": B, "C": C, "D": D})
+    class E:
+        execute = lambda self, context: None  # noqa: E731
+
+    activities: dict[str, type[Any]] = {"A": A, "B": B, "C": C, "D": D, "E": E}
+    run = play("system S srm R { liveness { R = A . B . C . D . E } }", activities)
     assert run.activities() == [
         "0 start A",
         "0 end A",
@@ -80,6 +85,8 @@ def test_pass_is_code_that_does_nothing() -> None:
         "100 end C",
         "100 start D",
         "200 end D",
+        "200 start E",
+        "200 end E",
     ]
     assert [fault["reason"] for fault in run.of("fault")] == [
         "activity C has neither code nor `takes`: it lasts 0.1 s",
