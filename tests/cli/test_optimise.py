@@ -183,6 +183,9 @@ def test_a_function_of_the_project_measures_its_world(
         "    return float('inf')\n"
         "def long(world):\n"
         "    return 10**400\n"
+        "def odd(world):\n"
+        "    import decimal\n"
+        "    return decimal.Decimal('nan')\n"
         "def nothing(world):\n"
         "    return None\n",
         "utf-8",
@@ -191,7 +194,12 @@ def test_a_function_of_the_project_measures_its_world(
     done = here(*base, "--world", "place:make", "--measure", "place:measure")
     assert done.code == 0, done.err
     assert done.json["result"]["rows"][0]["measure"]["mean"] == 20
-    for name, value in (("word", "'much'"), ("endless", "inf"), ("long", "10000000")):
+    for name, value in (
+        ("word", "'much'"),
+        ("endless", "inf"),
+        ("long", "10000000"),
+        ("odd", "Decimal('NaN')"),
+    ):
         wrong = here(*base, "--world", "place:make", "--measure", f"place:{name}")
         assert wrong.code == 1
         assert f"place:{name} gave {value}" in wrong.err and "which is no number to reckon with" in wrong.err
