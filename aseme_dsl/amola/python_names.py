@@ -1,8 +1,12 @@
-"""Names that types, members and constants cannot have: in generated Python they mean something else."""
+"""Names in generated code: those that mean something else there, and how names are kept apart."""
 
 from __future__ import annotations
 
 import keyword
+from collections.abc import Hashable, Iterable
+from typing import TypeVar
+
+_K = TypeVar("_K", bound=Hashable)
 
 _TYPES = frozenset("bool int float str bytes tuple type object dataclasses enum wire typing".split())
 _MODULE = frozenset({"CHANNELS", "DESCRIPTORS", "RADIO", "SCHEMA"})
@@ -31,3 +35,16 @@ def free_name(name: str, taken: frozenset[str] | set[str]) -> str:
     while name in taken:
         name += "_"
     return name
+
+
+def kept_apart(wishes: Iterable[tuple[_K, str]], taken: Iterable[str]) -> dict[_K, str]:
+    """A name for each key: the one that it wishes, behind which there are as many underscores as it takes to
+    be no other's, and none of `taken`."""
+    known = set(taken)
+    names: dict[_K, str] = {}
+    for key, name in wishes:
+        while name in known:
+            name += "_"
+        known.add(name)
+        names[key] = name
+    return names

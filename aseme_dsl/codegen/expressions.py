@@ -43,6 +43,7 @@ from aseme_dsl.amola.expression import (
     walk,
 )
 from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, EnumType, Type, list_of
+from aseme_dsl.amola.python_names import kept_apart
 
 Known = Mapping[str, str]
 """Slots that are known to hold a message at this point, with the local name of the message."""
@@ -130,16 +131,8 @@ def constant_names(enums: Iterable[EnumType], taken: Iterable[str]) -> dict[tupl
 
     Each has its own, and none of those that are taken: `A.B_C` is `A_B_C`, and `A_B.C` is `A_B_C_` then.
     """
-    names: dict[tuple[str, str], str] = {}
-    known = set(taken)
-    for enum in enums:
-        for constant, _ in enum.constants:
-            name = f"{enum.name}_{constant}"
-            while name in known:
-                name += "_"
-            known.add(name)
-            names[enum.name, constant] = name
-    return names
+    constants = ((enum.name, constant) for enum in enums for constant, _ in enum.constants)
+    return kept_apart(((item, "_".join(item)) for item in constants), taken)
 
 
 def holds(value: Value, names: Names, known: Known = NOTHING) -> tuple[str, Known]:

@@ -11,6 +11,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from aseme_dsl.amola.messages import DURATION, EnumType, Field, Kind, Message
+from aseme_dsl.amola.python_names import kept_apart
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.place import place
 from aseme_dsl.runtime.naming import snake_case
@@ -149,17 +150,13 @@ def constant_names(system: System) -> dict[tuple[str, str], str]:
     Protocol Buffers put the constants of all enums of a package side by side.
     """
     taken = {item.name for item in system.messages} | {item.name for item in system.enums}
-    names: dict[tuple[str, str], str] = {}
-    for enum in system.enums:
-        if enum.imported:
-            continue
-        for constant, _ in enum.constants:
-            name = f"{snake_case(enum.name).upper()}_{constant}"
-            while name in taken:
-                name += "_"
-            taken.add(name)
-            names[enum.name, constant] = name
-    return names
+    wishes = (
+        ((enum.name, constant), f"{snake_case(enum.name).upper()}_{constant}")
+        for enum in system.enums
+        if not enum.imported
+        for constant, _ in enum.constants
+    )
+    return kept_apart(wishes, taken)
 
 
 # ---- text --------------------------------------------------------------------------------------
