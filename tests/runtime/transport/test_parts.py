@@ -202,9 +202,10 @@ def test_a_partition_loses_nothing(talk: Generated, box: Box) -> None:
     wait_until(lambda: len(ann.of("message", channel="team.signal.M")) == 50)
     air.part("bob")
     wait_until(lambda: not ann.team.transport.is_there("bob"))
-    box.say += [("team.signal.M", n, None) for n in range(50, 100)]
     box.say += [("team.state.M", n, None) for n in range(10)]
-    wait_until(lambda: len(ann.of("message", channel="team.state.M")) == 10)
+    box.say += [("team.signal.M", n, None) for n in range(50, 100)]
+    # What is recorded is on its way a moment later; so the states are by the time of the signals behind them.
+    wait_until(lambda: len(ann.of("message", channel="team.signal.M")) == 100)
     air.join("bob")
     wait_until(lambda: len(arrived(bob, "bob", "team.signal.M")) == 100)
     wait_until(lambda: arrived(bob, "bob", "team.state.M"))
