@@ -13,6 +13,7 @@ import hashlib
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -20,7 +21,7 @@ from pathlib import Path
 from typing import TextIO
 
 ROOT = Path(__file__).resolve().parent
-VENV = ROOT / ".venv"
+VENV = ROOT / os.environ.get("ASEME_DSL_VENV", ".venv")  # ci/pythons.py has one for each Python
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 STAMP = VENV / "aseme-dsl.json"  # what was installed last
 LOG = VENV / "aseme-dsl.log"  # what pip said then
@@ -41,11 +42,37 @@ CHECKS = [
 ]
 """What `test` runs, in this order; its further arguments go to the last one."""
 
+UNIT = [
+    "tests/grammar",
+    "tests/diagnostics",
+    "tests/compiler",
+    "tests/codegen",
+    "tests/backends",
+    "tests/behaviour",
+    "tests/runtime",
+    "tests/test_patterns.py",
+    "tests/test_source.py",
+    "--ignore=tests/grammar/test_growth.py",
+    "--ignore=tests/grammar/test_layout_random.py",
+    "--ignore=tests/runtime/transport",
+    "--ignore=tests/runtime/test_threads.py",
+]
+"""What `unit` runs, and `ci/pythons.py` on every other Python: the tests that depend on the Python (its
+regular expressions, its compiler, its standard library), without those that count work or
+threads, or use a network."""
+
 LONG = [
+    ("on every Python here", ["ci/pythons.py"], {}),
+    ("on a bare Debian", ["ci/bare_debian.py"], {}),
     ("a large file", ["benchmarks/large_file.py"], {}),
     ("a changed file of a large project", ["benchmarks/rebuild.py"], {}),
     ("broken files", ["benchmarks/broken_files.py"], {}),
     ("one slip, one message", ["benchmarks/mutations.py"], {}),
+    (
+        "mutations of all examples",
+        ["-m", "pytest", "-n", "auto", "tests/cli/test_mutations.py"],
+        {"MUTATIONS": "20000"},
+    ),
     ("latency", ["benchmarks/latency.py"], {}),
     ("agents", ["benchmarks/agents.py"], {}),
     ("a long match", ["benchmarks/soak.py", "0.5"], {}),
@@ -209,10 +236,14 @@ def install(requirement: str) -> None:
 
 def in_environment(arguments: list[str], variables: dict[str, str] | None = None) -> int:
     """Run the environment's Python from the root and return its exit code."""
-    environment = dict(os.environ, **(variables or {}))
-    environment.pop("PYTHONHOME", None)
-    # Hundreds of processes are started by the tests: without bytecode each compiles the package anew.
-    environment.pop("PYTHONDONTWRITEBYTECODE", None)
+    # Nothing that changes a Python: its folders, its warnings, or that it writes no bytecode (the tests start
+    # hundreds of processes: without bytecode each compiles the package anew).
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+    environment.pop("ASEME_DSL_VENV", None)
+    environment.update(variables or {})
+    # A shell without a terminal starts what is in the background with SIGINT ignored, which children inherit.
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     environment["VIRTUAL_ENV"] = str(VENV)
     # What a check starts by name (asemec, ruff) is the environment's own.
     environment["PATH"] = os.pathsep.join([str(PYTHON.parent), environment.get("PATH", os.defpath)])
@@ -236,6 +267,12 @@ def test(further: list[str]) -> int:
             say(f"dev.py: {name} failed (exit code {code})", to=sys.stderr)
             return code
     return 0
+
+
+def unit(further: list[str]) -> int:
+    """Set up what a developer needs, and run the tests that depend on the Python."""
+    set_up("dev")
+    return in_environment(["-m", "pytest", "-q", "-n", "auto", "--dist", "worksteal", *UNIT, *further])
 
 
 def long(further: list[str]) -> int:
@@ -280,7 +317,7 @@ def vsix(further: list[str]) -> int:
     return 0
 
 
-COMMANDS = {"play": play, "test": test, "long": long, "syntax": syntax, "vsix": vsix}
+COMMANDS = {"play": play, "test": test, "unit": unit, "long": long, "syntax": syntax, "vsix": vsix}
 
 
 def say(text: str, to: TextIO | None = None) -> None:
@@ -298,7 +335,8 @@ def main(arguments: list[str]) -> int:
     parser.add_argument(
         "command",
         choices=list(COMMANDS),
-        help="play the example; run every check; run benchmarks and long random tests; "
+        help="play the example; run every check; run the tests that depend on the Python; "
+        "run benchmarks and long random tests; "
         "make the colours of all editors from the grammar; package the extension of VS Code",
     )
     parser.add_argument(

@@ -152,14 +152,10 @@ def await_end() -> None:
 
 def bare_session() -> Any:
     """A Zenoh session with our settings."""
-    import zenoh
-
     from aseme_dsl.runtime.transport import Network
+    from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 
-    config = zenoh.Config()
-    for key, value in Network().settings():
-        config.insert_json5(key, value)
-    return zenoh.open(config)
+    return ZenohLink("Bench", Network()).connected("bare")
 
 
 def be_echo() -> None:

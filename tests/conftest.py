@@ -1,4 +1,4 @@
-"""What every test may use: the `snapshot` fixture and Hypothesis without deadlines."""
+"""What every test has: the `snapshot` fixture, Hypothesis without deadlines, surroundings that are known."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
+from tests.support.surroundings import settle
+
 # How fast an example runs depends on the machine, so it decides no test. In CI the examples are the
 # same every time: a red run can be repeated.
 settings.register_profile("local", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -18,6 +20,10 @@ settings.register_profile("ci", settings.get_profile("local"), derandomize=True,
 settings.load_profile("ci" if os.environ.get("CI") else "local")
 
 Snapshot = Callable[[str | bytes, str], None]
+
+
+def pytest_sessionstart() -> None:
+    settle()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

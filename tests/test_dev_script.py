@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
+import platform
 import shutil
 import subprocess
 import sys
@@ -200,6 +202,28 @@ def test_the_long_lane_measures_and_plays_many_random_charts(record: Recorder) -
     assert ["-m", "pytest", "tests/oracle"] in started
 
 
+def test_the_unit_lane_is_there(record: Recorder) -> None:
+    started = record({})
+    assert dev.main(["unit", "-x"]) == 0
+    assert started[0][:2] == ["-m", "pytest"]
+    assert started[0][-len(dev.UNIT) - 1 :] == [*dev.UNIT, "-x"]
+    for path in dev.UNIT:
+        assert (ROOT / path.removeprefix("--ignore=")).exists()
+
+
+def test_each_python_that_is_found_counts_once(tmp_path: Path) -> None:
+    spec = importlib.util.spec_from_file_location("pythons", ROOT / "ci" / "pythons.py")
+    assert spec is not None and spec.loader is not None
+    pythons = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(pythons)
+    for name, answer in {"old": "3.10.9 3 10", "new": "3.99.1 3 99", "broken": ""}.items():
+        (tmp_path / name).write_text(f"#!/bin/sh\necho {answer}\n", "utf-8")
+        (tmp_path / name).chmod(0o755)
+    old, new, broken = (str(tmp_path / name) for name in ("old", "new", "broken"))
+    found = pythons.versions([old, broken, "/no/python", new, sys.executable, sys.executable, new])
+    assert found == {"3.99.1": new, platform.python_version(): sys.executable}
+
+
 def test_play_passes_its_arguments_and_its_exit_code_on(record: Recorder) -> None:
     started = record({"aseme_dsl": 7})
     assert dev.main(["play", "--seed", "3"]) == 7
@@ -226,3 +250,26 @@ def test_what_is_started_keeps_its_bytecode(
     monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
     assert dev.in_environment(["-c", "import sys; print(sys.dont_write_bytecode)"]) == 0
     assert capfd.readouterr().out == "False\n"
+
+
+def test_what_is_started_gets_no_variable_that_changes_a_python(
+    checkout: Path,
+    installed: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    for name in ("PYTHONPATH", "PYTHONWARNINGS", "PYTHONOPTIMIZE", "ASEME_DSL_VENV"):
+        monkeypatch.setenv(name, "1")
+    question = "import os; print([name for name in os.environ if name.startswith(('PYTHON', 'ASEME_DSL'))])"
+    assert dev.in_environment(["-c", question]) == 0
+    assert capfd.readouterr().out == "[]\n"
+
+
+def test_what_it_starts_hears_ctrl_c_where_the_shell_has_it_ignored() -> None:
+    asks = "import signal, sys; sys.exit(signal.getsignal(signal.SIGINT) is signal.SIG_IGN)"
+    program = (
+        "import signal, sys\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+        f"sys.path.insert(0, {str(Path(__file__).parents[1])!r})\nimport dev\n"
+        f"dev.PYTHON = dev.Path(sys.executable)\nsys.exit(dev.in_environment(['-c', {asks!r}]))"
+    )
+    assert subprocess.run([sys.executable, "-c", program]).returncode == 0

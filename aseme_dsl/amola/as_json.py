@@ -288,6 +288,8 @@ def _activity(item: Activity, folder: PurePath | None) -> Json:
         "reads": [_subscription(read) for read in item.reads],
         "writes": [str(channel) for channel in item.writes] + list(item.writes_variables),
     }
+    if item.reads_variables:
+        found["reads_variables"] = list(item.reads_variables)
     found |= _parameters(item.parameters)
     if item.within is not None:
         found["within"] = _duration(item.within)

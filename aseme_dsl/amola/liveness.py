@@ -27,9 +27,10 @@ class Operator(StrEnum):
     FOREVER = "~"
     INSTANCES = "[n]"
     DISABLING = "[>"
+    HOLE = "?"
 
 
-INFIX = (Operator.SEQUENCE, Operator.CHOICE, Operator.PARALLEL, Operator.DISABLING)
+INFIX = (Operator.SEQUENCE, Operator.HOLE, Operator.CHOICE, Operator.PARALLEL, Operator.DISABLING)
 LOOPS = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER)
 
 
@@ -47,7 +48,8 @@ class Formula:
     """An operator over operands; a NAME has `name` and may have `arguments`, INSTANCES has `count`.
 
     Infix operators have two or more operands, all others but NAME have exactly one. DISABLING has two, and
-    `A [> B [> C` is `(A [> B) [> C` without its parentheses. GROUP keeps the
+    `A [> B [> C` is `(A [> B) [> C` without its parentheses. HOLE is an operator that nobody has chosen yet;
+    no model has one. GROUP keeps the
     parentheses that somebody wrote (several around one thing count as one), because terms and states are
     named as they are written.
     """

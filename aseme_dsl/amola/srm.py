@@ -44,7 +44,8 @@ class Activity:
     """An activity of the system. `every` and `takes` are in ns; `kind` is thread, async, process or step.
 
     `within` (ns) is how long it may last from the entry of its state, `ends` are its outcomes: the names of
-    the ways in which it may end, `parameters` what it is given at each start.
+    the ways in which it may end, `parameters` what it is given at each start. `reads_variables` and
+    `writes_variables` are variables of the roles that perform it.
     """
 
     name: str
@@ -59,6 +60,7 @@ class Activity:
     within: int | None = None
     ends: tuple[str, ...] = ()
     parameters: tuple[Parameter, ...] = ()
+    reads_variables: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

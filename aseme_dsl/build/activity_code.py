@@ -14,10 +14,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from aseme_dsl import outside
 from aseme_dsl.amola.expression import Raised
 from aseme_dsl.amola.messages import Channel, Comm, Topic
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
+from aseme_dsl.build.activity_access import HISTORIES, READS, Access, looks_back, owners, undeclared, used_by
 from aseme_dsl.build.activity_ends import wrong_outcomes
 from aseme_dsl.build.activity_given import wrong_parameters
 from aseme_dsl.build.activity_messages import unfit_messages
@@ -25,7 +27,7 @@ from aseme_dsl.build.activity_talk import Talk, parts_of, talk_in, unfit_talk, u
 from aseme_dsl.build.activity_words import unknown_messages, unknown_methods
 from aseme_dsl.build.stamp import Look, Stamp, stamp_of
 from aseme_dsl.compiler.memory import Memory
-from aseme_dsl.diagnostics import Diagnostic, Related, Suppressed, closest
+from aseme_dsl.diagnostics import CODES, Diagnostic, Related, Severity, Suppressed, closest
 from aseme_dsl.runtime.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
 
@@ -33,12 +35,8 @@ if TYPE_CHECKING:
     from aseme_dsl.amola.srm import Activity
 
 _ALLOW = re.compile(r"(?:#|//)\s*asemec\s*:\s*allow\s*\((?P<codes>[^()]*)\)\s*(?P<reason>.*)")
-_HISTORIES = ("history", "at", "interpolated", "mean")
-_READS = ("read", "state", "latest", "age", "take", *_HISTORIES)
 _VARIABLES = ("set", "variable")
-_BLOCKS = {"activity": "activities", "module": "modules"}
-"""Where the description of each stands."""
-_METHODS = (*_READS, *_VARIABLES, "publish", "raise_event")
+_METHODS = (*READS, *_VARIABLES, "publish", "raise_event")
 
 
 def check_code(
@@ -50,7 +48,7 @@ def check_code(
     memory: Memory | None = None,
     look: Look = stamp_of,
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
-    """What the Python in `folder` gets wrong of the system: W530 to W533, W540, W555, W556, N726.
+    """What the Python in `folder` gets wrong of the system: E540, W530, W532, W533, W540, W555, W556, N726.
 
     What is not there is not asked for. Second comes what a comment on the line allows:
     `# asemec: allow(CODE) reason`.
@@ -166,8 +164,8 @@ def _problems_of_helper(code: _Code, types: System, *world: *_WorldInputs) -> tu
 
 
 def _allowed(item: Diagnostic) -> Suppressed | None:
-    """The problem with the comment on its line that allows it, if there is one."""
-    if item.span is None:
+    """The problem with the comment on its line that allows it, if there is one. No error can be allowed."""
+    if item.span is None or CODES[item.code].severity == Severity.ERROR:
         return None
     source, number = item.span.source, item.span.line
     written = _ALLOW.search(source.line(number))
@@ -236,6 +234,8 @@ class _World:
     of_participants: Mapping[str, frozenset[str]]
     """Of each activity: those of the participants in whose branches it stands, which it may set."""
     events: Mapping[str, Span]
+    roles: Mapping[str, tuple[Span, ...]]
+    """Of each activity and module: the places of the roles that perform it."""
     alone: bool
 
     @property
@@ -247,13 +247,14 @@ class _World:
             self.variables,
             self.of_participants,
             self.events,
+            self.roles,
             self.alone,
         )
 
     @classmethod
     def of(cls, system: System, alone: bool, memory: Memory) -> _World:
         names = memory.each(_names_in, [(chart,) for chart in system.iacs])
-        variables, of_participants, events = memory.recall(_all_names, names)
+        variables, of_participants, events, roles = memory.recall(_all_names, names)
         return cls(
             memory.recall(_channels, memory.same("topics", system.topics)),
             frozenset(topic.name for topic in system.topics),
@@ -261,6 +262,7 @@ class _World:
             variables,
             of_participants,
             events,
+            roles,
             alone,
         )
 
@@ -272,6 +274,7 @@ _WorldInputs = tuple[
     Mapping[str, frozenset[str]],
     Mapping[str, frozenset[str]],
     Mapping[str, Span],
+    Mapping[str, tuple[Span, ...]],
     bool,
 ]
 
@@ -284,23 +287,26 @@ def _channels(topics: Iterable[Topic]) -> dict[str, Channel]:
 
 
 def _all_names(
-    charts: Iterable[tuple[_Names, _Names, dict[str, Span]]],
-) -> tuple[_Names, _Names, dict[str, Span]]:
+    charts: Iterable[tuple[_Names, _Names, dict[str, Span], Span]],
+) -> tuple[_Names, _Names, dict[str, Span], dict[str, tuple[Span, ...]]]:
     """What `_names_in` has found in each role, for all of them."""
     variables: _Names = {}
     of_participants: _Names = {}
     events: dict[str, Span] = {}
-    for own, inside, waited in charts:
+    roles: dict[str, tuple[Span, ...]] = {}
+    for own, inside, waited, place in charts:
+        for name in own:
+            roles[name] = (*roles.get(name, ()), place)
         for all_names, names in ((variables, own), (of_participants, inside)):
             for name, known in names.items():
                 before = all_names.get(name)
                 all_names[name] = known if before is None else before | known
         for name, span in waited.items():
             events.setdefault(name, span)
-    return variables, of_participants, events
+    return variables, of_participants, events, roles
 
 
-def _names_in(chart: Statechart) -> tuple[_Names, _Names, dict[str, Span]]:
+def _names_in(chart: Statechart) -> tuple[_Names, _Names, dict[str, Span], Span]:
     """Of a role: the variables of each activity and module, those of the participants in whose branches each
     activity stands, and the events that it waits for."""
     variables: _Names = {}
@@ -320,7 +326,7 @@ def _names_in(chart: Statechart) -> tuple[_Names, _Names, dict[str, Span]]:
         for event in transition.expression.events:
             if isinstance(event, Raised):
                 events.setdefault(event.name, event.span)
-    return variables, of_participants, events
+    return variables, of_participants, events, chart.root.span
 
 
 # ---- modules and calls ---------------------------------------------------------------------------
@@ -357,6 +363,10 @@ class _Call:
     span: Span
     host: tuple[str, Span] | None
     value: ast.expr | None = None
+    owner: str = ""
+    """The class or function of the module in which it stands."""
+    back: int | None = None
+    """How far back it looks, in ns, if it says so with a number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -389,7 +399,7 @@ def _codes(paths: Iterable[str], memory: Memory, look: Look) -> dict[str, _Code]
 def _code(name: str, stamp: Stamp) -> _Code:
     """What is in a file; what is no Python is W533."""
     try:
-        text = Path(name).read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
+        text = outside.read_bytes(name).decode("utf-8-sig").replace("\r\n", "\n")
     except (OSError, UnicodeDecodeError):
         return _Code(None)
     source = Source(name, text)
@@ -424,7 +434,7 @@ def _calls(module: _Module) -> _Calls:
                 if argument.annotation is not None and _last(argument.annotation) == "Context":
                     contexts.add(argument.arg)
     found: list[_Call] = []
-    for node in ast.walk(module.tree):
+    for owner, node in ((owner, node) for owner, part in owners(module.tree) for node in ast.walk(part)):
         if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)):
             continue
         if node.func.attr not in _METHODS or _last(node.func.value) not in contexts:
@@ -438,7 +448,8 @@ def _calls(module: _Module) -> _Calls:
         sender = _text(module, host)
         from_host = (sender, module.span(host)) if host is not None and sender is not None else None
         value = node.args[1] if len(node.args) > 1 else named.get("message")
-        found.append(_Call(node.func.attr, said, module.span(first), from_host, value))
+        back = looks_back(node, node.func.attr)
+        found.append(_Call(node.func.attr, said, module.span(first), from_host, value, owner, back))
     return tuple(sorted(found, key=lambda call: call.span.start))
 
 
@@ -513,29 +524,15 @@ def _of_piece(
         if node.name == wanted and execute is not None:
             yield from wrong_outcomes(execute, activity, module.span, lambda item: _text(module, item))
             yield from wrong_parameters(execute, activity, module.span)
-    undeclared: dict[tuple[str, str], _Call] = {}
+    accesses: list[Access] = []
+    surely = used_by(module.tree, wanted)
     for call in calls:
         problems = list(_unknown(call, activity, world))
         yield from problems
-        if not problems:
-            lacks = _missing(call, activity, world) if _is_known(call, activity, world) else None
-            if lacks is not None:
-                undeclared.setdefault(lacks, call)
-    for (clause, name), call in undeclared.items():
-        message = f"`{activity.name}` {clause} `{name}`, which it does not say"
-        if name.endswith(" for …"):
-            message = f"`{activity.name}` reads a history, and does not say how long it is to be kept"
-        yield Diagnostic(
-            "W531",
-            message,
-            call.span,
-            (Related(activity.span, "what is said of it" if _is_described(activity) else f"the {what}"),),
-            hint=f"add `{clause} {name}` to it among the `{_BLOCKS[what]}` of the role",
-        )
-
-
-def _is_described(activity: Activity) -> bool:
-    return bool(activity.reads or activity.writes or activity.writes_variables or activity.uses)
+        if not problems and call.owner in surely and _is_known(call, activity, world):
+            accesses.append(Access(call.method, call.name, call.span, call.owner, call.back))
+    own = world.of_participants.get(activity.name, frozenset())
+    yield from undeclared(accesses, activity, what, own, world.roles.get(activity.name, ()))
 
 
 def _defines(node: ast.ClassDef, name: str) -> bool:
@@ -603,7 +600,7 @@ def _unknown(call: _Call, activity: Activity | None, world: _World) -> Iterator[
             message = f"there is no agent `{call.host[0]}`"
             yield Diagnostic("W530", message, call.host[1], hint=f"did you mean `{near}`?" if near else None)
         return
-    if call.method in _HISTORIES and world.channels[call.name].comm is not Comm.DATA:
+    if call.method in HISTORIES and world.channels[call.name].comm is not Comm.DATA:
         comm = world.channels[call.name].comm
         message = f"only data has a history; `{call.name}` is a {comm}"
         yield Diagnostic("W530", message, call.span)
@@ -650,22 +647,6 @@ def _is_known(call: _Call, activity: Activity, world: _World) -> bool:
     if call.method in _VARIABLES:
         return call.name in world.variables.get(activity.name, frozenset())
     return call.name in world.channels
-
-
-def _missing(call: _Call, activity: Activity, world: _World) -> tuple[str, str] | None:
-    """The clause and the name that the description of the activity lacks."""
-    if call.method in _READS:
-        own = [item for item in activity.reads if str(item.channel) == call.name]
-        if call.method in _HISTORIES and own and not any(item.history for item in own):
-            return "reads", f"{call.name} for …"
-        reads = own or any(item.channel is None for item in activity.reads)
-        return None if reads else ("reads", call.name)
-    if call.method == "publish":
-        return None if call.name in map(str, activity.writes) else ("writes", call.name)
-    if call.method == "set":
-        mine = (*activity.writes_variables, *world.of_participants.get(activity.name, ()))
-        return None if call.name in mine else ("writes", call.name)
-    return None
 
 
 __all__ = ["check_code", "code_files", "variables_read"]

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from aseme_dsl.build.deployment import Deployment, TlsFiles
+from aseme_dsl import outside
+from aseme_dsl.build.deployment import Deployment, TlsFiles, network_mistakes
 from aseme_dsl.build.duration import duration
 from aseme_dsl.build.platforms import PLATFORMS, MangoConfiguration, SpadeConfiguration
 from aseme_dsl.diagnostics import CODES, NO_POLICY, Diagnostic, Policy, Setting, Severity, closest
@@ -104,7 +105,7 @@ def read_configuration(path: Path) -> tuple[Configuration, tuple[Diagnostic, ...
     """The configuration in a pyproject.toml."""
     nothing = Configuration(path.parent, path)
     try:
-        text = path.read_bytes().decode("utf-8")
+        text = outside.read_bytes(path).decode("utf-8")
     except OSError as problem:
         message = f"{path} cannot be read: {problem.strerror or problem}"
         return nothing, (Diagnostic("E001", message, None, path=str(path)),)
@@ -123,12 +124,19 @@ def configuration_of(source: Source) -> tuple[Configuration, tuple[Diagnostic, .
         document = tomllib.loads(source.text)
     except tomllib.TOMLDecodeError as problem:
         return nothing, (_malformed(source, problem),)
+    except RecursionError:
+        message = f"{source.path} has too many lists or tables in each other"
+        return nothing, (Diagnostic("E010", message, None, path=source.path),)
     tool = document.get("tool")
     table = tool.get("asemec", {}) if isinstance(tool, dict) else {}
     reader = _Reader(source)
     given = reader.table(table, TABLE, _keys(path.parent))
     if isinstance(tool, dict) and "asemec" in tool:
         given.setdefault("output", path.parent / OUTPUT)
+    deploy = given.get("deploy")
+    for code, key, observed, hint in network_mistakes(deploy) if deploy is not None else ():
+        place = _place(source, f"{TABLE}.deploy", key)
+        reader.diagnostics.append(Diagnostic(code, observed, place, hint=hint))
     return Configuration(path.parent, path, **given), tuple(reader.diagnostics)
 
 
@@ -225,6 +233,7 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
                 "connect": _endpoints,
                 "lease": _duration,
                 "access": path,
+                "control": path,
                 "tls": _Table(
                     TlsFiles,
                     {"authority": path, "certificate": path, "key": path},
@@ -254,7 +263,7 @@ def unknown_roles(configuration: Configuration, roles: Iterable[str]) -> tuple[D
     if not strangers or configuration.path is None:
         return ()
     try:
-        source = Source(str(configuration.path), configuration.path.read_text("utf-8").replace("\r\n", "\n"))
+        source = Source(str(configuration.path), outside.read_text(configuration.path).replace("\r\n", "\n"))
     except (OSError, UnicodeDecodeError):
         return ()
     found = []
@@ -354,7 +363,7 @@ def _endpoints(value: Any) -> tuple[str, ...]:
         isinstance(item, str) and re.fullmatch(r"(tcp|tls|udp|quic)/\S+:\d{1,5}(#\S+)?", item)
         for item in value
     ):
-        raise _Wrong('a list of endpoints, such as ["tcp/192.168.1.1:7447"]')
+        raise _Wrong('a list of endpoints, such as ["tls/192.168.1.1:7447"]')
     return tuple(value)
 
 

@@ -27,7 +27,7 @@ class TlsFiles:
 
 @dataclass(frozen=True, slots=True)
 class Deployment:
-    """What `[tool.asemec.deploy]` says. Without it, everything stays on this machine's loopback interface."""
+    """What `[tool.asemec.deploy]` says. Without it, everything stays on this machine."""
 
     hosts: Mapping[str, str] = field(default_factory=dict)
     """The address of each robot, with its port if that is not 7447: they connect to each other there."""
@@ -39,12 +39,21 @@ class Deployment:
     """After how long a silent robot counts as gone, in ns."""
     access: Path | None = None
     """A file with zenoh's access control, in JSON; ROBOT in its name stands for the robot's name."""
+    control: Path | None = None
+    """The file of the operators' keys (`runtime.operator_key`) that a robot accepts; ROBOT in its name stands
+    for the robot's name. Without it, nobody controls robots over the network."""
     tls: TlsFiles | None = None
 
 
-def network_of(deployment: Deployment | None, robot: str) -> Network:
-    """The network of a robot, as the project deploys it."""
+def keys_of(deployment: Deployment | None, robot: str) -> Path | None:
+    """The file of the operators' keys that a robot accepts."""
+    return None if deployment is None or deployment.control is None else _of(deployment.control, robot)
+
+
+def network_of(deployment: Deployment | None, robot: str, team: Iterable[str] = ()) -> Network:
+    """The network of a robot of a team, or of its `OPERATOR`, as the project deploys it."""
     from aseme_dsl.runtime.transport import Access, Network, Tls
+    from aseme_dsl.runtime.transport.access import OPERATOR
     from aseme_dsl.runtime.transport.settings import LEASE_MS
 
     if deployment is None:
@@ -53,18 +62,17 @@ def network_of(deployment: Deployment | None, robot: str) -> Network:
     protocol = "tls" if secure is not None else "tcp"
     own = deployment.hosts.get(robot)
     interface = deployment.interface
+    listen: tuple[str, ...] = ()
     if own is not None:
         listen = (f"{protocol}/{_with_port(own)}",)
-    elif interface is not None:
+    elif interface is not None and robot != OPERATOR:
         listen = (f"{protocol}/0.0.0.0:0#iface={interface}",)
-    else:
-        listen = (f"{protocol}/127.0.0.1:0",)
     others = [f"{protocol}/{_with_port(host)}" for name, host in deployment.hosts.items() if name != robot]
     tls = None
     if secure is not None and secure.authority and secure.certificate and secure.key:
         tls = Tls(_of(secure.authority, robot), _of(secure.certificate, robot), _of(secure.key, robot))
-    if interface is None and not deployment.hosts:
-        interface = "lo"
+    if not (listen or others or deployment.connect or interface):
+        tls = None
     return Network(
         listen,
         (*others, *deployment.connect),
@@ -72,7 +80,38 @@ def network_of(deployment: Deployment | None, robot: str) -> Network:
         LEASE_MS if deployment.lease is None else max(1, deployment.lease // 1_000_000),
         tls,
         Access(_of(deployment.access, robot)) if deployment.access is not None else None,
+        robot,
+        tuple(team),
+        deployment.control is not None,
     )
+
+
+def network_mistakes(deployment: Deployment) -> Iterator[tuple[str, str, str, str]]:
+    """What would let in whoever is on the network, or has no effect, as (code, key, observed, what to do)."""
+    beyond = [key for key in ("hosts", "interface") if getattr(deployment, key)]
+    if any(not end.startswith("tls/") for end in deployment.connect):
+        beyond.append("connect")
+    if beyond and deployment.tls is None:
+        hint = "add [tool.asemec.deploy.tls] with a certificate for each robot"
+        yield (
+            "E015",
+            beyond[0],
+            f"`{beyond[0]}` leads beyond this machine, and there are no certificates",
+            hint,
+        )
+    elif "connect" in beyond:
+        yield "E015", "connect", "an endpoint of `connect` is not protected by certificates", "write `tls/…`"
+    if not deployment.hosts:
+        idle = [key for key in ("interface", "tls", "access") if getattr(deployment, key) is not None]
+        if deployment.connect:
+            idle = [key for key in idle if key == "interface"]
+        for key in idle:
+            yield (
+                "E016",
+                key,
+                f"`{key}` has no effect without `hosts`",
+                "name the address of a robot in `hosts`",
+            )
 
 
 def misfits(deployment: Deployment, agents: Iterable[str]) -> Iterator[tuple[str | None, str]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePath
@@ -61,8 +61,16 @@ def _fits(drawing: str, name: str) -> bool:
     return drawing == name or drawing.startswith(f"{name}.") or drawing.startswith(f"{name}@")
 
 
-def draw_all(drawings: Sequence[Drawing], format: str) -> Drawn:
+def _silently(number: int, of: int, name: str) -> None:
+    """No progress is shown."""
+
+
+def draw_all(
+    drawings: Sequence[Drawing], format: str, begins: Callable[[int, int, str], None] = _silently
+) -> Drawn:
     """The pictures of the drawings, in order.
+
+    `begins` is called before each with its number (from 1), how many there are, and its name.
 
     Raises:
         DrawingFailed: one cannot be drawn.
@@ -71,7 +79,8 @@ def draw_all(drawings: Sequence[Drawing], format: str) -> Drawn:
 
     files: list[tuple[str, bytes]] = []
     notes: list[str] = []
-    for drawing in drawings:
+    for number, drawing in enumerate(drawings, 1):
+        begins(number, len(drawings), drawing.name)
         drawn = draw(drawing, format)
         files += drawn.files
         notes += drawn.notes

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from aseme_dsl import outside
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.source import Source
 
@@ -71,7 +72,7 @@ def find_inputs(arguments: Sequence[str], read_standard_input: Callable[[], byte
 def declares_system(path: Path) -> bool:
     """Whether a file has a `system` declaration; True for one that cannot be read, so that this gets said."""
     try:
-        text = path.read_text("utf-8")
+        text = outside.read_text(path)
     except (OSError, UnicodeDecodeError):
         return True
     depth = 0

@@ -11,6 +11,8 @@ from pathlib import Path, PurePosixPath
 from types import MappingProxyType
 from typing import Any
 
+from aseme_dsl import outside
+
 NAME = ".asemec.json"
 FORMAT = 1
 
@@ -55,11 +57,11 @@ def read_manifest(folder: Path) -> Manifest:
         OSError: it cannot be read.
     """
     try:
-        content = (folder / NAME).read_bytes()
+        content = outside.read_bytes(folder / NAME)
     except (FileNotFoundError, NotADirectoryError):
         return Manifest()
     try:
-        document = json.loads(content)
+        document = outside.loads(content)
         number = document["format"]
         if number != FORMAT:
             raise DamagedManifest(f"it has format {number!r}, and this asemec knows format {FORMAT}")

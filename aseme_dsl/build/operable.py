@@ -24,9 +24,13 @@ def output_of(loaded: Loaded) -> Path:
 
 @contextmanager
 def operable(
-    team: Team, loaded: Loaded, activities: Path, changed: Callable[[Changed], None] | None = None
+    team: Team,
+    loaded: Loaded,
+    activities: Path,
+    changed: Callable[[Changed], None] | None = None,
+    keys: Path | None = None,
 ) -> Iterator[None]:
-    """Inside, operators reach the team: over a socket, and over its transport where it has one.
+    """Inside, operators reach the team over a socket, and over its transport if there is a file of `keys`.
 
     `changed` is told of each swap that is done.
 
@@ -34,11 +38,16 @@ def operable(
     """
     from aseme_dsl.runtime.control import Control
     from aseme_dsl.runtime.control_socket import ControlError, listening
+    from aseme_dsl.runtime.operator_gate import Gate
+    from aseme_dsl.runtime.versions import VERSIONS
 
     agents = team.agents
     name = agents[0].name if len(agents) == 1 else "team"
-    control = Control(team, activities, changed)
-    team.transport.answer(control.handle)
+    control = Control(team, activities, changed, output_of(loaded) / VERSIONS)
+    if keys is None:
+        team.transport.answer(control.not_over_the_bus)
+    else:
+        team.transport.answer(Gate(control, keys, loaded.name, team.transport.life).answer)
     socket = listening(control, output_of(loaded), name)
     try:
         socket.__enter__()

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+import tempfile
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.build.build import Choice
+from aseme_dsl.build.remote import RemoteError, Robot
+from aseme_dsl.outside import read_bytes
+from aseme_dsl.runtime.versions import VERSIONS
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
 
-VERSIONS = "versions"
-"""The folder inside an output folder with the versions that running teams were changed to."""
 WITHIN = 10.0
 """How long, in seconds, a swap waits for conversations to end."""
 _ANSWER = 5.0
@@ -25,17 +27,23 @@ _TRY = 0.3
 _PAUSE = 0.05
 
 Reply = dict[str, Any]
+Endpoint = Path | Robot
+"""The control socket of a process, or a robot that is reached over its network."""
 
 
 class OperateError(Exception):
     """What was asked for cannot be done; the arguments say why, a line each."""
 
 
+class PartlyDone(OperateError):
+    """Some robots have changed, and others have not, or do not say so; the arguments say which."""
+
+
 @dataclass(frozen=True, slots=True)
 class Node:
     """A process that runs agents, and what it says of itself."""
 
-    socket: Path
+    socket: Endpoint
     status: Reply
 
     @property
@@ -43,15 +51,17 @@ class Node:
         return tuple(str(agent["name"]) for agent in self.status.get("agents", ()))
 
 
-def look(output: Path) -> tuple[tuple[Node, ...], tuple[str, ...]]:
+def look(output: Path, robots: Sequence[Robot] | None = None) -> tuple[tuple[Node, ...], tuple[str, ...]]:
     """The processes that run from an output folder and answer, and why others do not.
+
+    If there are `robots`, they are asked instead, over their network.
 
     Raises:
         OperateError: there is none.
     """
     from aseme_dsl.runtime.control_socket import endpoints
 
-    found = endpoints(output)
+    found: Sequence[Endpoint] = endpoints(output) if robots is None else robots
     if not found:
         raise OperateError(f"nothing runs from {output}: `asemec run … --real` does")
     replies = _try_all({path: {"request": "status"} for path in found})
@@ -59,25 +69,25 @@ def look(output: Path) -> tuple[tuple[Node, ...], tuple[str, ...]]:
     return there, tuple(text for reply in replies.values() if not reply["ok"] for text in reply["reasons"])
 
 
-def nodes(output: Path) -> tuple[Node, ...]:
+def nodes(output: Path, robots: Sequence[Robot] | None = None) -> tuple[Node, ...]:
     """The processes that run from an output folder.
 
     Raises:
         OperateError: there is none, or one does not answer.
     """
-    there, silent = look(output)
+    there, silent = look(output, robots)
     if silent:
         raise OperateError(*silent)
     return there
 
 
-def select(output: Path, agent: str, plan: str) -> Reply:
+def select(output: Path, agent: str, plan: str, robots: Sequence[Robot] | None = None) -> Reply:
     """Have an agent leave its plan and enter another.
 
     Raises:
         OperateError: there is no such agent, or it cannot.
     """
-    there = nodes(output)
+    there = nodes(output, None if robots is None else [r for r in robots if r.name == agent] or robots)
     node = next((node for node in there if agent in node.agents), None)
     if node is None:
         known = ", ".join(name for node in there for name in node.agents)
@@ -93,6 +103,68 @@ def generate_version(system: System, output: Path, choice: Choice) -> tuple[Path
     Raises:
         OperateError: it cannot be written.
     """
+    files, model = _packages(system, choice)
+    home = output / VERSIONS / model
+    for name, content in files.items():
+        _put(home / name, content)
+    return home / next(iter(files)).split("/")[0] / system.name, model
+
+
+def write_version(system: System, output: Path, choice: Choice, activities: Path | None) -> tuple[str, str]:
+    """Write a version that a running team can be changed to, with its activities; gives its hash and that of
+    its models. Nobody else can write there.
+
+    Raises:
+        OperateError: it cannot be written.
+    """
+    from aseme_dsl.runtime.versions import ACTIVITIES, VersionError, hash_of, read_version
+
+    files, model = _packages(system, choice)
+    for path in sorted(activities.rglob("*")) if activities is not None and activities.is_dir() else ():
+        inside = path.relative_to(str(activities))
+        if path.is_file() and not any(part == "__pycache__" or part[0] == "." for part in inside.parts):
+            try:
+                files[f"{ACTIVITIES}/{inside.as_posix()}"] = read_bytes(path)
+            except OSError as problem:
+                raise OperateError(f"{path} cannot be read: {problem.strerror or problem}") from problem
+    name = hash_of(files)
+    store = output / VERSIONS
+    try:
+        store.mkdir(mode=0o700, parents=True, exist_ok=True)
+        if store.stat().st_mode & 0o077:
+            store.chmod(0o700)
+        if not (store / name).exists():
+            part = Path(tempfile.mkdtemp(prefix=".part", dir=store))
+            for inside_, content in files.items():
+                path = part / inside_
+                for around in reversed(path.relative_to(part).parents[:-1]):
+                    (part / around).mkdir(mode=0o700, exist_ok=True)
+                path.touch(mode=0o600)
+                path.write_bytes(content)
+            part.rename(store / name)
+    except OSError as problem:
+        raise OperateError(f"{store / name} cannot be written: {problem.strerror or problem}") from problem
+    try:
+        read_version(store, name)
+    except VersionError as problem:
+        raise OperateError(str(problem)) from problem
+    return name, model
+
+
+def activities_of(there: Iterable[Node]) -> Path | None:
+    """The folder of activities with which processes were started.
+
+    Raises:
+        OperateError: there are several.
+    """
+    found = {node.status.get("activity_folder") for node in there} - {None}
+    if len(found) > 1:
+        raise OperateError("the processes have different folders of activities: say which with --activities")
+    return Path(str(found.pop())) if found else None
+
+
+def _packages(system: System, choice: Choice) -> tuple[dict[str, bytes], str]:
+    """The generated files of a version by their paths in it, and the hash of its models."""
     from aseme_dsl.backends.backend import AGENTS, BackendOptions, find_backend
     from aseme_dsl.build.build import with_labels
 
@@ -101,58 +173,55 @@ def generate_version(system: System, output: Path, choice: Choice) -> tuple[Path
     artefacts = [(name, item) for name in AGENTS for item in find_backend(name).generate(labelled, options)]
     package = next(item.text for _, item in artefacts if item.path == f"{system.name}/__init__.py")
     model = next(line for line in package.splitlines() if line.startswith("MODEL = ")).split("'")[1]
-    home = output / VERSIONS / model
-    for name, item in artefacts:
-        if item.kept:
-            continue
-        path = home / name / item.path
-        content = item.text.encode("utf-8", "backslashreplace")
-        try:
-            if path.is_file() and path.read_bytes() == content:
-                continue
-            path.parent.mkdir(parents=True, exist_ok=True)
-            part = path.with_name(path.name + ".part")
-            part.write_bytes(content)
-            part.replace(path)
-        except OSError as problem:
-            raise OperateError(f"{path} cannot be written: {problem.strerror or problem}") from problem
-    return home / AGENTS[0] / system.name, model
+    texts = {f"{name}/{item.path}": item.text for name, item in artefacts if not item.kept}
+    return {path: text.encode("utf-8", "backslashreplace") for path, text in texts.items()}, model
+
+
+def _put(path: Path, content: bytes) -> None:
+    """Write a file that may be there already. Raises OperateError."""
+    try:
+        if path.is_file() and path.read_bytes() == content:
+            return
+        path.parent.mkdir(parents=True, exist_ok=True)
+        part = path.with_name(path.name + ".part")
+        part.write_bytes(content)
+        part.replace(path)
+    except OSError as problem:
+        raise OperateError(f"{path} cannot be written: {problem.strerror or problem}") from problem
 
 
 def swap(
     output: Path,
-    folder: Path,
-    model: str,
+    name: str,
     *,
     within: float = WITHIN,
-    activities: Path | None = None,
     agents: Iterable[str] | None = None,
+    robots: Sequence[Robot] | None = None,
 ) -> tuple[Reply, ...]:
-    """Change what runs to the version whose package is in `folder`, in all processes or in none.
+    """Change what runs to the version of this hash, in all processes or in none.
 
     `within` is how long, in seconds, it is waited for conversations that the new version plays differently.
     Gives what the processes have said.
 
     Raises:
         OperateError: one of them cannot, or did not confirm; they all go on as before.
+        PartlyDone: some have changed.
     """
     names = None if agents is None else list(agents)
-    there = nodes(output)
+    there = nodes(output, robots)
     concerned = [node for node in there if names is None or set(node.agents) & set(names)]
     missing = [name for name in names or () if not any(name in node.agents for node in there)]
     if missing:
         raise OperateError(f"there is no agent {missing[0]}")
     request: Reply = {
         "request": "swap",
-        "folder": str(folder.resolve()),
-        "model": model,
-        "activities": None if activities is None else str(activities.resolve()),
+        "hash": name,
         "agents": names,
     }
     sockets = [node.socket for node in concerned]
     deadline = time.monotonic() + within
     while True:
-        busy, notes = _prepare(sockets, request, model)
+        busy, notes = _prepare(sockets, request)
         if not busy:
             return notes
         if time.monotonic() >= deadline:
@@ -162,7 +231,7 @@ def swap(
         time.sleep(_PAUSE)
 
 
-def _prepare(sockets: list[Path], request: Reply, model: str) -> tuple[list[str], tuple[Reply, ...]]:
+def _prepare(sockets: list[Endpoint], request: Reply) -> tuple[list[str], tuple[Reply, ...]]:
     """One attempt; gives who is in the way, if somebody is."""
     replies = _ask_all({path: {**request, "phase": "ready"} for path in sockets}, 30.0)
     busy = [reason for reply in replies.values() for reason in reply["reasons"]]
@@ -183,13 +252,27 @@ def _prepare(sockets: list[Path], request: Reply, model: str) -> tuple[list[str]
         problems = [reason for reply in replies.values() if not reply["ok"] for reason in reply["reasons"]]
         if problems and phase == "commit":
             back = _roll_back(held, "; ".join(problems))
-            raise OperateError(*problems, *back)
+            if back:  # who has confirmed, and does not hear this, changes when the time is over
+                raise PartlyDone(*problems, *back, *_models(held))
+            raise OperateError(*problems)
         if problems:  # it has been confirmed everywhere: who has not finished does so by itself
-            raise OperateError(*problems, "`asemec status` says who runs which model")
+            raise PartlyDone(*problems, *_models(held))
     return [], tuple(outcome.values())
 
 
-def _roll_back(held: Mapping[Path, int], reason: str) -> list[str]:
+def _models(concerned: Iterable[Endpoint]) -> list[str]:
+    """Which robot follows which model, when those that are on their own have decided."""
+    time.sleep(_HOLD)
+    lines: list[str] = []
+    for endpoint, reply in _try_all({endpoint: {"request": "status"} for endpoint in concerned}).items():
+        agents = reply.get("agents", ()) if reply["ok"] else ()
+        lines += [f"{agent['name']} follows model {agent['model']}" for agent in agents]
+        if not reply["ok"]:
+            lines.append(f"what {endpoint} follows is not known")
+    return lines
+
+
+def _roll_back(held: Mapping[Endpoint, int], reason: str) -> list[str]:
     """Let everybody go on as before; gives who did not say that it does."""
     requests = {
         path: {"request": "swap", "phase": "rollback", "id": number, "reason": reason}
@@ -203,7 +286,7 @@ def _roll_back(held: Mapping[Path, int], reason: str) -> list[str]:
     ]
 
 
-def _ask_all(requests: Mapping[Path, Reply], timeout: float) -> dict[Path, Reply]:
+def _ask_all(requests: Mapping[Endpoint, Reply], timeout: float) -> dict[Endpoint, Reply]:
     """The replies. Raises OperateError with all the reasons, if one is a refusal or does not come."""
     replies = _try_all(requests, timeout)
     problems = [text for reply in replies.values() if not reply["ok"] for text in reply["reasons"]]
@@ -212,14 +295,16 @@ def _ask_all(requests: Mapping[Path, Reply], timeout: float) -> dict[Path, Reply
     return replies
 
 
-def _try_all(requests: Mapping[Path, Reply], timeout: float = _ANSWER) -> dict[Path, Reply]:
+def _try_all(requests: Mapping[Endpoint, Reply], timeout: float = _ANSWER) -> dict[Endpoint, Reply]:
     """The replies; who does not answer is taken to refuse."""
     from aseme_dsl.runtime.control_socket import ControlError, ask
 
-    def one(path: Path) -> Reply:
+    def one(endpoint: Endpoint) -> Reply:
         try:
-            return ask(path, requests[path], timeout)
-        except ControlError as problem:
+            if isinstance(endpoint, Robot):
+                return endpoint.ask(requests[endpoint], timeout)
+            return ask(endpoint, requests[endpoint], timeout)
+        except (ControlError, RemoteError) as problem:
             return {"ok": False, "reasons": [str(problem)]}
 
     if not requests:

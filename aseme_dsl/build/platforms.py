@@ -90,7 +90,7 @@ def link_of(platform: str, loaded: Loaded, configuration: Configuration, here: S
         return PlatformLink(MangoPlatform(Mango(hosts), team), loaded.name, team)
     from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 
-    return ZenohLink(loaded.name, network_of(configuration.deploy, here[0]))
+    return ZenohLink(loaded.name, network_of(configuration.deploy, here[0], team))
 
 
 def check_installed(platform: str) -> None:

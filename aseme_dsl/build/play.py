@@ -11,6 +11,7 @@ from numbers import Integral
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
+from aseme_dsl import outside
 from aseme_dsl.build.configuration import Configuration, RunConfiguration
 from aseme_dsl.diagnostics import closest
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from aseme_dsl.build.build import Agents, Choice
+    from aseme_dsl.build.deployment import Deployment
     from aseme_dsl.runtime.body import World
     from aseme_dsl.runtime.control import Changed
     from aseme_dsl.runtime.loading import Loaded, Mixture
@@ -147,18 +149,23 @@ def mixture_of(agents: Agents, package: Path) -> Mixture:
     return Mixture({role: name for role, name in agents.roles.items() if name != package.parent.name}, AGENTS)
 
 
-def in_version(loaded: Loaded, package: Path, configuration: Configuration) -> Loaded:
-    """The same system with the charts and messages of another version of it, whose package is somewhere else.
+def in_version(loaded: Loaded, name: str, configuration: Configuration) -> Loaded:
+    """The same system with the charts and messages of another version of it, named by its hash.
 
     Raises:
         PlayError: it is not there, cannot be imported, or lacks a plan of the team.
     """
+    from aseme_dsl.build.operable import output_of
     from aseme_dsl.runtime.loading import LoadError, load_system, package_like
+    from aseme_dsl.runtime.versions import VERSIONS, VersionError, read_version
 
+    assert loaded.folder is not None
     try:
-        package = package_like(package, loaded.folder)
-        found = load_system(package, path=[configuration.folder.resolve()], mixture=loaded.mixture)
-    except LoadError as problem:
+        code = read_version(output_of(loaded) / VERSIONS, name)
+        package = package_like(code, loaded.name, loaded.folder)
+        project = [configuration.folder.resolve()]
+        found = load_system(package, path=project, mixture=loaded.mixture, code=code)
+    except (LoadError, VersionError) as problem:
         raise PlayError(str(problem)) from problem
     missing = [role for _, role in loaded.team if role not in found.charts]
     if missing:
@@ -324,7 +331,7 @@ def _play_robot(
     from aseme_dsl.build.platforms import ZENOH, PlatformError, link_of
     from aseme_dsl.runtime.activities import ActivityError
     from aseme_dsl.runtime.body import BodyLost
-    from aseme_dsl.runtime.loading import activities_in, importing
+    from aseme_dsl.runtime.loading import activities_in, activities_of, importing
     from aseme_dsl.runtime.shared_world import FarBody
     from aseme_dsl.runtime.team import TeamError, make_team
     from aseme_dsl.runtime.transport import TransportError
@@ -334,6 +341,7 @@ def _play_robot(
     deployment = configuration.deploy
     for _, reason in misfits(deployment, [name for name, _ in loaded.team]) if deployment else ():
         raise PlayError(f"{configuration.path}: {reason}")
+    keys = _keys_of(robot, request.platform or ZENOH, deployment)
     project = configuration.run
     folders = [configuration.folder.resolve(), *loaded.path]
     trace = request.trace
@@ -357,7 +365,7 @@ def _play_robot(
             assert loaded.schema is not None  # every generated package has one
             link = link_of(request.platform or ZENOH, loaded, configuration, [robot])
             transport = Post(link, loaded.schema, loaded.model)
-            found = activities_in(activities)
+            found = activities_in(activities) if loaded.code is None else activities_of(loaded.code)
             team = make_team(
                 loaded,
                 found,
@@ -377,7 +385,7 @@ def _play_robot(
                 carried=lambda: others(loaded, activities, configuration),
                 state_directory=_state(request, project),
             )
-            with operable(team, loaded, activities, request.changed):
+            with operable(team, loaded, activities, request.changed, keys):
                 result = team.run()
         except (TeamError, ActivityError, TransportError, PlatformError) as problem:
             raise PlayError(str(problem)) from problem
@@ -388,6 +396,28 @@ def _play_robot(
             if body is not None:
                 body.close()
     return Played(result, "", seed, trace)
+
+
+def _keys_of(robot: str, platform: str, deployment: Deployment | None) -> Path | None:
+    """The file of the keys by which operators control a robot over the network; None: they cannot.
+
+    Raises:
+        PlayError: it cannot be used.
+    """
+    from aseme_dsl.build.deployment import keys_of
+    from aseme_dsl.build.platforms import ZENOH
+    from aseme_dsl.runtime.operator_key import KeyFileError, read_keys
+
+    keys = keys_of(deployment, robot)
+    if keys is None:
+        return None
+    if platform != ZENOH:
+        raise PlayError(f"operators control robots over zenoh only, not over {platform}: remove `control`")
+    try:
+        read_keys(keys)
+    except KeyFileError as problem:
+        raise PlayError(f"operators' keys: {problem}") from problem
+    return keys
 
 
 def check_robot(loaded: Loaded, robot: str) -> None:
@@ -424,7 +454,7 @@ def _script(path: Path | None, loaded: Loaded) -> tuple[Scripted, ...]:
     if path is None:
         return ()
     try:
-        return read_script(path.read_text("utf-8").splitlines(), loaded.messages)
+        return read_script(outside.read_text(path).splitlines(), loaded.messages)
     except OSError as problem:
         raise PlayError(f"{path} cannot be read: {problem.strerror or problem}") from problem
     except UnicodeDecodeError as problem:

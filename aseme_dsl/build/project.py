@@ -16,9 +16,11 @@ from aseme_dsl.build.configuration import (
     read_configuration,
     unknown_roles,
 )
+from aseme_dsl.build.function_code import check_functions
 from aseme_dsl.build.inputs import Inputs, find_inputs
 from aseme_dsl.build.stamp import Look, stamp_of
 from aseme_dsl.compiler import Options, analyse
+from aseme_dsl.compiler.holes import as_notes
 from aseme_dsl.compiler.phases import inspect_files
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
 from aseme_dsl.grammar.parts import NO_PARTS, Layout
@@ -125,6 +127,7 @@ def compile_root(
     if system is not None:
         memory, look = (None, stamp_of) if workshop is None or known is None else (known.code, workshop.look)
         problems, allowed = code_problems(system, configuration, activities, memory, look)
+        problems += check_functions(system, configuration.folder, look)
         problems = tuple(map(layout.diagnostic, problems))
         diagnostics = without_read(diagnostics, system, configuration, activities, memory, look)
         diagnostics = in_order((*diagnostics, *configuration.diagnostics.apply(problems)))
@@ -208,8 +211,8 @@ def check(
     """Everything that there is to say of all inputs.
 
     A file of a folder that declares no system is looked at through those that import it, or else by itself,
-    and need not declare one; nor does a file that declares only what other files import. Texts in `sources`
-    (by path) are taken instead of the files on disk.
+    and need not declare one; nor does a file that declares only what other files import. Holes are notes:
+    nothing is generated. Texts in `sources` (by path) are taken instead of the files on disk.
     """
     found = list(inputs.diagnostics)
     compiled = [compile_root(root, sources=sources, workshop=workshop) for root in inputs.roots]
@@ -226,7 +229,7 @@ def check(
             found += [item for item in alone.diagnostics if item.code != "E008"]
     suppressed = once(item for other in compiled for item in other.suppressed)
     unchecked = sum(item.unchecked for item in compiled)
-    diagnostics = in_order(_without_used(found, suppressed))
+    diagnostics = as_notes(in_order(_without_used(found, suppressed)))
     return Checked(diagnostics, tuple(sorted(files)), suppressed, unchecked, tuple(compiled))
 
 

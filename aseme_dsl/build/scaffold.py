@@ -6,12 +6,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from aseme_dsl.compiler import Analysis, Options, analyse
-from aseme_dsl.compiler.missing import insertion
+from aseme_dsl.compiler.holes import apart_from_holes, as_notes
+from aseme_dsl.compiler.missing import insertions
 from aseme_dsl.diagnostics import Diagnostic, has_errors
 from aseme_dsl.source import Source
 
 _ROUNDS = 10
 """How often what was written may be completed in turn: a new role may have choices to decide."""
+
+_BRACKETS = ("(", ")")
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,8 +34,9 @@ def scaffold(
 ) -> Scaffolded:
     """Complete a text with all that its notes say is missing; every character that it has stays.
 
-    Roles, protocols and control are written so that they compile; what another part would have to use first
-    (formulas, participants) is written as a comment. What stands there already is not written again.
+    Roles, protocols and control are written with holes (`?`, `[?]`) where somebody has to decide. What
+    another part would have to use first (formulas, participants) is written as a comment. What stands there
+    already is not written again.
     """
     mark = "\ufeff" if source.text.startswith("\ufeff") else ""
     text = source.text[len(mark) :]
@@ -41,7 +45,7 @@ def scaffold(
     for _ in range(_ROUNDS):
         analysis = analyse(Source(source.path, text), sources, options)
         first = first or analysis
-        if has_errors(analysis.diagnostics):
+        if has_errors(apart_from_holes(analysis.diagnostics)):
             break
         changed, notes = _completed(text, source.path, analysis)
         if not notes:
@@ -49,30 +53,29 @@ def scaffold(
         text = changed
         added += notes
     assert first is not None
-    if has_errors(analysis.diagnostics):
+    if has_errors(apart_from_holes(analysis.diagnostics)):
         # Also if a skeleton should ever break a file: what was there is better.
-        return Scaffolded(source.text, (), first.diagnostics)
-    # The conditions of the skeletons are still to be written: until then their loops only go round.
-    left = (item for item in analysis.diagnostics if not (added and item.code == "W420"))
-    return Scaffolded(mark + text, tuple(added), tuple(left))
+        return Scaffolded(source.text, (), as_notes(first.diagnostics))
+    return Scaffolded(mark + text, tuple(added), as_notes(analysis.diagnostics))
 
 
 def _completed(text: str, path: str, analysis: Analysis) -> tuple[str, list[Diagnostic]]:
     """The text with one round of skeletons, and the notes that they answer."""
-    insertions: dict[int, list[str]] = {}
+    pieces: dict[int, list[str]] = {}
     notes: list[Diagnostic] = []
     for item in analysis.missing:
-        place = item.inside if item.inside is not None else item.note.span
+        place = item.place
         if place is None or place.source.path != path:
             continue  # another file's
-        found = insertion(text, item)
-        if found is None:
-            continue
-        at, piece = found
-        insertions.setdefault(at, []).append(piece)
-        notes.append(item.note)
-    for at in sorted(insertions, reverse=True):
-        text = text[:at] + "".join(insertions[at]) + text[at:]
+        found = insertions(text, item)
+        for at, piece in found:
+            there = pieces.setdefault(at, [])
+            if piece not in _BRACKETS or piece not in there:  # several terms may be joined to one formula
+                there.append(piece)
+        if found:
+            notes.append(item.note)
+    for at in sorted(pieces, reverse=True):
+        text = text[:at] + "".join(pieces[at]) + text[at:]
     return text, notes
 
 

@@ -36,6 +36,8 @@ READY = "\x01ready"
 """What a robot's process says on its standard output when it waits for the beginning."""
 CHANGED = "\x01changed "
 """With this begins a line in which a robot says, as JSON, which version it plays from now on."""
+ENDED = "\x01ended "
+"""With this begins a line in which a robot says, as JSON, how its run has ended: `result`, and as `lines`."""
 WORLD = "ASEMEC_WORLD"
 """The environment variable that has the key to the world."""
 FEW_ARENAS = {"MALLOC_ARENA_MAX": "2"}
@@ -67,6 +69,8 @@ class RobotEnd:
     code: int
     starts: int
     traces: tuple[Path, ...]
+    end: Mapping[str, Any] = field(default_factory=dict)
+    """What its last process has said of its end (`ENDED`); empty if it could not."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +99,7 @@ class _Child:
     over: bool = False
     again_at: float | None = None
     traces: list[Path] = field(default_factory=list)
+    end: Mapping[str, Any] = field(default_factory=dict)
     version: Mapping[str, Any] | None = None
     """The version that it was changed to (`runtime.control.Changed`), if it was."""
 
@@ -175,7 +180,7 @@ class _Run:
             finally:
                 self._end_all()
         ends = tuple(
-            RobotEnd(child.name, child.code or 0, child.starts, tuple(child.traces))
+            RobotEnd(child.name, child.code or 0, child.starts, tuple(child.traces), child.end)
             for child in self._robots.values()
         )
         return Supervised(self._reason or ("time" if over else "finished"), ends)
@@ -234,8 +239,7 @@ class _Run:
         command += ["--supervised", "--system", self._loaded.name, "--trace", str(trace.absolute())]
         activities = str(self._activities.absolute())
         if child.version is not None:
-            command += ["--in-version", child.version["folder"]]
-            activities = child.version["activities"] or activities
+            command += ["--in-version", child.version["hash"]]
         command += ["--activities", activities]
         if self._configuration.path is not None:
             command += ["--project", str(self._configuration.path.absolute())]
@@ -404,6 +408,8 @@ class _Run:
                     self._news.put((name, "ready", None))
                 elif line.startswith(CHANGED):
                     self._news.put((name, "changed", json.loads(line.removeprefix(CHANGED))))
+                elif line.startswith(ENDED):
+                    self._robots[name].end = json.loads(line.removeprefix(ENDED))
                 else:
                     self._say(name, line, False)
 

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.build.activity_code import code_files
 from aseme_dsl.build.configuration import FILE
+from aseme_dsl.build.function_code import function_files
 from aseme_dsl.build.inputs import is_searched
 from aseme_dsl.build.manifest import NAME as MANIFEST
 from aseme_dsl.build.project import Compiled, code_folder, path_of
@@ -185,6 +186,8 @@ def watched(
 
                 found |= {str(other) for other in files_behind(Path(path))}
         folders_around.add(Path(root).parent.absolute())
+        if item.system is not None:
+            code_found.update(function_files(item.system, item.configuration.folder))
         code = code_folder(item.configuration, activities)
         if code is not None:
             folders.add(str(code))

@@ -21,6 +21,7 @@ from aseme_dsl.cli.shared import (
     summary,
     watch_option,
 )
+from aseme_dsl.compiler.holes import HOLE
 from aseme_dsl.diagnostics import Severity, has_errors
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ _INSTALL_Z3 = 'pip install "aseme-dsl[check]"'
     epilog="Example: asemec check team.aseme   ·   asemec check --strict --format sarif -o report.sarif",
 )
 @click.argument("files", nargs=-1, metavar="[FILE]...", type=FilePath())
-@click.option("--strict", is_flag=True, help="Let warnings count as errors for the exit code.")
+@click.option("--strict", is_flag=True, help="Let warnings and holes count as errors for the exit code.")
 @click.option("--fix", "mend", is_flag=True, help="Mend what has one right answer, in the files.")
 @click.option("--diff", is_flag=True, help="With --fix: change nothing, show what would change.")
 @watch_option
@@ -103,7 +104,7 @@ def _once(files: tuple[str, ...], workshop: Workshop) -> Done:
 
 def _is_bad(checked: Checked, strict: bool) -> bool:
     bad = {Severity.ERROR, Severity.WARNING} if strict else {Severity.ERROR}
-    return any(item.severity in bad for item in checked.diagnostics)
+    return any(item.severity in bad or (strict and item.code == HOLE) for item in checked.diagnostics)
 
 
 def _report(

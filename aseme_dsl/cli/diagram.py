@@ -18,6 +18,7 @@ from aseme_dsl.cli.shared import (
     print_diagnostics,
     print_json,
     print_written,
+    target_argument,
 )
 
 OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp")
@@ -26,11 +27,12 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
 
 @click.command(
     short_help="Draw the models of a system.",
-    help="Draw the models of a system: all of them, or those that are named, such as sag, iac.player,"
+    help="Draw the models of the system of TARGET, a file or a folder (without it: the project here): all"
+    " of them, or those that are named, such as sag, iac.player,"
     " eac or 'srm.*'. A statechart is drawn twice, as states inside states and as a tree (iac.player.tree).",
     epilog="Example: asemec diagram team.aseme iac.player --at 0.2.5 --depth 2 -o player.svg",
 )
-@click.argument("file", type=FilePath())
+@target_argument()
 @click.argument("models", nargs=-1, metavar="[MODEL]...")
 @click.option(
     "-o",
@@ -63,7 +65,7 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
 @json_option
 @colour_option
 def command(
-    file: str,
+    target: str,
     models: tuple[str, ...],
     output: str,
     format_: str | None,
@@ -83,7 +85,7 @@ def command(
     from aseme_dsl.build.write import write_file
     from aseme_dsl.diagrams import FORMATS, DrawingFailed, Expressions, Layout, NoSuchState, Options
 
-    compiled = one_system(file)
+    compiled = one_system(target)
     if compiled.system is None:
         if as_json:
             print_json({"files": [], **diagnostics_json(compiled.diagnostics)})
@@ -107,8 +109,11 @@ def command(
             names = ", ".join(item.name for item in chosen) or "none"
             raise click.UsageError(f"{output} takes one drawing, and these are {len(chosen)}: {names}.")
         if to_file and output != "-" and not force:
-            check_outputs([(Path(output), "drawing")], [file, *compiled.depends])
-        drawn = draw_all(chosen, format_)
+            check_outputs([(Path(output), "drawing")], [target, *compiled.depends])
+        try:
+            drawn = draw_all(chosen, format_, _show_progress)
+        finally:
+            _show_line("")
     except (NoSuchDrawing, NoSuchState) as problem:
         raise click.UsageError(f"{problem}.") from problem
     except DrawingFailed as problem:
@@ -123,3 +128,13 @@ def command(
     else:
         written = into_folder(compiled.system, Path(output), drawn, force=force)
     return print_written(written, drawn.notes, as_json, colour)
+
+
+def _show_progress(number: int, of: int, name: str) -> None:
+    _show_line(f"drawing {number} of {of}: {name}")
+
+
+def _show_line(text: str) -> None:
+    """A line of progress in place of the one before; only on a terminal."""
+    if sys.stderr.isatty():
+        click.echo(f"\r\x1b[K{text}", nl=False, err=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import sys
+from pathlib import Path
 
 import click
 
@@ -11,22 +12,33 @@ from aseme_dsl.cli.shared import colour_option, json_option, print_json, wants_c
 
 
 @click.command(
-    short_help="Say which extras and tools are there.",
-    help="Say which libraries and tools are there, what each is for, and how to install what is missing."
+    short_help="Say which extras and tools are there, and what a run opens.",
+    help="Say which libraries and tools are there, what each is for, and how to install what is missing;"
+    " and which sockets a run of the current folder's project opens."
     " The exit code is 1 if something is missing that asemec cannot do without.",
     epilog="Example: asemec doctor",
 )
 @json_option
 @colour_option
 def command(as_json: bool, colour: str) -> int:
-    """Print a line a tool; 1 if a needed one is missing."""
+    """Print a line a tool, and what a run opens; 1 if a needed one is missing."""
     from aseme_dsl import __version__
+    from aseme_dsl.build.configuration import find_configuration
+    from aseme_dsl.build.openings import openings
     from aseme_dsl.build.tools import tools
 
     found = tools()
+    configuration, _ = find_configuration(Path())  # its mistakes are for `check` to report
+    opened = list(openings(configuration))
     broken = any(tool.needed and tool.found is None for tool in found)
     if as_json:
-        print_json({"version": __version__, "tools": [dataclasses.asdict(tool) for tool in found]})
+        print_json(
+            {
+                "version": __version__,
+                "tools": [dataclasses.asdict(tool) for tool in found],
+                "opens": [dataclasses.asdict(opening) for opening in opened],
+            }
+        )
         return int(broken)
     painted = wants_colour(colour, sys.stdout)
     click.echo(f"asemec {__version__}")
@@ -40,4 +52,8 @@ def command(as_json: bool, colour: str) -> int:
             mark, said = click.style("absent ", fg="yellow"), tool.advice
         line = f"  {mark}  {tool.name:<{width}}  {tool.purpose}\n           {'':<{width}}  {said}"
         click.echo(line, color=painted)
+    click.echo("what a run in this folder opens, by platform")
+    width = max(len(opening.platform) for opening in opened)
+    for opening in opened:
+        click.echo(f"  {opening.platform:<{width}}  {opening.opens}\n  {'':<{width}}  {opening.reach}")
     return int(broken)

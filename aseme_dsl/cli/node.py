@@ -8,9 +8,9 @@ import signal
 import sys
 import threading
 import time
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -19,6 +19,7 @@ from aseme_dsl.cli.playing import (
     body_option,
     build_target,
     duration_option,
+    ending_left_processes,
     input_option,
     platform_option,
     refuse,
@@ -27,6 +28,7 @@ from aseme_dsl.cli.playing import (
     telling_options,
     trace_option,
 )
+from aseme_dsl.cli.run_end import end_data, end_lines, exit_code
 from aseme_dsl.cli.shared import (
     FilePath,
     activities_option,
@@ -74,10 +76,17 @@ GRACE = 2.0
 @activities_option
 @play_backend_option
 @body_option("Makes the robot's body.")
+@click.option(
+    "--control",
+    type=FilePath(path_type=Path),
+    metavar="FILE",
+    help="The operators' keys with which the robot can be controlled over its network."
+    "  [default: the project's, else it cannot]",
+)
 @telling_options
 @click.option("--project", type=FilePath(path_type=Path), hidden=True)
 @click.option("--world-at", hidden=True)
-@click.option("--in-version", "version", type=FilePath(path_type=Path), hidden=True)
+@click.option("--in-version", "version", hidden=True)
 @click.option("--supervised", is_flag=True, hidden=True)
 @colour_option
 def command(
@@ -95,17 +104,19 @@ def command(
     activities: Path | None,
     backends: tuple[str, ...],
     bodies: dict[str, str],
+    control: Path | None,
     quiet: bool,
     verbose: bool,
     project: Path | None,
     world_at: str | None,
-    version: Path | None,
+    version: str | None,
     supervised: bool,
     colour: str,
 ) -> int:
     """Play; 1 if there are errors, it cannot be played, or the robot fails."""
     from aseme_dsl.build.build import activities_folder, choose
     from aseme_dsl.build.configuration import find_configuration, read_configuration
+    from aseme_dsl.build.deployment import Deployment
     from aseme_dsl.build.platforms import IN_PROCESS
     from aseme_dsl.build.play import (
         NoSuchPlan,
@@ -144,6 +155,9 @@ def command(
             report, configuration, choice = built
             folder = report.folder
             loaded = load(folder, report.system, configuration, choice)
+        if control is not None:
+            deploy = replace(configuration.deploy or Deployment(), control=control)
+            configuration = replace(configuration, deploy=deploy)
         telling = Telling(
             loaded,
             alone=None,
@@ -169,14 +183,15 @@ def command(
             begin=_told_to_begin() if supervised else lambda: None,
             changed=_tell_change if supervised else None,
         )
-        played = play(
-            loaded,
-            activities_folder(folder, choice),
-            configuration,
-            request,
-            tell=telling.line,
-            listeners=(telling,),
-        )
+        with ending_left_processes():
+            played = play(
+                loaded,
+                activities_folder(folder, choice),
+                configuration,
+                request,
+                tell=telling.line,
+                listeners=(telling,),
+            )
     except PlayError as problem:
         if isinstance(problem, NoSuchPlan):
             raise click.UsageError(f"{problem}.") from problem
@@ -193,11 +208,14 @@ def command(
         click.echo(result.trace_error, err=True)
     elif not supervised:
         click.echo(f"played {result.time / 1e9:g} s\n  trace: {played.trace}")
-    code = (
-        INTERRUPTED
-        if result.reason == "interrupted"
-        else int(result.failed or result.trace_error is not None)
-    )
+    lines = list(end_lines(result))
+    if supervised:
+        agents = [asdict(agent) for agent in result.agents]
+        _tell_end({"result": {"agents": agents, **end_data(result)}, "lines": lines})
+    else:
+        for line in lines:
+            click.echo(f"  {line}")
+    code = exit_code(result, (), INTERRUPTED)
     if result.left:
         leave_at_once(code)
     return code
@@ -224,6 +242,14 @@ def _tell_change(change: Changed) -> None:
     from aseme_dsl.build.supervisor import CHANGED
 
     sys.stdout.write(CHANGED + json.dumps(asdict(change), default=str) + "\n")
+    sys.stdout.flush()
+
+
+def _tell_end(end: dict[str, Any]) -> None:
+    """Say what our run has left open, which our supervisor shows when all have ended."""
+    from aseme_dsl.build.supervisor import ENDED
+
+    sys.stdout.write(ENDED + json.dumps(end) + "\n")
     sys.stdout.flush()
 
 

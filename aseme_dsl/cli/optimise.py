@@ -12,7 +12,6 @@ import click
 
 from aseme_dsl.cli.playing import duration_option, refuse
 from aseme_dsl.cli.shared import (
-    FilePath,
     activities_option,
     check_outputs,
     colour_option,
@@ -22,6 +21,7 @@ from aseme_dsl.cli.shared import (
     one_system,
     print_diagnostics,
     print_json,
+    target_argument,
 )
 from aseme_dsl.diagnostics import Diagnostic, has_errors
 
@@ -50,10 +50,11 @@ def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str
     short_help="Find out how many agents are worth it, and what slows them.",
     help="Play the team of TARGET in virtual time again and again, with more or fewer agents or other"
     " settings, and say which are worth it and which activity is the bottleneck. Every variant is played with"
-    " the same seeds. The report, its data and its plots are left in the output folder.",
+    " the same seeds. Without TARGET: the project here. The report, its data and its plots"
+    " are left in the output folder.",
     epilog="Example: asemec optimise warehouse.aseme --vary carrier=1..8 --measure Deliver --runs 20",
 )
-@click.argument("target", type=FilePath())
+@target_argument()
 @click.option(
     "--vary",
     "knobs",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -154,3 +155,10 @@ def refuse(found: Iterable[Diagnostic], as_json: bool, colour: str) -> int:
     else:
         print_diagnostics(found, colour)
     return 1
+
+
+def ending_left_processes() -> AbstractContextManager[None]:
+    """Kill what activities have started and left, when what is inside has ended, and note it."""
+    from aseme_dsl.build.descendants import ending_descendants
+
+    return ending_descendants(lambda line: click.echo(f"note: {line}", err=True))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import sys
@@ -33,6 +34,7 @@ COMMANDS = (
     "status",
     "select",
     "swap",
+    "key",
     "trace",
     "optimise",
     "bench",
@@ -98,7 +100,7 @@ def run_program(arguments: Sequence[str] | None = None) -> int:
     arguments = list(sys.argv[1:] if arguments is None else arguments)
     _prepare_streams()
     try:
-        with _stopping_on_termination():
+        with _stopping_on_termination(), _few_collections(arguments):
             result = program.main(arguments, prog_name="asemec", standalone_mode=False)
             sys.stdout.flush()
         return result if isinstance(result, int) else FINE
@@ -151,6 +153,28 @@ def _stopping_on_termination() -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGTERM, before if before is not None else signal.SIG_DFL)
+
+
+_COMPILING = frozenset("build check diagram fmt scaffold".split())
+"""Commands that make models, and then end."""
+
+
+@contextmanager
+def _few_collections(arguments: Sequence[str]) -> Iterator[None]:
+    """Look for cycles of objects rarely: models are many small objects without cycles.
+
+    To look for them all the time costs a third of the time. The threshold is the whole process's, which only
+    a command may change, and not the library.
+    """
+    if _COMPILING.isdisjoint(arguments):
+        yield
+        return
+    threshold = gc.get_threshold()
+    gc.set_threshold(100_000, 50, 100)
+    try:
+        yield
+    finally:
+        gc.set_threshold(*threshold)
 
 
 def _prepare_streams() -> None:

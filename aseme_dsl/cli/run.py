@@ -13,6 +13,7 @@ from aseme_dsl.cli.playing import (
     body_option,
     build_target,
     duration_option,
+    ending_left_processes,
     input_option,
     is_function,
     platform_option,
@@ -22,8 +23,8 @@ from aseme_dsl.cli.playing import (
     telling_options,
     trace_option,
 )
+from aseme_dsl.cli.run_end import allow_option, end_data, end_lines, exit_code
 from aseme_dsl.cli.shared import (
-    FilePath,
     activities_option,
     check_choice,
     check_outputs,
@@ -35,6 +36,7 @@ from aseme_dsl.cli.shared import (
     leave_at_once,
     play_backend_option,
     print_json,
+    target_argument,
     wants_colour,
 )
 from aseme_dsl.diagnostics import has_errors
@@ -59,10 +61,11 @@ def _world(context: click.Context, parameter: click.Parameter, value: str | None
     short_help="Build a system and play it.",
     help="Build a system and play its team, in virtual time unless --real is given. TARGET is a file; or a"
     " project's folder, which is played as its pyproject.toml says; or the output folder of a build, whose"
-    " plans are played as they are. Models, diagrams, Python and a trace are left in the output folder.",
+    " plans are played as they are. Without TARGET: the project here. Models, diagrams, Python and a trace"
+    " are left in the output folder.",
     epilog="Example: asemec run team.aseme --for 30s   ·   asemec run out --plan player --real",
 )
-@click.argument("target", type=FilePath())
+@target_argument()
 @folder_option("-o", "--output", text="Where to build.  [default: the project's, else out]")
 @click.option("--plan", metavar="ROLE", help="Play one plan alone: ROLE, or SYSTEM.ROLE.")
 @click.option("--agent", metavar="NAME", help="What the agent of --plan is called.")
@@ -97,6 +100,7 @@ def _world(context: click.Context, parameter: click.Parameter, value: str | None
 @play_backend_option
 @body_option("Makes the body of an agent, or of all. May be repeated.")
 @click.option("--force", is_flag=True, help="Overwrite files that asemec did not write, or that were edited.")
+@allow_option
 @telling_options
 @json_option
 @colour_option
@@ -121,12 +125,13 @@ def command(
     backends: tuple[str, ...],
     bodies: dict[str, str],
     force: bool,
+    allowed: tuple[str, ...],
     quiet: bool,
     verbose: bool,
     as_json: bool,
     colour: str,
 ) -> int:
-    """Play; 1 if the file has errors, it cannot be played, or an agent fails."""
+    """Play; 1 if the file has errors, it cannot be played, or an agent fails or waits for ever."""
     from aseme_dsl.build.build import activities_folder, choose
     from aseme_dsl.build.configuration import find_configuration
     from aseme_dsl.build.platforms import IN_PROCESS, ZENOH
@@ -196,15 +201,16 @@ def command(
             colour=wants_colour(colour, sys.stderr),
             stream=sys.stderr if as_json else sys.stdout,
         )
-        played = play(
-            loaded,
-            activities_folder(folder, choice),
-            configuration,
-            request,
-            tell=telling.line,
-            listeners=(telling,),
-            tick=telling.tick,
-        )
+        with ending_left_processes():
+            played = play(
+                loaded,
+                activities_folder(folder, choice),
+                configuration,
+                request,
+                tell=telling.line,
+                listeners=(telling,),
+                tick=telling.tick,
+            )
     except PlayError as problem:
         if as_json:
             print_json({"result": None, "problem": str(problem), **diagnostics_json(())})
@@ -212,7 +218,8 @@ def command(
             raise click.UsageError(f"{problem}.") from problem
         raise click.ClickException(str(problem)) from problem
     telling.end()
-    code = _print(played, loaded, report, folder, telling, as_json)
+    code = exit_code(played.result, allowed, INTERRUPTED)
+    _print(played, loaded, report, folder, telling, as_json)
     if played.result.left:
         leave_at_once(code)
     return code
@@ -266,7 +273,8 @@ def _supervise(
         if wrong or not quiet:
             click.echo(f"{name:<{width}} | {line}" if name else line, err=wrong or as_json)
 
-    ended = supervise(loaded, folder, activities, configuration, request, options, say)
+    with ending_left_processes():
+        ended = supervise(loaded, folder, activities, configuration, request, options, say)
     code = INTERRUPTED if ended.reason == "interrupted" else int(ended.failed)
     if as_json:
         robots = [
@@ -275,6 +283,7 @@ def _supervise(
                 "code": robot.code,
                 "starts": robot.starts,
                 "traces": [str(path) for path in robot.traces],
+                "end": robot.end.get("result"),
             }
             for robot in ended.robots
         ]
@@ -287,6 +296,8 @@ def _supervise(
     for robot in ended.robots:
         starts = f", started {robot.starts} times" if robot.starts > 1 else ""
         click.echo(f"  {robot.name}{starts}  trace: {', '.join(map(str, robot.traces))}")
+        for line in robot.end.get("lines", ()):
+            click.echo(f"    {line}")
     return code
 
 
@@ -321,13 +332,11 @@ def _list(systems: Iterable[Loaded], as_json: bool) -> int:
 
 def _print(
     played: Played, loaded: Loaded, report: Report | None, folder: Path, telling: Telling, as_json: bool
-) -> int:
-    """How it ended, and what is left behind; the exit code."""
+) -> None:
+    """How it ended, and what is left behind."""
     from dataclasses import asdict
 
     result = played.result
-    failed = result.failed or result.trace_error is not None
-    code = INTERRUPTED if result.reason == "interrupted" else int(failed)
     if as_json:
         print_json(
             {
@@ -338,6 +347,7 @@ def _print(
                     "seed": played.seed,
                     "agents": [asdict(agent) for agent in result.agents],
                     "faults": telling.faults,
+                    **end_data(result),
                     "untaken": telling.untaken,
                     "unexpected": telling.unexpected,
                     "summary": played.summary,
@@ -349,7 +359,7 @@ def _print(
                 **diagnostics_json(()),
             }
         )
-        return code
+        return
     if played.summary:
         click.echo(played.summary)
     reason = _REASONS.get(result.reason, result.reason)
@@ -362,6 +372,8 @@ def _print(
             click.echo(f"  {agent.name} ({agent.role}) failed: {agent.failure}{place}", err=True)
         elif agent.finished:
             click.echo(f"  {agent.name} ({agent.role}) has finished")
+    for line in end_lines(result):
+        click.echo(f"  {line}")
     if result.trace_error is not None:
         click.echo(f"  {result.trace_error}", err=True)
     else:
@@ -370,7 +382,6 @@ def _print(
         click.echo(f"  models, diagrams and code: {folder}")
         for line in count_lines(report.count):
             click.echo(f"  {line}")
-    return code
 
 
 _REASONS = {

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from aseme_dsl.cli.reaching import key_option, reached
 from aseme_dsl.cli.shared import json_option, print_json, running_option
 
 
@@ -19,13 +20,15 @@ from aseme_dsl.cli.shared import json_option, print_json, running_option
 @click.argument("agent")
 @click.argument("plan")
 @running_option
+@key_option
 @json_option
-def command(agent: str, plan: str, output: Path, as_json: bool) -> int:
+def command(agent: str, plan: str, output: Path, key: Path | None, as_json: bool) -> int:
     """Change it; 1 if it cannot be."""
     from aseme_dsl.build.operate import OperateError, select
 
     try:
-        reply = select(output, agent, plan)
+        with reached(key, output) as robots:
+            reply = select(output, agent, plan, robots)
     except OperateError as problem:
         if as_json:
             print_json({"ok": False, "reasons": list(problem.args)})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
@@ -93,13 +94,16 @@ def wants_colour(choice: str, stream: IO[str]) -> bool:
 def print_diagnostics(diagnostics: Iterable[Diagnostic], choice: str, *, error: bool = True) -> None:
     """All diagnostics for people, on standard error unless they are what the command is for.
 
-    On a terminal with colours, the codes are links to their pages.
+    On a terminal, lines are cut to its width; with colours, the codes are links to their pages.
     """
     stream = sys.stderr if error else sys.stdout
     found = tuple(diagnostics)
     if found:
         colour = wants_colour(choice, stream)
-        text = render_text(found, colour=colour, link=_page if colour and stream.isatty() else None)
+        is_terminal = stream.isatty()
+        columns = shutil.get_terminal_size().columns if is_terminal else None
+        link = _page if colour and is_terminal else None
+        text = render_text(found, colour=colour, link=link, columns=columns)
         click.echo(text, file=stream, nl=False, color=True)
 
 
@@ -174,6 +178,20 @@ def one_system(file: str) -> Compiled:
     return compile_root(inputs.roots[0])
 
 
+def one_root(target: str) -> Path:
+    """The one file that declares the system that a folder means; what is more or less is wrong use."""
+    from aseme_dsl.build.project import inputs_of
+
+    inputs = inputs_of([target], standard_input, as_project=True)
+    if inputs.diagnostics:
+        raise click.UsageError(f"{inputs.diagnostics[0].message}.")
+    roots = [item for item in inputs.roots if isinstance(item, Path)]
+    if len(roots) != 1:
+        names = ", ".join(map(str, roots))
+        raise click.UsageError(f"{target} means {len(roots)} systems ({names}): name one of them.")
+    return roots[0]
+
+
 def check_outputs(outputs: Iterable[tuple[Path, Kind]], inputs: Iterable[Path | str] = ()) -> None:
     """Refuse, as wrong use, to write over what is not asemec's, or is among what is read, or twice."""
     from aseme_dsl.build import outputs as files
@@ -219,6 +237,17 @@ def written_summary(written: Written) -> str:
     ]
     said = [f"{number} {what}" for number, what in parts if number]
     return f"files: {', '.join(said)}" if said else "no files"
+
+
+def target_argument() -> Callable[[CommandT], CommandT]:
+    """`TARGET`: what the command works on (see `build/target.py`); without it, the project here."""
+
+    def default() -> str:
+        from aseme_dsl.build.target import project_here
+
+        return project_here()
+
+    return click.argument("target", required=False, type=FilePath(), default=default)
 
 
 def folder_option(*names: str, text: str) -> Callable[[CommandT], CommandT]:

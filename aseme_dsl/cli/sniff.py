@@ -30,11 +30,12 @@ _SUFFIX_OF = {"svg": ".svg", "mermaid": ".mmd", "text": ".txt"}
 @click.command(
     short_help="Show what agents say to each other.",
     help="Show the agent messages of a run: as lines of text, as a Mermaid sequence diagram, or as an SVG"
-    " picture. TRACE is a trace, or the folder of a run or a project; several are the processes of one run."
-    " The filters go together; of several of one kind, any. What they leave out is counted.",
+    " picture. TARGET is a trace, a file, a project's folder or an output folder; several are the processes"
+    " of one run. Without TARGET: the project here. The filters go together; of several of one kind, any."
+    " What they leave out is counted.",
     epilog="Example: asemec sniff out --protocol contract_net -o talk.svg   ·   asemec sniff out --follow",
 )
-@click.argument("traces", nargs=-1, required=True, metavar="TRACE...", type=FilePath(path_type=Path))
+@click.argument("traces", nargs=-1, metavar="[TARGET]...", type=FilePath(path_type=Path))
 @click.option("-f", "--follow", is_flag=True, help="Show them as they come, until the run ends.")
 @click.option(
     "--conversation",
@@ -77,6 +78,7 @@ def command(
 ) -> int:
     """Show or write; 1 if a trace cannot be read or is not whole."""
     from aseme_dsl.build.sniff import Wanted
+    from aseme_dsl.build.target import project_here, traces_of
     from aseme_dsl.runtime.trace_files import TraceError
 
     format_ = _format(format_, output)
@@ -85,7 +87,8 @@ def command(
     if follow and (output is not None or format_ != "text"):
         raise click.UsageError("--follow shows text as it comes: leave --format and -o out.")
     wanted = Wanted(conversations, protocols, agents, since, until)
-    paths = [found for path in traces for found in _traces(path, follow)]
+    targets = traces or (Path(project_here()),)
+    paths = [found for path in targets for found in traces_of(path, following=follow)]
     try:
         if follow:
             return _follow(paths, wanted, as_json)
@@ -104,23 +107,6 @@ def _format(given: str | None, output: Path | None) -> str:
     return found
 
 
-def _traces(path: Path, follow: bool) -> list[Path]:
-    """The traces behind an argument: of a folder those of its last run, of a project those in its output."""
-    from aseme_dsl.build.configuration import find_configuration
-
-    if not path.is_dir():
-        return [path]
-    if (path / "pyproject.toml").is_file():
-        configuration, _ = find_configuration(path)
-        path = configuration.output or path
-    whole = path / "trace.jsonl"
-    each = sorted(path.glob("trace.*.jsonl"))
-    if follow or not each:
-        return [whole]
-    last = max(item.stat().st_mtime for item in each)
-    return [whole] if whole.is_file() and whole.stat().st_mtime > last else each
-
-
 # ---- as it comes ---------------------------------------------------------------------------------
 
 
@@ -128,6 +114,7 @@ def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool) -> int:
     """Until all runs have ended, or somebody ends it."""
     from aseme_dsl.build.following import TraceFollower
     from aseme_dsl.build.sniff import Sniffer, line_of
+    from aseme_dsl.build.target import traces_of
 
     followers = [TraceFollower(path) for path in paths]
     sniffer = Sniffer(wanted)
@@ -137,7 +124,7 @@ def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool) -> int:
         while not all(item.finished for item in followers):
             for number, item in enumerate(followers):
                 if item.path.is_dir():  # whoever begins before the first run cannot know it
-                    item = followers[number] = TraceFollower(*_traces(item.path, follow=True))
+                    item = followers[number] = TraceFollower(*traces_of(item.path, following=True))
                 for record in item.poll():
                     if record["kind"] == "header":
                         began[item.path] = _start(record)

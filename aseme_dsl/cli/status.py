@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from aseme_dsl.cli.reaching import key_option, reached
 from aseme_dsl.cli.shared import json_option, print_json, running_option
 
 
@@ -16,13 +17,15 @@ from aseme_dsl.cli.shared import json_option, print_json, running_option
     epilog="Example: asemec status   ·   asemec status -o out --json",
 )
 @running_option
+@key_option
 @json_option
-def command(output: Path, as_json: bool) -> int:
+def command(output: Path, key: Path | None, as_json: bool) -> int:
     """Print what the processes say; 1 if there is none, or one does not answer."""
     from aseme_dsl.build.operate import OperateError, look
 
     try:
-        found, silent = look(output)
+        with reached(key, output) as robots:
+            found, silent = look(output, robots)
     except OperateError as problem:
         raise click.ClickException("\n".join(problem.args)) from problem
     if as_json:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from aseme_dsl.cli.reaching import key_option, reached
 from aseme_dsl.cli.shared import (
     FilePath,
     colour_option,
@@ -38,6 +39,7 @@ def _seconds(context: click.Context, parameter: click.Parameter, value: str) -> 
 )
 @click.argument("file", type=FilePath())
 @running_option
+@key_option
 @click.option(
     "--within",
     metavar="DURATION",
@@ -53,6 +55,7 @@ def _seconds(context: click.Context, parameter: click.Parameter, value: str) -> 
 def command(
     file: str,
     output: Path,
+    key: Path | None,
     within: float,
     agents: tuple[str, ...],
     activities: Path | None,
@@ -60,8 +63,8 @@ def command(
     colour: str,
 ) -> int:
     """Change it; 1 if the file has errors or the change is refused."""
-    from aseme_dsl.build.build import choose
-    from aseme_dsl.build.operate import OperateError, generate_version, nodes, swap
+    from aseme_dsl.build.build import activities_folder, choose
+    from aseme_dsl.build.operate import OperateError, PartlyDone, activities_of, nodes, swap, write_version
     from aseme_dsl.diagnostics import Severity
 
     compiled = one_system(file)
@@ -73,14 +76,20 @@ def command(
             print_json({"ok": False, "reasons": ["the file has errors"], **diagnostics_json(found)})
         return 1
     try:
-        nodes(output)  # before anything is written
-        folder, model = generate_version(compiled.system, output, choose(compiled.configuration))
-        replies = swap(output, folder, model, within=within, activities=activities, agents=agents or None)
+        with reached(key, output, compiled.system.name) as robots:
+            there = nodes(output, robots)  # before anything is written
+            choice = choose(compiled.configuration)
+            far = robots is not None  # their folders are not of this machine
+            code = activities or (activities_folder(output, choice) if far else activities_of(there))
+            name, model = write_version(compiled.system, output, choice, code)
+            replies = swap(output, name, within=within, agents=agents or None, robots=robots)
     except OperateError as problem:
         if as_json:
             print_json({"ok": False, "reasons": list(problem.args), **diagnostics_json(found)})
             return 1
-        raise click.ClickException("\n".join(("nothing has changed:", *problem.args))) from problem
+        partly = isinstance(problem, PartlyDone)
+        what = "not all robots have changed:" if partly else "nothing has changed:"
+        raise click.ClickException("\n".join((what, *problem.args))) from problem
     notes = [note for reply in replies for note in reply["notes"]]
     if as_json:
         print_json({"ok": True, "model": model, "notes": notes, **diagnostics_json(found)})

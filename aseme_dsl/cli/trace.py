@@ -45,12 +45,13 @@ def _known_kinds(
 
 @click.command(
     short_help="Say what happened in a run.",
-    help="Sum up the traces of runs, list their lines, or write them into another file. FILE is a trace as"
-    " JSON lines or MCAP, also one that a killed run has left (FILE.part). The filters go together: a line is"
-    " taken that all let through; of several of one kind, any.",
+    help="Sum up the traces of runs, list their lines, or write them into another file. TARGET is a trace as"
+    " JSON lines or MCAP, also one that a killed run has left (TARGET.part); or a file, a project's folder or"
+    " an output folder, for the traces of its last run. Without TARGET: the project here. The filters go"
+    " together: a line is taken that all let through; of several of one kind, any.",
     epilog="Example: asemec trace out/trace.jsonl --lines --agent robot1 --from 12.5s --to 14s",
 )
-@click.argument("files", nargs=-1, required=True, metavar="FILE...", type=FilePath(path_type=Path))
+@click.argument("files", nargs=-1, metavar="[TARGET]...", type=FilePath(path_type=Path))
 @click.option("--lines", is_flag=True, help="List the lines rather than sum them up.")
 @click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only what is about this agent.")
 @click.option(
@@ -99,12 +100,15 @@ def command(
     as_json: bool,
 ) -> int:
     """Sum up, list or convert; 1 if a file cannot be read or written, or is not whole."""
+    from aseme_dsl.build.target import project_here, traces_of
     from aseme_dsl.build.traces import Filter
     from aseme_dsl.runtime.trace_files import TraceError
     from aseme_dsl.runtime.trace_reading import TraceReader
 
+    targets = files or (Path(project_here()),)
+    files = tuple(trace for target in targets for trace in traces_of(target))
     if output is not None and len(files) > 1:
-        raise click.UsageError("-o writes one trace: name one FILE.")
+        raise click.UsageError("-o writes one trace: name one.")
     if output is not None and lines:
         raise click.UsageError("-o writes the lines into a file, --lines shows them: choose one.")
     if output is not None:

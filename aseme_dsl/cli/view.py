@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 import queue
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from aseme_dsl.cli.shared import FilePath
+from aseme_dsl.cli.shared import one_root, target_argument
 
 if TYPE_CHECKING:
     from aseme_dsl.editor.diagram import Diagrams, LiveDrawing
@@ -20,26 +21,25 @@ if TYPE_CHECKING:
 
 @click.command(
     short_help="Show the models of a system in a browser, live.",
-    help="Show the models of a system on a page in a browser of this machine, and again whenever a file"
-    " changes. A click on a state or transition shows its place in the text, a double click on a state what"
-    " is in it. Ctrl-C ends it.",
+    help="Show the models of the system of TARGET, a file or a folder (without it: the project here), on a"
+    " page in a browser of this machine, and again whenever a file changes. A click on a state or transition"
+    " shows its place in the text, a double click on a state what is in it. Ctrl-C ends it.",
     epilog="Example: asemec view team.aseme   ·   asemec view team.aseme iac.player --open",
 )
-@click.argument("file", type=FilePath(path_type=Path))
+@target_argument()
 @click.argument("model", required=False)
 @click.option(
     "--port", type=click.IntRange(0, 65535), default=0, help="The port.  [default: any that is free]"
 )
 @click.option("--open", "opens", is_flag=True, help="Open the page in the browser.")
-def command(file: Path, model: str | None, port: int, opens: bool) -> int:
+def command(target: str, model: str | None, port: int, opens: bool) -> int:
     """Serve until somebody ends it."""
     from aseme_dsl.cli.lsp import project
     from aseme_dsl.editor.diagram import Diagrams
     from aseme_dsl.editor.viewer import Viewer
     from aseme_dsl.editor.workspace import Workspace
 
-    if not file.is_file():
-        raise click.UsageError(f"{file} is not a file.")
+    file = Path(target) if Path(target).is_file() else one_root(target)
     said: queue.SimpleQueue[Mapping[str, Any]] = queue.SimpleQueue()
     try:
         viewer = Viewer(said.put, port)
@@ -52,17 +52,27 @@ def command(file: Path, model: str | None, port: int, opens: bool) -> int:
         watched = Watched(file, Workspace(project()), Diagrams(), model)
         viewer.show(watched.state())
         while True:
-            if not watched.wait(lambda: not said.empty()):
-                watched.act(said.get())
-            viewer.show(watched.state())
+            changed = watched.wait(lambda: not said.empty())
+            for tab in viewer.tabs() if changed else (watched.act(said.get()),):
+                viewer.show(watched.state(tab), tab)
+            watched.forget_all_but(viewer.tabs())
     except KeyboardInterrupt:
         return 0
     finally:
         viewer.close()
 
 
+@dataclass(slots=True)
+class Selection:
+    """What is selected in a tab: the model, the part of it that is drawn, and the element that is marked."""
+
+    model: str | None
+    part: str | None = None
+    clicked: str | None = None
+
+
 class Watched:
-    """A file that is looked at, and what is shown of it."""
+    """A file that is looked at, and what is shown of it in each tab of a browser ("": in a new one)."""
 
     def __init__(self, file: Path, workspace: Workspace, diagrams: Diagrams, model: str | None) -> None:
         from aseme_dsl.build.watch import Watch
@@ -70,21 +80,31 @@ class Watched:
         self._path = str(file)
         self._workspace = workspace
         self._diagrams = diagrams
-        self._model = model
-        self._part: str | None = None
-        self._clicked: str | None = None
+        self._first = model
+        self._selections: dict[str, Selection] = {}
         self._watch = Watch()
         self._program = self._compiled()
 
-    def act(self, said: Mapping[str, Any]) -> None:
-        """What somebody does on the page."""
+    def act(self, said: Mapping[str, Any]) -> str:
+        """What somebody does on the page; gives the tab."""
+        named = said.get("tab")
+        tab = named if isinstance(named, str) else ""
+        selection = self._selection(tab)
         match said:
             case {"act": "choose", "model": str(model)}:
-                self._model, self._part, self._clicked = model, None, None
+                selection.model, selection.part, selection.clicked = model, None, None
             case {"act": "click", "id": str(element)}:
-                self._clicked = element
+                selection.clicked = element
             case {"act": "enter", "id": str(element)} if element.startswith("n"):
-                self._part, self._clicked = element[1:], None
+                selection.part, selection.clicked = element[1:], None
+        return tab
+
+    def forget_all_but(self, tabs: Iterable[str]) -> None:
+        """Forget what is selected in other tabs."""
+        self._selections = {tab: self._selections[tab] for tab in tabs if tab in self._selections}
+
+    def _selection(self, tab: str) -> Selection:
+        return self._selections.setdefault(tab, Selection(self._first))
 
     def wait(self, until: Callable[[], bool]) -> bool:
         """Wait for a file that is another one than before, and compile; False as soon as `until` says so."""
@@ -93,42 +113,43 @@ class Watched:
         self._program = self._compiled()
         return True
 
-    def state(self) -> dict[str, Any]:
-        """What the page shows now."""
+    def state(self, tab: str = "") -> dict[str, Any]:
+        """What the page shows now in a tab."""
         from aseme_dsl.diagrams import GraphvizMissing
         from aseme_dsl.editor.diagram import models_of
         from aseme_dsl.editor.viewer import page_state
 
+        selection = self._selection(tab)
         models = models_of(self._program)
         problems = _problems(self._program)
         try:
-            drawing = self._drawing(models)
+            drawing = self._drawing(models, selection)
         except GraphvizMissing as missing:
             return page_state(title=str(missing), models=models)
         if drawing is None:
             return page_state(
                 title=f"There is nothing to draw in {self._path}.", models=models, text=problems
             )
-        here = self._clicked if self._clicked in drawing.elements else None
+        here = selection.clicked if selection.clicked in drawing.elements else None
         return page_state(
             drawing,
             here=here,
-            models=models if self._model in models else (self._model or "", *models),
-            model=self._model or "",
-            part=self._part is not None,
+            models=models if selection.model in models else (selection.model or "", *models),
+            model=selection.model or "",
+            part=selection.part is not None,
             text=_place(drawing, here) if here else problems,
         )
 
-    def _drawing(self, models: Sequence[str]) -> LiveDrawing | None:
+    def _drawing(self, models: Sequence[str], selection: Selection) -> LiveDrawing | None:
         """The picture of the chosen model, else of the first one: of a role's statechart, if there is one."""
-        if self._model is not None:
-            drawing = self._diagrams.of(self._program, self._model, self._part)
+        if selection.model is not None:
+            drawing = self._diagrams.of(self._program, selection.model, selection.part)
             if drawing is not None:
                 return drawing
         charts = [name for name in models if name.startswith("iac.")]
-        for self._model in (*charts, *models):
-            self._part = None
-            drawing = self._diagrams.of(self._program, self._model)
+        for selection.model in (*charts, *models):
+            selection.part = None
+            drawing = self._diagrams.of(self._program, selection.model)
             if drawing is not None:
                 return drawing
         return None

@@ -24,6 +24,7 @@ from aseme_dsl.amola.expression import (
     Member,
     Named,
     Negate,
+    Raised,
     StateValue,
     TransitionExpression,
     Value,
@@ -359,6 +360,96 @@ class FlatChart:
             if variable.scope is None and any(self._is_entered_again(n) for n in found[variable.name]):
                 found[variable.name].add(0)
         return {name: tuple(sorted(regions)) for name, regions in found.items()}
+
+    @cached_property
+    def awaited(self) -> dict[int, frozenset[str]]:
+        """The raised events that transitions of each region wait for."""
+        found: dict[int, set[str]] = {}
+        for transition in self.chart.transitions:
+            names = {event.name for event in transition.expression.events if isinstance(event, Raised)}
+            found.setdefault(self.region_number[transition.source], set()).update(names)
+        return {region: frozenset(names) for region, names in found.items() if names}
+
+    @cached_property
+    def asked_signals(self) -> dict[int, frozenset[str]]:
+        """The channels of the signals that the expressions of each region look at."""
+        return {
+            region: frozenset(str(use.channel) for use in uses if use.channel.comm is Comm.SIGNAL)
+            for region, uses in self.members.items()
+        }
+
+    @cached_property
+    def circling(self) -> tuple[int, ...]:
+        """The numbers of the transitions that may be taken again and again within one step."""
+        basic = {node.label for node in self.chart.nodes if node.type is NodeType.BASIC}
+        ways: dict[str, dict[str, None]] = {}
+        for node in self.chart.nodes:  # in at the START, out at the END, whatever is in between
+            if node.parent is None:
+                continue
+            is_region = self.chart.node(node.parent).type is NodeType.AND
+            if is_region or node.type is NodeType.START:
+                ways.setdefault(node.parent, {})[node.label] = None
+            cut = any(way.expression.when for way in self.chart.ways_from(node.parent))
+            if is_region or cut or node.type is NodeType.END:
+                ways.setdefault(node.label, {})[node.parent] = None
+        quick: list[int] = []
+        for number, transition in enumerate(self.chart.transitions):
+            said = transition.expression
+            waits = said.events or said is NEVER or said.every or transition.reactive
+            if transition.is_way and not waits and (said.when or transition.source not in basic):
+                quick.append(number)
+                ways.setdefault(transition.source, {})[transition.target] = None
+
+        def leads(source: str, target: str) -> bool:
+            seen, waiting = {source}, [source]
+            while waiting and target not in seen:
+                new = ways.get(waiting.pop(), {}).keys() - seen
+                seen |= new
+                waiting += new
+            return target in seen
+
+        ends = [(self.chart.transitions[n].target, self.chart.transitions[n].source) for n in quick]
+        return tuple(
+            number for number, (target, source) in zip(quick, ends, strict=True) if leads(target, source)
+        )
+
+    def regions_around(self, region: int) -> Iterator[int]:
+        """The regions around a region, innermost first."""
+        around = self.enclosing(region)
+        while around is not None:
+            yield around
+            around = self.enclosing(around)
+
+    @cached_property
+    def wakes(self) -> dict[str, dict[int, tuple[str, ...]]]:
+        """Of each variable that one region writes and a condition of another reads: the regions that read it
+        so, with the sources of these transitions.
+
+        A region that is entered after the write of one around it starts with what was written: only what is
+        done without leaving it can wake it.
+        """
+        found: dict[str, dict[int, dict[str, None]]] = {}
+        for source in self.sources:
+            for transition in self.segments(source):
+                condition = transition.expression.condition
+                for value in walk(condition) if condition is not None else ():
+                    if isinstance(value, VariableValue):
+                        readers = found.setdefault(value.name, {})
+                        readers.setdefault(self.region_number[source], {}).setdefault(source)
+        writers: dict[str, set[tuple[int, bool]]] = {}
+        for transition in self.chart.transitions:
+            stays = transition.kind is TransitionKind.ON
+            for action in transition.expression.actions:
+                if isinstance(action, Assign) and isinstance(action.target, VariableValue):
+                    writer = self.region_number[transition.source], stays
+                    writers.setdefault(action.target.name, set()).add(writer)
+        woken: dict[str, dict[int, tuple[str, ...]]] = {}
+        for name, readers in found.items():
+            for region, sources in readers.items():
+                others = (item for item in writers.get(name, ()) if item[0] != region)
+                if any(stays or writer not in self.regions_around(region) for writer, stays in others):
+                    woken.setdefault(name, {})[region] = tuple(sources)
+        return woken
 
     def _is_entered_again(self, region: int) -> bool:
         """Whether a region may be entered after it was left: its AND can be reached from itself."""

@@ -38,6 +38,7 @@ from aseme_dsl.amola.expression import (
     Value,
     VariableValue,
     values_of,
+    walk,
 )
 from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, TransitionKind
@@ -606,6 +607,7 @@ class _Generator(Face):
                     for taken in _paths(way):
                         target = self.flat.transition(taken[-1]).target
                         events.update(*(own[label] for label in self._rests_in(target)))
+                        events.update(*(self.flat.awaited.get(n, ()) for n in self._regions_in(target)))
                 for event in events:
                     found.setdefault(event, {}).setdefault(region.number, []).append(place)
         return {
@@ -631,6 +633,12 @@ class _Generator(Face):
             yield label
             if self.chart.node(label).type is NodeType.AND:
                 stack += [region.label for region in self.flat.regions_of(label)]
+
+    def _regions_in(self, target: str) -> Iterator[int]:
+        """The regions that are entered with `target`."""
+        for label in self._rests_in(target):
+            if self.chart.node(label).type is NodeType.AND:
+                yield from (region.number for region in self.flat.regions_of(label))
 
     def _looks_later(self, region: int, writer: int) -> bool:
         """Whether a region is looked at after another in a round in which both may move."""
@@ -734,7 +742,7 @@ class _Generator(Face):
         entered = self._scope(taken)
         if self._open_at(mode, leaf, spent, entered):
             return True
-        return self._open_around(mode, self.chart.node(leaf))
+        return self._open_around(mode, self.chart.node(leaf), spent)
 
     def _again_at(self, mode: str, leaf: Node, spent: bool) -> bool:
         """Whether something may be enabled at an active leaf after an action that has left nothing."""
@@ -745,15 +753,15 @@ class _Generator(Face):
             for way in (*self.flat.first_ways(source.label), *self.flat.ways(source.label)):
                 if self._is_open(mode, way, done, spent=spent, entered=False):
                     return True
-        return self._open_around(mode, leaf)
+        return self._open_around(mode, leaf, spent)
 
-    def _open_around(self, mode: str, ends: Node) -> bool:
+    def _open_around(self, mode: str, ends: Node, spent: bool) -> bool:
         """Whether something may be enabled around the region of a leaf in which something was taken."""
         around_region = self.chart.region_of(ends.label)
         complete = ends.type is NodeType.END and ends.parent == around_region
         for around in self.chart.ancestors(around_region):
             for way in self.flat.ways(around.label):
-                if self._is_open(mode, way, complete, spent=False, entered=False):
+                if self._is_open(mode, way, complete, spent=spent, entered=False):
                     return True
             complete = False
         return False
@@ -767,7 +775,7 @@ class _Generator(Face):
                 return True
             if self.chart.node(label).type is NodeType.AND:
                 for region in self.flat.regions_of(label):
-                    stack.append((self._rest(region.label), False, region.label))
+                    stack.append((self._rest(region.label), True, region.label))
         return False
 
     def _open_in(self, mode: str, label: str, spent: bool, scope: str) -> bool:
@@ -813,7 +821,7 @@ class _Generator(Face):
         bodies = {event: self._mode(event) for event in self.modes}
         methods.append(self._start(bodies[STEP][0]))
         methods.append(self._send(bodies))
-        methods.append(self._written("step(self) -> bool", "One step without an event.", bodies[STEP][0]))
+        methods += self._step(bodies[STEP][0])
         if not self.options.translated:
             methods += self._done()
         for mode in (*(mode for _, mode in bodies.values()), *([self.others] if self.others else ())):
@@ -937,6 +945,9 @@ class _Generator(Face):
         if self.spends:
             slots.append("spent")
             annotations.append("    spent: int")
+        if self.flat.wakes:
+            slots.append("woken")
+            annotations.append("    woken: bool")
         inner = [
             (
                 region.number,
@@ -987,6 +998,11 @@ class _Generator(Face):
         if self.options.watched:
             texts = [f"        {self._place(number)!r}," for number in range(len(self.chart.transitions))]
             lines += ["    TRANSITIONS = (", *texts, "    )"]
+        if self.flat.wakes:
+            texts = [f"        {self._place(number)!r}," for number in self._waking()]
+            lines += ["    WAKING = (", *texts, "    )"]
+        if circling := [f"        {self._place(number)!r}," for number in self.flat.circling]:
+            lines += ["    CIRCLING = (", *circling, "    )"]
         end = self.chart.end_of(self.chart.root.label)
         if end is not None and end.label in self.flat.leaf:
             lines.append(f"    END = {self.flat.leaf[end.label]}")
@@ -996,6 +1012,8 @@ class _Generator(Face):
         if self.is_timed:
             lines.append("        self.now = 0")
         lines += [f"        self.{name}: {kind} = {value}" for name, kind, value, _ in fields]
+        if self.flat.wakes:
+            lines.append("        self.woken = False")
         first = [f"self.r{region.number}" for region in regions if self._is_around_all(region.number)]
         first += [
             f"self.{name}"
@@ -1008,6 +1026,15 @@ class _Generator(Face):
         if first and not self.options.translated:
             lines.append(f"        {' = '.join(first)} = UNSTARTED")
         return lines
+
+    def _waking(self) -> Iterator[int]:
+        """The transitions that write or ask for a variable by which regions wake each other."""
+        for number, transition in enumerate(self.chart.transitions):
+            condition = transition.expression.condition
+            values = walk(condition) if condition is not None else ()
+            read = {value.name for value in values if isinstance(value, VariableValue)}
+            if not self.flat.wakes.keys().isdisjoint(read | _written_by(transition.expression)):
+                yield number
 
     def _is_around_all(self, region: int) -> bool:
         """Whether a region is active whatever the other numbers are."""
@@ -1040,7 +1067,7 @@ class _Generator(Face):
             for number in copies:
                 yield f"{self._copy(name, number)}: {name} during a step, as region {number} sees it"
         if self.spends:
-            yield "spent: the regions that have taken the event of this step (1 region 0, 2 region 1, 4 ...)"
+            yield "spent: the regions without the event of this step any more (1 region 0, 2 region 1, 4 ...)"
 
     def _of_leaves(self, word: Callable[[Node], str]) -> list[str]:
         """A word for each of a region's leaves by their numbers."""
@@ -1072,10 +1099,13 @@ class _Generator(Face):
             rest = [line for line in step[:-1] if line not in again]
             place, depth = (rest.index("        try:") + 1, 3) if "        try:" in rest else (0, 2)
             rest[place:place] = _indented(entered, depth)
+            rest += _indented(_FOLLOWS, 2) if self.flat.wakes else []
             return self._written(signature, document, [*_indented(lines, 2), *rest])
         lines += entered if goes_on else self._ended_by(entered, self._spread())
         if goes_on:
             lines.append("self.step()")
+        elif "self.woken = True" in entered:
+            lines += _FOLLOWS
         return self._written(signature, document, _indented(lines or ["pass"], 2))
 
     def _due(self) -> list[list[str]]:
@@ -1147,6 +1177,31 @@ class _Generator(Face):
         else:
             lines.append("        return self.step()")
         return [f"    def {signature}:", f'        """{document}"""', *lines]
+
+    def _step(self, body: list[str]) -> list[list[str]]:
+        """The method that makes a step without an event, with what follows at the same instant."""
+        signature, document = "step(self) -> bool", "One step without an event."
+        if not self.flat.wakes:
+            return [self._written(signature, document, body)]
+        whole = ["if not self._alone():", "    return False", *_FOLLOWS, "return True"]
+        follow = [
+            "steps = 0",
+            "while True:",
+            "    if not self.woken:",
+            "        break",
+            "    self.woken = False",
+            "    self._alone()",
+            "    steps += 1",
+            "    if steps == ROUNDS:",
+            "        raise self.endless()",
+        ]
+        alone = "What a step without an event does, without the steps that follow it."
+        after = "The steps that follow as long as regions write what conditions of others read."
+        return [
+            self._written(signature, document, _indented(whole, 2)),
+            self._written("_alone(self) -> bool", alone, body),
+            self._written("_follow(self) -> None", after, _indented(follow, 2)),
+        ]
 
     # ---- an activity that has returned -----------------------------------------------------
 
@@ -1278,17 +1333,22 @@ class _Generator(Face):
     # ---- a step ----------------------------------------------------------------------------
 
     def _mode(self, event: str) -> tuple[list[str], _Mode]:
-        """The body of a step, as it stands in a method."""
+        """The body of a step, as it stands in a method; without an event, without the steps that follow."""
         mode = self._mode_of(event)
         for region in reversed(self.flat.regions):  # innermost first, so that nothing goes deep
             is_deep = region.number and self._nesting(region.number) % NESTED == 0
             if is_deep and not self._is_shared(mode, region.number):
                 self._apart(mode, region.number)
         lines = self._region(mode, 0, 3 if mode.loops else 2)
-        return _indented(self._whole(mode, lines), 2), mode
+        return _indented(self._whole(mode, lines, follows=event != STEP), 2), mode
 
-    def _whole(self, mode: _Mode, lines: list[str], region: int | None = None) -> list[str]:
-        """What a step does, with what comes before and after it; of one `region` if nothing else is done."""
+    def _whole(
+        self, mode: _Mode, lines: list[str], region: int | None = None, *, follows: bool = True
+    ) -> list[str]:
+        """What a step does, with what comes before and after it; of one `region` if nothing else is done.
+
+        `follows`: steps may follow it at the same instant.
+        """
         if not lines:
             return ["return False"]
         if mode.direct:
@@ -1299,6 +1359,7 @@ class _Generator(Face):
         tail = self._spread()
         if self.faults:
             tail += ["if self.faulty:", "    self.faulty = ()"]
+        after = list(_FOLLOWS) if follows and self.flat.wakes else []
         if mode.loops:
             every = [lines, *mode.functions.values()]
             if any("self.spent" in line for text in every for line in text):
@@ -1312,9 +1373,9 @@ class _Generator(Face):
             says = f"{_MOVED} = True"
             if says in lines and all(line == says for line in lines if re.search(rf"\b{_MOVED}\b", line)):
                 lines = [line for line in lines if line != says]
-                return [*head, *self._ended_by(lines, tail), "return True"]
+                return [*head, *self._ended_by(lines, tail), *after, "return True"]
             head.append(f"{_MOVED} = False")
-        return [*head, *self._ended_by(lines, tail), f"return {_MOVED}"]
+        return [*head, *self._ended_by(lines, tail), *after, f"return {_MOVED}"]
 
     def _ended_by(self, lines: list[str], tail: list[str]) -> list[str]:
         """A step with what ends it: also one that something raises, where a program is called in it."""
@@ -1832,8 +1893,13 @@ class _Generator(Face):
         taken = candidate.taken
         lines: list[str] = []
         if mode.loops and candidate.spends:
-            spend = f"self.spent |= {1 << region}"
+            spend = f"self.spent |= {self._bits(mode, (region, *self.flat.regions_around(region)))}"
             lines += [spend] if candidate.spends == "yes" else [f"if {candidate.spends}:", f"    {spend}"]
+        missed = 0
+        if mode.loops and not candidate.stays:
+            missed = self._bits(mode, self._regions_in(self.flat.transition(taken[-1]).target))
+        if missed:
+            lines.append(f"self.spent |= {missed}  # what is entered now does not see it")
         if candidate.stays:
             lines += [*self._took(taken), *self._actions(region, taken[0])]
             return [*lines, *self._moved(mode, self._again_at(mode.event, leaf, candidate.spends == "yes"))]
@@ -1844,6 +1910,10 @@ class _Generator(Face):
             lines += self._actions(region, step)
         lines += self._enter(region, scope, self.flat.transition(taken[-1]).target, number)
         return [*lines, *self._moved(mode, self._again(mode.event, region, taken, candidate.spends == "yes"))]
+
+    def _bits(self, mode: _Mode, regions: Iterable[int]) -> int:
+        """The bits of those regions that wait for the event of a mode."""
+        return sum(1 << number for number in regions if mode.event in self.flat.awaited.get(number, ()))
 
     def _moved(self, mode: _Mode, again: bool) -> list[str]:
         """What is noted when something was taken."""
@@ -2057,7 +2127,19 @@ class _Generator(Face):
         method = Method(self._names(region, f"{region}_{number}_"))
         for action in self.flat.transition(number).expression.actions:
             self._action(method, region, number, action)
+        if self._wakes(region, number):
+            method.add(0, "self.woken = True")
         return method.lines
+
+    def _wakes(self, region: int, number: int) -> bool:
+        """Whether a transition writes what a condition of another region reads that it does not enter."""
+        transition = self.flat.transition(number)
+        return any(
+            reader != region
+            and (transition.kind is TransitionKind.ON or region not in self.flat.regions_around(reader))
+            for name in _written_by(transition.expression)
+            for reader in self.flat.wakes.get(name, ())
+        )
 
     def _action(self, method: Method, region: int, number: int, action: Action) -> None:
         match action:
@@ -2100,6 +2182,9 @@ _UNLESS = f"if not {_BB}.still_"
 _WROTE = "@wrote "
 """Stands where something on the blackboard was written, until it is known which conditions read it."""
 _NOTHING = ["        return False"]
+
+_FOLLOWS = ("if self.woken:", "    self._follow()")
+"""What is done after a step in which a region may have written what a condition of another reads."""
 
 
 def _only(test: str, body: _Body) -> list[str]:

@@ -232,6 +232,15 @@ def _read(system: System, activity: Activity) -> tuple[str, ...]:
     return tuple(dict.fromkeys(found))
 
 
+def _histories(activity: Activity) -> tuple[tuple[str, int], ...]:
+    """How far the activity looks back at each data channel, in ns."""
+    found: dict[str, int] = {}
+    for read in activity.reads:
+        if read.channel is not None and read.history:
+            found[str(read.channel)] = max(found.get(str(read.channel), 0), read.history)
+    return tuple(found.items())
+
+
 def _activity(system: System, activity: Activity) -> str:
     return _call("ActivityInfo", [activity.name], _statement(system, activity))
 
@@ -250,6 +259,8 @@ def _statement(system: System, activity: Activity) -> list[tuple[str, Any, Any]]
         ("reads", _read(system, activity), ()),
         ("writes", tuple(str(channel) for channel in activity.writes), ()),
         ("variables", activity.writes_variables, ()),
+        ("reads_variables", activity.reads_variables, ()),
+        ("histories", _histories(activity), ()),
         ("parameters", tuple((item.name, str(item.type)) for item in activity.parameters), ()),
         ("within", activity.within, None),
         ("ends", activity.ends, ()),

@@ -257,6 +257,7 @@ class _Generator(Face):
             f"    MESSAGES: ClassVar[Mapping[str, Any]] = {self._message_classes()}",
             f"    TIMES: ClassVar[Mapping[str, str]] = {times!r}",
             *self._deadlines(),
+            *self._wakes(),
             *self._marks(),
             *self._memories(),
             *self._counts(),
@@ -276,6 +277,27 @@ class _Generator(Face):
     def _deadlines(self) -> list[str]:
         found = self.flat.deadlines
         return [f"    WITHIN: ClassVar[Mapping[str, int]] = {found!r}"] if found else []
+
+    def _wakes(self) -> list[str]:
+        """The copies of variables whose writers wake other regions, and the leaves at which they are read."""
+        found: dict[str, tuple[tuple[str, str, tuple[tuple[int, int], ...]], ...]] = {}
+        for name, readers in self.flat.wakes.items():
+            found[name] = tuple(
+                (self._variable(name, region), f"r{region}", self._leaves_at(sources))
+                for region, sources in readers.items()
+            )
+        kind = "tuple[tuple[str, str, tuple[tuple[int, int], ...]], ...]"
+        return [f"    WAKES: ClassVar[Mapping[str, {kind}]] = {found!r}"] if found else []
+
+    def _leaves_at(self, sources: Iterable[str]) -> tuple[tuple[int, int], ...]:
+        """The first and last numbers of the leaves at which one of these states is active."""
+        found: list[tuple[int, int]] = []
+        for first, last in sorted(self.flat.range[source] for source in sources):
+            if found and first <= found[-1][1] + 1:
+                found[-1] = found[-1][0], max(last, found[-1][1])
+            else:
+                found.append((first, last))
+        return tuple(found)
 
     def _marks(self) -> list[str]:
         """The slots of what the `on` transitions remember, by number, where there are any."""
@@ -612,7 +634,7 @@ class _Generator(Face):
         looked_at = self._actions(method, depth, region, source, taken)
         self._enter(method, depth, region, scope, target, resume=transitions[-1].resume)
         for channel, host in looked_at:
-            method.add(depth, f"b.spend({channel!r}, {host!r})")
+            self._consume(method, depth, region, channel, host)
 
     def _actions(
         self, method: Method, depth: int, region: int, source: str, taken: tuple[int, ...]
@@ -696,7 +718,7 @@ class _Generator(Face):
             else:
                 method.add(depth, f"{'elif' if index else 'if'} {test}:", f"    {action}")
         for channel, host in self._actions(method, depth, region, source, (number,)):
-            method.add(depth, f"b.spend({channel!r}, {host!r})")
+            self._consume(method, depth, region, channel, host)
         if self._has_mark(number):
             method.add(depth, f"self.{self._mark(number)} = self._seen_{number}()")
         method.add(depth, "return True")
@@ -737,7 +759,7 @@ class _Generator(Face):
             number = self.flat.transition_number[id(transition)]
             method.add(2, f"# {self._place(number)}", f"self.taken.append(({number},))")
             for channel, host in self._actions(method, 2, region, node.label, (number,)):
-                method.add(2, f"b.spend({channel!r}, {host!r})")
+                self._consume(method, 2, region, channel, host)
         if any(re.search(r"\bnow\b", line) for line in method.lines):
             method.lines.insert(0, "        now = self.now")
         name = f"_exit_{self._key(node.label)}(self) -> None"
@@ -786,8 +808,20 @@ class _Generator(Face):
             case Received() | Lost():
                 return f"self.take_mail({self._letter(source, event)})"
             case Raised(name=name):
-                return f"self.spent.add(({region}, {name!r}))"
+                around = [n for n in self.flat.regions_around(region) if name in self.flat.awaited.get(n, ())]
+                if not around:
+                    return f"self.spent.add(({region}, {name!r}))"
+                gone = ", ".join(f"({number}, {name!r})" for number in (region, *around))
+                return f"self.spent.update(({gone}))"
         return "pass"
+
+    def _consume(self, method: Method, depth: int, region: int, channel: str, host: str | None) -> None:
+        """Consume the signal that was looked at, for the region and for those around it."""
+        around = [
+            n for n in self.flat.regions_around(region) if channel in self.flat.asked_signals.get(n, ())
+        ]
+        outer = "".join(f", self.b{number}" for number in around)
+        method.add(depth, f"b.spend({channel!r}, {host!r}{outer})")
 
     def _leave_leaf(
         self, method: Method, depth: int, region: int, scope: str, leaf: Node | None, complete: bool
@@ -1063,6 +1097,8 @@ class _Generator(Face):
         """The blackboard of a region that is entered, and its copies of variables."""
         outer = self.flat.enclosing(region)
         method.add(2, f"self.b{region} = Board{region}()", f"self.b{region}.inherit(self.b{outer})")
+        if region in self.flat.awaited:
+            method.add(2, "if self.events:", f"    self.miss({region})")
         for name, regions in self.flat.variable_regions.items():
             if len(regions) > 1 and region in regions:
                 around = outer

@@ -25,7 +25,7 @@ def type_activity(
 ) -> tuple[Activity, tuple[Diagnostic, ...]]:
     """One role's statement about an activity; `kind` is "" where it does not say. `scope` is the role's.
 
-    `played` are the variables of the participants that the role plays: its activities may write them, too.
+    `played` are the variables of the participants that the role plays, which are there for its activities.
     """
     checker = Checker(scope)
     kind = ""
@@ -34,7 +34,8 @@ def type_activity(
             kind = written.kind.text
         else:
             checker.diagnostics.append(unknown("E200", "there is no kind of activity", written.kind, KINDS))
-    reads = [_read(checker, item) for item in written.reads]
+    variables_read: list[str] = []
+    reads = [_read(checker, item, variables_read, played) for item in written.reads]
     writes: list[Channel] = []
     variables: list[str] = []
     for path in written.writes:
@@ -52,6 +53,7 @@ def type_activity(
         None if written.within is None else written.within.nanoseconds,
         tuple(dict.fromkeys(name.text for name in written.ends)),
         _parameters(written, scope.symbols),
+        tuple(dict.fromkeys(variables_read)),
     )
     if written.within is not None and written.within.nanoseconds <= 0:
         hint = "a deadline comes after the state is entered: `within 5s`"
@@ -69,20 +71,29 @@ def _parameters(written: tree.Activity, symbols: Symbols) -> tuple[Parameter, ..
     return tuple(found.values())
 
 
-def _read(checker: Checker, written: tree.ActivityRead) -> Subscription | None:
+def _read(
+    checker: Checker, written: tree.ActivityRead, variables: list[str], played: Collection[str]
+) -> Subscription | None:
+    """`reads vision.state.Ball for 2s`, a whole topic, or (then None) the variable `budget` of the role."""
     path, history = written.path, written.history
     if len(path.segments) == 1:
         topic = path.segments[0]
         symbols = checker.scope.symbols
+        if written.reach == "on" and (topic.text in checker.scope.variables or topic.text in played):
+            variables.append(topic.text)
+            if symbols.topic(topic.text) is None:
+                if history is not None:
+                    checker.report("E503", "a variable has no history", history.span, "leave it out")
+                return None
         if symbols.topic(topic.text) is None:
             if not symbols.is_excused(topic.text):
-                pool = [item.name for item in symbols.topics]
+                pool = [*(item.name for item in symbols.topics), *checker.scope.variables, *played]
                 hint = providers(topic.text, "topic")
                 if symbols.message(topic.text) is not None:
                     channels = symbols.channels_of(topic.text)
                     hint = f"it is a message: `{channels[0]}`" if channels else "it is a message"
-                elif topic.text in checker.scope.variables or topic.text in checker.scope.lets:
-                    hint = "it is a variable, and `reads` is about messages: leave it out"
+                elif topic.text in checker.scope.lets:
+                    hint = "it is a let: say what it reads instead"
                 checker.diagnostics.append(unknown("E502", "there is no topic", topic, pool, certain=hint))
             return None
         if history is not None:
@@ -159,6 +170,7 @@ _CLAUSES = {
     "kind": "as",
     "reads": "reads",
     "writes": "writes",
+    "reads_variables": "reads",
     "writes_variables": "writes",
     "within": "within",
     "ends": "ends",
@@ -185,10 +197,7 @@ def merge_activity(statements: Sequence[Activity]) -> tuple[Activity, tuple[Diag
     """
     diagnostics: list[Diagnostic] = []
     first, *others = statements
-    variables = tuple(dict.fromkeys(first.writes_variables))
-    clauses: dict[str, object] = (
-        {} if len(variables) == len(first.writes_variables) else {"writes_variables": variables}
-    )
+    clauses: dict[str, object] = {}
     said = {clause: first for clause in _CLAUSES if getattr(first, clause) not in _NOTHING}
     for item in others:
         for clause, word in _CLAUSES.items():
@@ -196,8 +205,8 @@ def merge_activity(statements: Sequence[Activity]) -> tuple[Activity, tuple[Diag
             if value in _NOTHING:
                 continue
             other = said.setdefault(clause, item)
-            if clause == "writes_variables":
-                known = clauses.get(clause, first.writes_variables)
+            if clause in ("reads_variables", "writes_variables"):
+                known = clauses.get(clause, getattr(first, clause))
                 clauses[clause] = tuple(dict.fromkeys((*_items(known), *_items(value))))
             elif other is item:
                 clauses[clause] = value

@@ -23,6 +23,7 @@ from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.given import give
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.scopes import TypedParticipant
+from aseme_dsl.compiler.stopping import stops_of
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
 
@@ -94,13 +95,16 @@ def read_protocol(
                 lines,
                 (),
                 participant.name.span,
+                _regions(participant),
             )
     outline = None
     labelled: dict[str, tuple[LabelledLine, ...]] = {}
     if parts and len(parts) == len(participants):
-        ends = [(name, part.branch(), part.span) for name, part in parts.items()]
+        ends = [(name, part.branch(), part.span) for name, part in parts.items() for _ in range(part.count)]
         outline = expand_protocol(written.name.text, ends, written.name.span)
-        labels = {branch.participant: label for label, branch in outline.branches.items()}
+        labels: dict[str, str] = {}
+        for label, branch in outline.branches.items():
+            labels.setdefault(branch.participant, label)
         for reading in readings:
             label = labels[reading.name]
             labelled[reading.name], problems = check_labels(outline, reading.lines.labelled, label)
@@ -143,16 +147,24 @@ def _participant(
         return None, False, tuple(found)
     formulas, problems = give(formulas, typed.scope)
     found += problems
-    is_sound, problems = formula_tables.check(formulas)
-    # A formula that could not be read may be the one that uses another.
-    found += [item for item in problems if not (damaged and item.code == "E302")]
     lines, problems = read_lines(formulas, controls, typed.scope)
     found += problems
-    too_many = too_large(formulas, {}, largest, participant.name.span) if is_sound else None
+    is_sound, problems = formula_tables.check(formulas, stops=stops_of(lines.by_way))
+    # A formula that could not be read may be the one that uses another.
+    found += [item for item in problems if not (damaged and item.code == "E302")]
+    too_many = None
+    if is_sound:
+        too_many = too_large(formulas, {}, largest, participant.name.span, _regions(participant))
     if too_many is not None:
         found.append(too_many)
     reading = _Reading(participant, formulas, controls, lines)
     return reading, is_sound and too_many is None, tuple(found)
+
+
+def _regions(participant: tree.Participant) -> int:
+    """`[2]` is two agents in each conversation: two regions. How many `[1..2]` are, a run decides: one."""
+    many = participant.multiplicity
+    return many.least if many is not None and many.least == many.most else 1
 
 
 def _relative(labelled: Iterable[LabelledLine], label: str) -> tuple[RelativeLine, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
 from aseme_dsl.amola.aip import DeclaredVariable
 from aseme_dsl.amola.liveness import Formula
@@ -45,6 +46,8 @@ class Part:
     lines: Lines
     labelled: tuple[RelativeLine, ...]
     span: Span
+    count: int = 1
+    """How many regions it has in the protocol's own chart."""
 
     def branch(self, bindings: Mapping[str, str] | None = None) -> Branch:
         return Branch(self.protocol, self.participant, self.formulas, bindings or {})
@@ -71,10 +74,11 @@ def chart_of(
     lines: Lines | None = None,
     labelled: Sequence[LabelledLine] = (),
     variables: Sequence[DeclaredVariable] = (),
-) -> Statechart:
-    """The statechart of an outline. `parts` are the participants whose branches are in it.
+) -> Statechart | None:
+    """The statechart of an outline; None where a condition is still to be written.
 
-    A branch's variables are renewed with the branch, and are told apart by its label: `bids@0.2.3`.
+    `parts` are the participants whose branches are in it. A branch's variables are renewed with the branch,
+    and are told apart by its label: `bids@0.2.3`.
     """
     by_way: dict[Way, tuple[Line, ...]] = dict(lines.by_way) if lines is not None else {}
     origin = Origin(OriginKind.FORMULA, name, "control")
@@ -88,6 +92,9 @@ def chart_of(
         keys = {v.name: f"{v.name}@{label}" for v in part.variables}
         renamed[label] = Renames(keys, branch.bindings)
         own += [Variable(keys[v.name], v.type, v.initial, label, v.span) for v in part.variables]
+    every_line = chain(chain.from_iterable(by_way.values()), (item.line for item in placed))
+    if any(line.is_hole for line in every_line):
+        return None
     reactive = frozenset[Formula]().union(
         *(part.lines.reactive for part in parts.values()), lines.reactive if lines is not None else ()
     )

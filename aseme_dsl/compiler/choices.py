@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -14,6 +15,7 @@ from aseme_dsl.compiler.formulas import Formulas
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.staying import STAYING
 from aseme_dsl.compiler.terms import Terms, listed, spelling, terms_of
+from aseme_dsl.compiler.waits import check_waits
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Span
@@ -54,15 +56,22 @@ def check_formulas(
             continue
         terms = terms_of(formulas, name, controls.get(name, name))
         choices, loops, others = _alternatives(terms, lines)
+        has_control = name in lines.blocks and not _is_empty(lines.blocks[name])
         for interruption in _interruptions(terms, lines):
-            if interruption.way.lines or (name in lines.blocks and name not in lines.unsure):
+            if interruption.way.lines or (has_control and name not in lines.unsure):
                 found += check_interruption(interruption)
-        if name in lines.blocks and name not in lines.unsure:
+        if has_control and name not in lines.unsure:
             for choice in choices:
                 found += check_choice(choice)
             for loop in loops:
                 found += check_loop(loop)
             found += _endless_once(terms, lines)
+        found += check_waits(terms, lines)
+        decided = {line.span for group in (*choices, *loops) for item in group for line in item.lines}
+        decided |= {line.span for item in _interruptions(terms, lines) for line in item.way.lines}
+        for (verb, term), own in lines.by_way.items():
+            if verb not in (*STAYING, "repeat") and term in terms.parents:
+                found += always_false(line for line in own if line.span not in decided)
         for group in (*choices, *loops, *others):
             found += check_group(group)
         for group in (*loops, *others):
@@ -77,20 +86,28 @@ def undecided_formulas(
     inside: Span,
     damaged: frozenset[str] = frozenset(),
 ) -> tuple[Missing, ...]:
-    """A note for every formula with choices or loops that has no `control` block at all (N704).
+    """A note for every formula with choices or loops that has no `control` line at all (N704).
 
     `inside` is the block that the control block goes into; the rest is as in `check_formulas`.
     """
     found: list[Missing] = []
     for name in formulas.named:
-        if name in damaged or name in lines.blocks:
+        if name in damaged or (name in lines.blocks and not _is_empty(lines.blocks[name])):
             continue
         terms = terms_of(formulas, name, controls.get(name, name))
         choices, loops, _ = _alternatives(terms, lines)
         silent = [item for item in _interruptions(terms, lines) if not item.way.lines]
         if silent or any(not item.lines for group in (*choices, *loops) for item in group):
-            found.append(_nothing_said(terms, controls.get(name, name), choices, loops, silent, inside))
+            missing = _nothing_said(terms, controls.get(name, name), choices, loops, silent, inside)
+            if name in lines.blocks:
+                own_lines = textwrap.dedent("\n".join(missing.skeleton.split("\n")[1:-1]))
+                missing = Missing(missing.note, own_lines, lines.blocks[name].span)
+            found.append(missing)
     return tuple(found)
+
+
+def _is_empty(control: tree.Control) -> bool:
+    return not control.entries
 
 
 def unsettled(formulas: Formulas, problems: Iterable[Diagnostic]) -> set[str]:
@@ -325,6 +342,19 @@ def _fixed(line: Line) -> bool | None:
     return bool(value)
 
 
+def always_false(lines: Iterable[Line]) -> Iterator[Diagnostic]:
+    """W404 for each line whose condition is constant and never holds."""
+    for line in lines:
+        condition = line.expression.condition
+        if condition is not None and _fixed(line) is False:
+            yield Diagnostic(
+                "W404",
+                "this transition is never taken: its condition is always false",
+                condition.span,
+                hint="write a condition that can hold, or remove the line",
+            )
+
+
 def check_group(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
     """What holds for all transitions of one source: E406, W401, and lines that are never looked at (W301)."""
     lines = sorted((line for item in alternatives for line in item.lines), key=lambda line: line.position)
@@ -435,10 +465,8 @@ def control_skeleton(
     """
     rows: list[tuple[str, str, str]] = []  # verb, term, expression
     for alternatives in groups:
-        *conditional, last = alternatives
-        rows += [_row(item, "[true]  // when?") for item in conditional]
-        rows.append(_row(last, "else"))
-    rows += [_row(item, "when [false]  // when?") for item in silent]
+        rows += [_row(item, "[?]") for item in alternatives]
+    rows += [_row(item, "when [?]") for item in silent]
     longest = max(len(verb) for verb, _, _ in rows)
     width = max(len(term) for _, term, _ in rows)
     lines = [f"  {verb:{longest}} {term:{width}} : {said}" for verb, term, said in rows]
@@ -452,6 +480,7 @@ def _row(item: Alternative, said: str) -> tuple[str, str, str]:
 
 __all__ = [
     "Alternative",
+    "always_false",
     "check_choice",
     "check_formulas",
     "check_group",

@@ -37,6 +37,11 @@ class Line:
     span: Span
     resume: bool = False
 
+    @property
+    def is_hole(self) -> bool:
+        """Whether its condition is still to be written."""
+        return isinstance(self.written.condition, tree.Hole)
+
 
 @dataclass(frozen=True, slots=True)
 class LabelledLine:

@@ -58,6 +58,7 @@ def check_flow(chart: Statechart, contradict: Contradict = lambda _, __: False) 
 def check_reach(chart: Statechart) -> Iterator[Diagnostic]:
     """States that nothing leads to (W600) and states that nothing leads out of (W601)."""
     edges = _edges(chart)
+    entered = _entered(chart)
     left = {transition.source for transition in chart.transitions if transition.is_way}
     for node in chart.nodes:
         if node.type is not NodeType.OR:
@@ -65,8 +66,8 @@ def check_reach(chart: Statechart) -> Iterator[Diagnostic]:
         start = chart.start_of(node.label)
         if start is None:
             continue
-        seen = {start.label}
-        waiting = [start.label]
+        seen = {start.label, *entered.get(node.label, ())}
+        waiting = list(seen)
         following: dict[str, list[str]] = {}
         for edge in edges.get(node.label, ()):
             following.setdefault(edge.source, []).append(edge.target)
@@ -193,6 +194,20 @@ def _edges(chart: Statechart) -> dict[str, list[_Edge]]:
     return found
 
 
+def _entered(chart: Statechart) -> dict[str, list[str]]:
+    """The children of each OR state that a transition from outside enters directly, past its START."""
+    found: dict[str, list[str]] = {}
+    for transition in chart.transitions:
+        if not transition.is_way:
+            continue
+        inside = chart.scope_of(transition) + "."
+        child = chart.node(transition.target)
+        while child.parent is not None and child.parent.startswith(inside):
+            found.setdefault(child.parent, []).append(child.label)
+            child = chart.node(child.parent)
+    return found
+
+
 def _child(scope: str, label: str) -> str:
     """The child of `scope` that is or holds `label`; the scope itself for itself."""
     if not label.startswith(scope + "."):
@@ -228,6 +243,7 @@ def _completions(
     """Which states may complete; and the transitions, with their targets, that wait in vain for that."""
     in_vain: list[tuple[Transition, Node]] = []
     completes: dict[str, bool] = {}
+    entered = _entered(chart)
     for node in reversed(chart.nodes):
         if node.type is NodeType.AND:
             completes[node.label] = all(completes[child.label] for child in chart.children(node.label))
@@ -241,9 +257,9 @@ def _completions(
             following: dict[str, list[_Edge]] = {}
             for edge in edges.get(node.label, ()):
                 following.setdefault(edge.source, []).append(edge)
-            seen = {start.label}
-            waiting = [start.label]
-            ended = False
+            seen = {start.label, *entered.get(node.label, ())}
+            waiting = list(seen)
+            ended = any(chart.by_label[label].type is NodeType.END for label in seen)
             while waiting:
                 for edge in following.get(waiting.pop(), ()):
                     target = chart.by_label[edge.target]

@@ -428,11 +428,14 @@ def sizes(formulas: Formulas, branch_sizes: Mapping[str, int]) -> dict[str, int]
 
 
 def too_large(
-    formulas: Formulas, branch_sizes: Mapping[str, int], largest: int, span: Span
+    formulas: Formulas, branch_sizes: Mapping[str, int], largest: int, span: Span, regions: int = 1
 ) -> Diagnostic | None:
-    """E304 for a chart of more than `largest` states, with the chain of formulas that blows it up."""
+    """E304 for a chart of more than `largest` states, with the chain of formulas that blows it up.
+
+    `regions` is how often the whole stands in the chart, each time in a region of its own.
+    """
     states = sizes(formulas, branch_sizes)
-    total = states[formulas.root]
+    total = states[formulas.root] if regions == 1 else regions * (states[formulas.root] + 3)
     if total <= largest:
         return None
     chain: list[str] = []

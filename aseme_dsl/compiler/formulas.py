@@ -15,6 +15,13 @@ from aseme_dsl.grammar import tree
 
 _T = TypeVar("_T")
 
+Stops = Callable[[tuple[str, Formula]], bool]
+"""Whether the way of a verb and term waits for time or for something that arrives."""
+
+
+def _nothing_stops(_: tuple[str, Formula]) -> bool:
+    return False
+
 
 @dataclass(frozen=True, slots=True)
 class Formulas:
@@ -101,8 +108,9 @@ def check(
     formulas: Formulas,
     empty_participants: frozenset[str] = frozenset(),
     participants: frozenset[str] = frozenset(),
+    stops: Stops = _nothing_stops,
 ) -> tuple[bool, tuple[Diagnostic, ...]]:
-    """Whether the formulas can be expanded, and everything that is wrong with them.
+    """Whether the formulas can be expanded (no circles, no holes), and everything that is wrong with them.
 
     `participants` are the names of played participants; the process of those in `empty_participants` may do
     nothing at all. A circle through a formula that is named like one is a consequence of the name (E306).
@@ -115,21 +123,39 @@ def check(
     found += _unused(formulas)
     may_be_empty = set(empty_participants)
     for name in dependencies_first(formulas):
-        empty = fold(formulas.named[name].formula, _emptiness(formulas, may_be_empty, found))
+        empty = fold(formulas.named[name].formula, _emptiness(formulas, may_be_empty, found, stops))
         if empty and name not in in_cycle:
             may_be_empty.add(name)
     for item in formulas.named.values():
         found += _verbs(item)
         found += _mixed_operators(item.formula)
         found += _too_few_instances(item.formula)
-    return not cycles, tuple(found)
+    return not cycles and not has_holes(formulas) and _has_all_values(formulas), tuple(found)
 
 
-def may_be_empty(formulas: Formulas, empty_participants: frozenset[str] = frozenset()) -> bool:
-    """Whether the whole may be done without doing any activity."""
-    empty = set(empty_participants)
+def _has_all_values(formulas: Formulas) -> bool:
+    """Whether every parameter has a value in the chart; where one has none, that is already reported."""
+    if formulas.named[formulas.root].parameters:
+        return False
+    return all(
+        node in formulas.given or not formulas.named[node.name].parameters
+        for name in reached(formulas)
+        for node in uses(formulas, name)
+    )
+
+
+def has_holes(formulas: Formulas) -> bool:
+    """Whether an operator of any formula is still to be chosen: then there is no chart of them."""
+    return any(
+        node.operator is Operator.HOLE for item in formulas.named.values() for node in walk(item.formula)
+    )
+
+
+def may_be_empty(formulas: Formulas, stops: Stops) -> bool:
+    """Whether the whole may be done at once: without any activity, and without a wait."""
+    empty: set[str] = set()
     for name in dependencies_first(formulas):
-        if fold(formulas.named[name].formula, _emptiness(formulas, empty, [])):
+        if fold(formulas.named[name].formula, _emptiness(formulas, empty, [], stops)):
             empty.add(name)
     return formulas.root in empty
 
@@ -245,24 +271,31 @@ def _unused(formulas: Formulas) -> Iterator[Diagnostic]:
 
 
 def _emptiness(
-    formulas: Formulas, empty_names: set[str], found: list[Diagnostic]
+    formulas: Formulas, empty_names: set[str], found: list[Diagnostic], stops: Stops
 ) -> Callable[[Formula, Sequence[bool]], bool]:
-    """For `fold`: whether a formula may be done without any activity; loops over such go into `found`."""
+    """For `fold`: whether a formula may be done at once; loops over such go into `found`."""
+
+    def at_once(verb: str, operand: Formula) -> bool:
+        return not stops((verb, ungrouped(operand)))
 
     def combine(node: Formula, operands: Sequence[bool]) -> bool:
+        parts = node.operands
         match node.operator:
             case Operator.NAME:
                 return node.name in empty_names
             case Operator.OPTION:
-                return True
+                return at_once("skip", parts[0]) or (operands[0] and at_once("enter", parts[0]))
             case Operator.CHOICE:
-                return any(operands)
+                return any(empty and at_once("enter", p) for p, empty in zip(parts, operands, strict=True))
             case Operator.DISABLING:
                 return operands[0]
             case Operator.ZERO_OR_MORE | Operator.ONE_OR_MORE | Operator.FOREVER:
-                if operands[0]:
+                paced = not at_once("repeat", parts[0])
+                if operands[0] and not paced:
                     found.append(_empty_loop(formulas, node))
-                return node.operator is Operator.ZERO_OR_MORE
+                if node.operator is Operator.ZERO_OR_MORE:
+                    return at_once("skip", parts[0]) or (operands[0] and at_once("enter", parts[0]))
+                return node.operator is Operator.ONE_OR_MORE and operands[0] and paced
         return all(operands)
 
     return combine
@@ -274,7 +307,7 @@ def _empty_loop(formulas: Formulas, loop: Formula) -> Diagnostic:
     if body.operator is Operator.NAME and body.name in formulas.named:
         named = formulas.named[body.name]
         related = (Related(named.formula.span, f"`{body.name}` may be empty"),)
-    hint = "let the body take at least one activity"
+    hint = "let the body take at least one activity, or give `repeat` a pace: `every 200ms`"
     if body.operator in (Operator.OPTION, Operator.ZERO_OR_MORE):
         operand = body.operands[0]
         inside = f"({canonical(operand)})" if operand.operator in INFIX else canonical(operand)
@@ -314,6 +347,7 @@ def _mixed_operators(formula: Formula) -> Iterator[Diagnostic]:
         mixed = infix and any(
             operand.operator in INFIX and operand.operator is not node.operator for operand in node.operands
         )
+        mixed = mixed and all(part.operator is not Operator.HOLE for part in (node, *node.operands))
         if mixed and not inside:
             yield Diagnostic(
                 "W300",
@@ -350,6 +384,7 @@ def _too_few_instances(formula: Formula) -> Iterator[Diagnostic]:
 __all__ = [
     "QUOTED",
     "Formulas",
+    "Stops",
     "check",
     "cut",
     "dependencies_first",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from aseme_dsl.amola.expression import (
     Assign,
@@ -15,20 +15,21 @@ from aseme_dsl.amola.expression import (
     walk,
 )
 from aseme_dsl.amola.messages import Channel
+from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Statechart, Transition
 from aseme_dsl.compiler.library import is_of_library
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.source import Span
 
 
-def check_leftovers(chart: Statechart) -> Iterator[Diagnostic]:
+def check_leftovers(chart: Statechart, activities: Mapping[str, Activity]) -> Iterator[Diagnostic]:
     """W421 for drafts that are never published, W423 for timers that nothing asks, N725 for variables."""
     acting = [item for item in chart.transitions if item.expression.actions]
     if not acting:
         return
     yield from _drafts(chart, acting)
     yield from _timers(chart, acting)
-    yield from _variables(chart, acting)
+    yield from _variables(chart, acting, activities)
 
 
 def _drafts(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diagnostic]:
@@ -72,7 +73,9 @@ def _timers(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diagnos
             yield Diagnostic("W423", message, span, hint=hint)
 
 
-def _variables(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diagnostic]:
+def _variables(
+    chart: Statechart, acting: Iterable[Transition], activities: Mapping[str, Activity]
+) -> Iterator[Diagnostic]:
     """Variables of a played participant are one for every place where it is played.
 
     What a protocol of the standard library writes is for the activities of those who play it.
@@ -91,6 +94,10 @@ def _variables(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diag
         for value in walk(argument.value)
         if isinstance(value, VariableValue)
     }
+    performed = {*(node.activity for node in chart.nodes), *(module.name for module in chart.modules)}
+    read.update(
+        name for item in activities.values() if item.name in performed for name in item.reads_variables
+    )
     for transition in chart.transitions:
         own = {
             action.target.name: action
@@ -104,9 +111,9 @@ def _variables(chart: Statechart, acting: Iterable[Transition]) -> Iterator[Diag
         if name not in read and not is_of_library(span.source):
             yield Diagnostic(
                 "N725",
-                f"no condition and no action reads the variable `{name}`",
+                f"no condition, action or activity reads the variable `{name}`",
                 span,
-                hint=f'an activity may: `context.variable("{name}")`; if none does, leave it out',
+                hint=f"if an activity does, let it say so: `reads {name}`; otherwise leave it out",
             )
 
 

@@ -140,7 +140,9 @@ def _unwritten(
         for node in chart.nodes:
             if node.type is NodeType.BASIC and node.activity is not None:
                 said = activities.get(node.activity)
-                if said is None or not (said.reads or said.writes or said.writes_variables):
+                if said is None or not (
+                    said.reads or said.writes or said.reads_variables or said.writes_variables
+                ):
                     silent.setdefault(node.activity, node.span if said is None else said.span)
                 else:
                     told = told or bool(said.writes)

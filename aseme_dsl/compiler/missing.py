@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics import Diagnostic, Edit
 from aseme_dsl.source import Span
 
 
@@ -12,18 +12,34 @@ from aseme_dsl.source import Span
 class Missing:
     """A note (N7xx) with its skeleton: lines for the end of the block `inside`, or (None) of the note's file.
 
-    A skeleton that could not stand there without being used is written as a comment.
+    A skeleton that could not stand there without being used is written as a comment; unless `edits` say where
+    it is used, too: they are insertions, which are made instead.
     """
 
     note: Diagnostic
     skeleton: str
     inside: Span | None = None
+    edits: tuple[Edit, ...] = ()
+
+    @property
+    def place(self) -> Span | None:
+        """What tells in which file it is written."""
+        return self.edits[0].span if self.edits else self.inside or self.note.span
 
 
 _STEP = "  "
 
 
-def insertion(text: str, missing: Missing) -> tuple[int, str] | None:
+def insertions(text: str, missing: Missing) -> list[tuple[int, str]]:
+    """What is written into the text of its file, and where; nothing if it is there already."""
+    if not missing.edits:
+        found = _insertion(text, missing)
+        return [] if found is None else [found]
+    newline = "\r\n" if "\r\n" in text else "\n"
+    return [(edit.span.start, edit.text.replace("\n", newline)) for edit in missing.edits]
+
+
+def _insertion(text: str, missing: Missing) -> tuple[int, str] | None:
     """Where a skeleton goes in the text of its file, and what is written; None if it is there already."""
     lines = missing.skeleton.split("\n")
     if lines[0].startswith("//") and lines[0] in text:
@@ -60,4 +76,4 @@ def _indent_inside(block: str) -> str:
     return ""
 
 
-__all__ = ["Missing", "in_block", "insertion"]
+__all__ = ["Missing", "in_block", "insertions"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
@@ -35,6 +34,7 @@ from aseme_dsl.compiler.damage import Damaged, damage
 from aseme_dsl.compiler.dialogue import check_multiplicity, check_waits
 from aseme_dsl.compiler.flow import check_flow, check_reach, check_timers
 from aseme_dsl.compiler.goals import not_played, out_of_reach, without_functionality
+from aseme_dsl.compiler.holes import apart_from_holes
 from aseme_dsl.compiler.inclusion import Inclusion, errors_alone, include
 from aseme_dsl.compiler.load import Loaded, Read, load
 from aseme_dsl.compiler.memory import Memory
@@ -62,7 +62,7 @@ from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.compiler.unused import check_agents, check_exchange, check_unused
 from aseme_dsl.compiler.use import check_use
 from aseme_dsl.compiler.usecases import UseCases, use_cases
-from aseme_dsl.diagnostics import Diagnostic, has_errors
+from aseme_dsl.diagnostics import Diagnostic, Edit, has_errors
 from aseme_dsl.grammar import tree
 from aseme_dsl.proofs.prover import Prover
 from aseme_dsl.source import Source, Span
@@ -111,13 +111,7 @@ def inspect_files(
     With a `memory`, what an earlier analysis of the same root has found is taken again where nothing that it
     depends on has changed; `read` does the same for the texts (see `load`). What comes out is the same.
     """
-    # Models are many small objects without cycles: looking for cycles all the time costs a third of the time.
-    threshold = gc.get_threshold()
-    gc.set_threshold(100_000, 50, 100)
-    try:
-        return finished(inspecting(root, sources, options, memory, read))
-    finally:
-        gc.set_threshold(*threshold)
+    return finished(inspecting(root, sources, options, memory, read))
 
 
 def inspecting(
@@ -154,11 +148,12 @@ def _inspecting(
     # The files, and what their declarations mean.
     loaded = load(root, sources, read=read, protos=memory.protos)
     found += loaded.diagnostics
-    is_damaged = damage(found)
+    unread = has_errors(apart_from_holes(loaded.diagnostics))
+    is_damaged = damage(apart_from_holes(found))
     resolved = keep(resolve(loaded))
     symbols = memory.shared("symbols", resolved)
     all_blocks = keep(blocks_of(loaded.files))
-    inclusion = keep(include(all_blocks, symbols.is_excused, not has_errors(loaded.diagnostics)))
+    inclusion = keep(include(all_blocks, symbols.is_excused, not unread))
     roles_now = tuple(memory.same(("role", item.name.text), item) for item in inclusion.blocks.roles)
     blocks = replace(inclusion.blocks, roles=roles_now)
     is_damaged = inclusion.damaged(is_damaged)
@@ -242,7 +237,14 @@ def _inspecting(
     found += unplayed(dict(zip(role_names, by_roles, strict=True)), blocks.aips)
     yield
     capabilities = [item.name.text for block in blocks.srms for item in block.capabilities]
-    names_written = (*protocols, *(item.name.text for item in formulas), *used, *capabilities)
+    # Formulas with holes have no chart that uses their activities.
+    names_written = (
+        *protocols,
+        *(item.name.text for item in formulas),
+        *used,
+        *sorted(activities_named.difference(used)),
+        *capabilities,
+    )
     cases = recall(use_cases, memory.same("use cases", suc), memory.same("written", names_written))
     missing = [*suc_to_aip(cases, blocks.aips)]
     in_charts = [
@@ -254,7 +256,7 @@ def _inspecting(
     missing += [item for protocol in protocols.values() for item in protocol.missing]
     missing += [item for role in roles.values() for item in role.missing]
     missing = _once(missing)
-    if has_errors(loaded.diagnostics):
+    if unread:
         missing = []  # it may be among what could not be read
     found += [item.note for item in missing]
     if symbols.system is None:
@@ -295,6 +297,7 @@ def _inspecting(
             placed.get(id(item.note), item.note),
             item.skeleton,
             None if item.inside is None else layout.whole(item.inside),
+            tuple(Edit(layout.whole(edit.span), edit.text) for edit in item.edits),
         )
         for item in missing
     ]
@@ -496,7 +499,7 @@ def _is_library(loaded: Loaded) -> bool:
 
 def _no_system(loaded: Loaded) -> Iterable[Diagnostic]:
     """E008, unless the declaration may be among what could not be read."""
-    if loaded.files and not has_errors(loaded.diagnostics):
+    if loaded.files and not has_errors(apart_from_holes(loaded.diagnostics)):
         source = loaded.files[-1].source
         yield Diagnostic(
             "E008",

@@ -20,6 +20,7 @@ from aseme_dsl.compiler.given import give
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.names import unknown
 from aseme_dsl.compiler.scopes import TypedRole
+from aseme_dsl.compiler.stopping import stops_of
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar import tree
@@ -83,16 +84,20 @@ def read_role(
     played |= _by_own_name(plays, played, formulas)
     branches = {name: branches[item.name] for name, item in played.items() if item.name in branches}
     empty = frozenset(
-        alias for alias, branch in branches.items() if formula_tables.may_be_empty(branch.formulas)
+        alias
+        for alias, branch in branches.items()
+        if formula_tables.may_be_empty(
+            branch.formulas, stops_of(parts[branch.protocol, branch.participant].lines.by_way)
+        )
     )
-    expandable, problems = formula_tables.check(formulas, empty, frozenset(played))
-    found += [item for item in problems if not (damaged and item.code == "E302")]
     own = [
         (control, control.name.text) for control in written.controls if control.name.text in formulas.named
     ]
     inside = {owner: part.formulas for owner, part in parts.items()}
     lines, problems = read_lines(formulas, own, typed.scope, inside, played)
     found += problems
+    expandable, problems = formula_tables.check(formulas, empty, frozenset(played), stops_of(lines.by_way))
+    found += [item for item in problems if not (damaged and item.code == "E302")]
     outline, labelled = None, tuple[LabelledLine, ...]()
     # A played participant whose process could not be read would stand as an activity: no chart then.
     if expandable and len(plays) == len(written.plays) and len(branches) == len(played):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import count
 
@@ -18,7 +18,14 @@ from aseme_dsl.amola.statechart import (
     label_key,
 )
 from aseme_dsl.compiler.chart import World
-from aseme_dsl.compiler.choices import Alternative, check_choice, check_group, check_source, never_taken
+from aseme_dsl.compiler.choices import (
+    Alternative,
+    always_false,
+    check_choice,
+    check_group,
+    check_source,
+    never_taken,
+)
 from aseme_dsl.compiler.control import LabelledLine, Line, prioritised, structure_problem
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.regions import regions_of
@@ -91,8 +98,9 @@ def read_statechart(
         line = Line(entry.expression, expression, position, entry.span)
         lines.append(LabelledLine(entry.source, entry.target, line))
     if not damaged:
-        found += _decisions(nodes, lines)
+        found += _decisions(written, nodes, lines)
     is_sound = not damaged and not any(item.code in _UNSOUND for item in found)
+    is_sound = is_sound and not any(item.line.is_hole for item in lines)
     ordered = sorted(nodes.values(), key=lambda node: label_key(node.label))
     return GivenChart(written, typed, tuple(ordered), tuple(lines), is_sound), tuple(found)
 
@@ -273,14 +281,33 @@ def _unknown(name: tree.Name, nodes: Mapping[str, Node]) -> Diagnostic:
     return Diagnostic("E410", f"the statechart has no state {name}", name.span, hint=hint)
 
 
-def _decisions(nodes: Mapping[str, Node], lines: Iterable[LabelledLine]) -> Iterator[Diagnostic]:
-    """Whether the transitions of each source decide, and decide once."""
+def _decisions(
+    written: tree.Statechart, nodes: Mapping[str, Node], lines: Sequence[LabelledLine]
+) -> Iterator[Diagnostic]:
+    """Whether the transitions of each source decide, and decide once.
+
+    A statechart without any expression is not decided yet, as a formula without `control`: N704.
+    """
     by_source: dict[str, list[Alternative]] = {}
     for item in lines:
         name = f"{item.source} -> {item.target}"
         alternative = Alternative(name, (item.line,), item.source.span.to(item.target.span))
         by_source.setdefault(item.source.text, []).append(alternative)
+    sources = [label for label, alternatives in by_source.items() if len(alternatives) > 1]
+    if sources and not any(_says_something(item.line.written) for item in lines):
+        several = f"{len(sources)} states" if len(sources) > 1 else sources[0]
+        transition = by_source[sources[0]][0]
+        yield Diagnostic(
+            "N704",
+            f"no transition of `{written.name}` has an expression: out of {several} the first one is taken",
+            written.name.span,
+            (Related(transition.place, f"`{transition.name}`"),),
+            hint=f"write `{transition.name} : [ … ]`, and `else` on the last transition of each state",
+        )
+        return
     for label, alternatives in by_source.items():
+        if nodes[label].type is not NodeType.CONDITION:
+            yield from always_false(item.lines[0] for item in alternatives)
         if len(alternatives) < 2:
             continue
         yield from check_group(alternatives)
@@ -291,6 +318,10 @@ def _decisions(nodes: Mapping[str, Node], lines: Iterable[LabelledLine]) -> Iter
             always = [alternative for alternative in alternatives if not alternative.is_decided]
             for other in always[1:]:
                 yield never_taken(other.lines[0], always[0].span)
+
+
+def _says_something(written: tree.TransitionExpression) -> bool:
+    return bool(written.events or written.condition or written.otherwise or written.actions)
 
 
 __all__ = ["GivenChart", "build_statechart", "read_statechart"]

@@ -66,14 +66,13 @@ def suc_to_aip(cases: UseCases, written: Sequence[tree.Aip]) -> tuple[Missing, .
     for case in cases.suc.usecases:
         if cases.is_protocol(case) and known.isdisjoint(cases.names_of(case)):
             skeleton = aip_skeleton(cases, case)
+            parties = cases.parties(case)
             note = Diagnostic(
                 "N701",
-                f"the protocol `{case.name}` of {listed(case.participants)} is not written yet",
+                f"the protocol `{case.name}` of {listed(parties)} is not written yet",
                 case.span,
                 tuple(
-                    Related(role.span, f"`{role.name}`")
-                    for role in cases.suc.roles
-                    if role.name in case.participants
+                    Related(role.span, f"`{role.name}`") for role in cases.suc.roles if role.name in parties
                 ),
                 hint="start from\n" + skeleton,
             )
@@ -84,7 +83,7 @@ def suc_to_aip(cases: UseCases, written: Sequence[tree.Aip]) -> tuple[Missing, .
 def aip_skeleton(cases: UseCases, case: UseCase) -> str:
     """An `aip` to start from. A participant does what the use case includes and is not others' alone."""
     lines = [f"aip {case.name} {{"]
-    for name in case.participants:
+    for name in cases.parties(case):
         own = [cases.case(item) for item in case.includes]
         own = [item for item in own if not item.participants or name in item.participants]
         terms = [_term(cases, item) for item in own] or [activity_name(case.name)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from aseme_dsl.amola.liveness import Formula, Operator, names
 from aseme_dsl.amola.srm import Capability, Functionality, Module, Srm
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.suc import RoleType, UseCase
@@ -12,9 +13,17 @@ from aseme_dsl.compiler.formulas import named_formulas
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.names import declared_twice, unknown
 from aseme_dsl.compiler.srm_to_iac import Role
-from aseme_dsl.compiler.usecases import UseCases, activity_name, folded, formula_line, helper_formulas
-from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.compiler.usecases import (
+    UseCases,
+    activity_name,
+    folded,
+    formula_line,
+    helper_formulas,
+    joined,
+)
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest
 from aseme_dsl.grammar import tree
+from aseme_dsl.source import Span
 
 
 def read_srm(
@@ -151,8 +160,44 @@ def suc_to_srm(
         note = Diagnostic("N700", message, case.span, hint=hint)
         doer = next((roles[name] for name in case.participants if name in roles), None)
         inside = doer.written.span if doer is not None else None
-        found.append(Missing(note, f"// The use case {case.name}: {hint}.", inside))
+        edits = () if near is not None else _used_in(case, doer, roles, cases)
+        found.append(Missing(note, f"// The use case {case.name}: {hint}.", inside, edits))
     return tuple(found)
+
+
+def _used_in(
+    case: UseCase, doer: Role | None, roles: Mapping[str, Role], cases: UseCases
+) -> tuple[Edit, ...]:
+    """Insertions that let a formula use the use case: that of a use case which includes it, or the doer's."""
+    for outer in cases.suc.usecases:
+        if case.name in outer.includes:
+            wanted = cases.names_of(outer)
+            for role in roles.values():
+                for item in role.written.formulas:
+                    if folded(item.name.text) in wanted and _is_inside(item.formula.span, role):
+                        return _joined_to(item.formula, cases.spelling(case))
+    if doer is None or not doer.written.formulas:
+        return ()
+    root = doer.written.formulas[0].formula
+    return _joined_to(root, cases.spelling(case)) if _is_inside(root.span, doer) else ()
+
+
+def _is_inside(span: Span, role: Role) -> bool:
+    """Whether a formula stands in the role's own text, and not in that of a role which it includes."""
+    own = role.written.span
+    return span.source is own.source and own.start <= span.start and span.end <= own.end
+
+
+def _joined_to(formula: Formula, term: str) -> tuple[Edit, ...]:
+    """Insertions that join a term to a whole formula, with a hole: how is still to be chosen."""
+
+    def at(offset: int, text: str) -> Edit:
+        return Edit(Span(formula.span.source, offset, offset), text)
+
+    start, end = formula.span.start, formula.span.end
+    loose = formula.operator in (Operator.CHOICE, Operator.PARALLEL, Operator.DISABLING)
+    brackets = (at(start, "("), at(end, ")")) if loose else ()
+    return (*brackets, at(end, f" {Operator.HOLE} {term}"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,7 +219,7 @@ class _Written:
         if protocol is not None:
             return [(protocol.name.text, item.name.text) for item in protocol.participants]
         if self.cases.is_protocol(case):
-            return [(case.name, name) for name in case.participants]
+            return [(case.name, name) for name in self.cases.parties(case)]
         return None
 
     def plays(self, case: UseCase, role: str) -> dict[str, str] | None:
@@ -197,7 +242,7 @@ class _Written:
         plays = self.plays(case, role)
         if plays is None:
             return self.cases.spelling(case)
-        return next(iter(plays)) if len(plays) == 1 else f"({' | '.join(plays)})"
+        return next(iter(plays)) if len(plays) == 1 else f"({joined(plays)})"
 
 
 def _included(cases: Iterable[UseCase], all_cases: UseCases) -> set[str]:
@@ -217,6 +262,7 @@ def _is_realised(case: UseCase, role: Role, written: _Written) -> bool:
     own = {folded(item.name.text) for item in role.written.formulas}
     own.update(folded(item.name.text) for item in role.written.capabilities)
     own.update(folded(item.protocol.text) for item in role.written.plays)
+    own.update(folded(node.name) for item in role.written.formulas for node in names(item.formula))
     if role.outline is not None:
         own.update(folded(node.activity) for node in role.outline.nodes if node.activity is not None)
     if not own.isdisjoint(written.cases.names_of(case)):
@@ -244,7 +290,26 @@ def _no_formula(case: UseCase, role: Role, written: _Written) -> Missing:
         note = Diagnostic("N702", message, place, hint=hint)
     # As a comment: what no formula uses would be an error.
     skeleton = "\n".join([advice, *(f"//   {line}" for line in lines)])
-    return Missing(note, skeleton, role.written.span)
+    edits: tuple[Edit, ...] = ()
+    formulas = role.written.formulas
+    if protocol is None and formulas and all(_is_inside(item.span, role) for item in formulas):
+        edits = _joined_to(formulas[0].formula, written.cases.spelling(case))
+        edits = (*edits, *_lines_after(formulas[-1], lines))
+    return Missing(note, skeleton, role.written.span, edits)
+
+
+def _lines_after(formula: tree.NamedFormula, lines: Sequence[str]) -> tuple[Edit, ...]:
+    """The insertion of formulas behind another one: below it and its comment, or on its line."""
+    source = formula.span.source
+    number, column = source.position(formula.span.start)
+    last, _ = source.position(formula.span.end)
+    indent = source.line(number)[: column - 1]
+    end_of_line = source.line_start(last) + len(source.line(last))
+    rest = source.text[formula.span.end : end_of_line].strip()
+    if indent.strip() or (rest and not rest.startswith("//")):
+        place = Span(source, formula.span.end, formula.span.end)
+        return (Edit(place, "".join(f"  {line}" for line in lines)),)
+    return (Edit(Span(source, end_of_line, end_of_line), "".join(f"\n{indent}{line}" for line in lines)),)
 
 
 def srm_skeleton(name: str, cases: UseCases, protocols: Sequence[tree.Aip]) -> str:

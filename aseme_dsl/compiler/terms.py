@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, term_key, ungrouped
 from aseme_dsl.compiler.formula_to_statechart import Way
-from aseme_dsl.compiler.formulas import QUOTED, Formulas, cut
+from aseme_dsl.compiler.formulas import QUOTED, VERBS, Formulas, cut
 from aseme_dsl.compiler.resuming import RESUME
 from aseme_dsl.compiler.staying import STAYING
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
@@ -87,6 +87,8 @@ def ways(terms: Terms, term: Formula) -> dict[str, Way]:
                     found["leave"] = ("leave", term)
             case Operator.CHOICE | Operator.PARALLEL | Operator.INSTANCES | Operator.DISABLING:
                 found = {"enter": ("enter", term), "leave": ("leave", term)}
+            case Operator.HOLE:
+                found = {verb: (verb, term) for verb in VERBS}  # the operator decides which of them
             case Operator.OPTION:
                 found = {verb: (verb, term) for verb in ("enter", "skip", "leave")}
             case Operator.ZERO_OR_MORE:
@@ -101,6 +103,8 @@ def ways(terms: Terms, term: Formula) -> dict[str, Way]:
             found = {"enter": ("enter", term), "leave": ("leave", term)}
     elif term.operator in _WITH_BODY:
         found["enter"] = ("start", term)
+    elif term.operator is Operator.HOLE:
+        found = {verb: (verb, term) for verb in VERBS}
     again = found.get("repeat") or found.get("enter")
     if again is not None and again[0] != "start":
         found[RESUME] = again

@@ -231,6 +231,8 @@ def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | No
             if whole is None or index is None:
                 return None
             return lists.element(checker, written, whole, index)
+        case tree.Hole():
+            return None  # E109 says so; no chart is made of it
         case tree.Unary():
             return _unary(checker, written, depth)
         case tree.Binary() if is_about_outcome(written):

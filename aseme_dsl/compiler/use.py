@@ -46,7 +46,7 @@ def _in_chart(
     return (
         *check_signals(chart, activities, symbols),
         *check_presence(chart, activities),
-        *check_leftovers(chart),
+        *check_leftovers(chart, activities),
         *check_completion(chart),
     )
 

@@ -9,7 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from aseme_dsl.amola.suc import Suc, UseCase
+from aseme_dsl.amola.liveness import Operator
+from aseme_dsl.amola.suc import RoleType, Suc, UseCase
+
+_BUILT = (RoleType.SYSTEM, RoleType.ABSTRACT)
 
 
 def folded(name: str) -> str:
@@ -33,9 +36,14 @@ class UseCases:
         """What may stand for the use case, folded."""
         return (folded(case.name), *(folded(name) for name in case.realises))
 
+    def parties(self, case: UseCase) -> tuple[str, ...]:
+        """The participants that are built: humans, legacy and external systems have no process."""
+        outside = {item.name for item in self.suc.roles if item.type not in _BUILT}
+        return tuple(name for name in case.participants if name not in outside)
+
     def is_protocol(self, case: UseCase) -> bool:
-        """A use case with several participants and inclusions is a protocol."""
-        return len(case.participants) > 1 and bool(case.includes)
+        """A use case with several parties and inclusions is a protocol."""
+        return len(self.parties(case)) > 1 and bool(case.includes)
 
     def spelling(self, case: UseCase) -> str:
         """How formulas call the use case: as somebody wrote it, else as such names are usually written."""
@@ -82,8 +90,8 @@ def activity_name(name: str) -> str:
 
 
 def joined(terms: Iterable[str]) -> str:
-    """A formula to start from: one after the other, since nothing says yet how they are related."""
-    return " . ".join(terms)
+    """A formula to start from, with holes: nothing says yet how the terms are related."""
+    return f" {Operator.HOLE} ".join(terms)
 
 
 def helper_formulas(cases: UseCases, terms: Iterable[UseCase], term: Callable[[UseCase], str]) -> list[str]:
@@ -106,12 +114,8 @@ def helper_formulas(cases: UseCases, terms: Iterable[UseCase], term: Callable[[U
 
 
 def formula_line(name: str, terms: Sequence[str]) -> str:
-    """`name = A . B`, with a question where there is something to choose."""
-    return f"{name} = {joined(terms)}" + (f"  {ORDER}" if len(terms) > 1 else "")
-
-
-ORDER = "// in which order? .  |  ||  [ ]  *  +  ~"
-"""The comment at a formula whose operators the analyst has not chosen."""
+    """`name = A ? B`"""
+    return f"{name} = {joined(terms)}"
 
 
 __all__ = [

@@ -16,16 +16,26 @@ _LONG = 200
 _BEFORE, _INSIDE, _ALL = 80, 80, 180
 """How many characters of a long line are shown before the place, of the place, and in all."""
 
+_LEAST = 20
+"""How many columns of a line are shown on the narrowest terminal."""
+
 Link = Callable[[str], str | None]
 """The address of the page about a code, or None if there is none."""
 
 
-def render_text(diagnostics: Iterable[Diagnostic], *, colour: bool = False, link: Link | None = None) -> str:
+def render_text(
+    diagnostics: Iterable[Diagnostic],
+    *,
+    colour: bool = False,
+    link: Link | None = None,
+    columns: int | None = None,
+) -> str:
     """One block a problem: the code, the place, the line underlined, related places and a hint.
 
-    With `link`, each code is a hyperlink to its page (OSC 8), which only a terminal understands.
+    With `link`, each code is a hyperlink to its page (OSC 8), which only a terminal understands. Source lines
+    are cut around the place to what a terminal of so many `columns` shows; without, only very long ones are.
     """
-    return "\n".join(_block(item, colour, link) for item in diagnostics)
+    return "\n".join(_block(item, colour, link, columns) for item in diagnostics)
 
 
 def _paint(text: str, code: str, colour: bool) -> str:
@@ -52,16 +62,7 @@ def _visible(text: str) -> str:
     return "".join(char if char.isprintable() else "\ufffd" for char in text)
 
 
-def _line(
-    number: str, shown: str, before: str, inside: str, mark: str, paint: str, colour: bool
-) -> list[str]:
-    """A line of a text and below it the marks under `inside`, which follows `before` in it."""
-    bar = _paint("|", "34", colour)
-    underline = " " * _width(before) + _paint(mark * max(1, _width(inside)), paint, colour)
-    return [f" {_paint(number, '34', colour)} {bar} {shown}", f" {' ' * len(number)} {bar} {underline}"]
-
-
-def _excerpt(span: Span, mark: str, paint: str, colour: bool) -> list[str]:
+def _excerpt(span: Span, mark: str, paint: str, colour: bool, columns: int | None) -> list[str]:
     """The lines of a place: all of one line, the first and the last of several."""
     first, column = span.source.position(span.start)
     last, end = span.source.position(max(span.start, span.end))
@@ -70,43 +71,80 @@ def _excerpt(span: Span, mark: str, paint: str, colour: bool) -> list[str]:
             last -= 1  # what is there besides blanks ends on an earlier line
             end = len(span.source.line(last)) + 1
     width = len(str(last))
+    room = None if columns is None else max(_LEAST, columns - width - 4)
     line = span.source.line(first)
     stop = end - 1 if last == first else len(line)
-    lines = _cut(line, column - 1, stop, str(first).rjust(width), mark, paint, colour)
+    lines = _cut(line, column - 1, stop, str(first).rjust(width), mark, paint, colour, room)
     if last > first:
         if last > first + 1:
             lines.append(f" {' ' * width} {_paint('|', '34', colour)} …")
         line = span.source.line(last)
         start = len(line) - len(line.lstrip())
-        lines += _cut(line, start, end - 1, str(last), mark, paint, colour)
+        lines += _cut(line, start, end - 1, str(last), mark, paint, colour, room)
     return lines
 
 
-def _cut(line: str, start: int, stop: int, number: str, mark: str, paint: str, colour: bool) -> list[str]:
-    """The line with what is between `start` and `stop` marked; of a long one, the neighbourhood of that."""
-    before, inside, shown = _visible(line[:start]), _visible(line[start:stop]), _visible(line)
-    if len(shown) > _LONG:  # a line of a machine-made file
+def _cut(
+    line: str, start: int, stop: int, number: str, mark: str, paint: str, colour: bool, room: int | None
+) -> list[str]:
+    """The line with what is between `start` and `stop` marked; of a long one, the neighbourhood of that.
+
+    `room` is how many columns it may take.
+    """
+    before, inside, after = (_visible(part) for part in (line[:start], line[start:stop], line[stop:]))
+    if room is not None:
+        before, inside, after = _fitting(before, inside, after, room)
+    elif len(before + inside + after) > _LONG:  # a line of a machine-made file
+        shown = before + inside + after
         cut = max(0, len(before) - _BEFORE)
         more = "…" if len(shown) > cut + _ALL else ""
         shown = ("…" if cut else "") + shown[cut : cut + _ALL] + more
         before = ("…" if cut else "") + before[cut:]
         inside = inside[:_INSIDE]
+        after = shown[len(before + inside) :]
     bar = _paint("|", "34", colour)
     underline = " " * _width(before) + _paint(mark * max(1, _width(inside)), paint, colour)
+    shown = before + inside + after
     return [f" {_paint(number, '34', colour)} {bar} {shown}", f" {' ' * len(number)} {bar} {underline}"]
 
 
-def _block(item: Diagnostic, colour: bool, link: Link | None) -> str:
+def _fitting(before: str, inside: str, after: str, room: int) -> tuple[str, str, str]:
+    """The three parts of a line, cut with ellipses to `room` columns; the middle one stays longest."""
+    if _width(before + inside + after) <= room:
+        return before, inside, after
+    if _width(inside) > room - 2:
+        inside = _first(inside, room - 3) + "…"
+    left = room - _width(inside)
+    most = left // 2 if _width(after) >= left - left // 2 else left - _width(after)
+    if _width(before) > most:
+        before = "…" + _first(before[::-1], most - 1)[::-1] if most > 0 else ""
+    left -= _width(before)
+    if _width(after) > left:
+        after = _first(after, left - 1) + "…" if left > 0 else ""
+    return before, inside, after
+
+
+def _first(text: str, columns: int) -> str:
+    """As many characters as fit into so many columns, each with the marks that follow it."""
+    taken = 0
+    for index, char in enumerate(text):
+        taken += _width(char)
+        if taken > columns:
+            return text[:index]
+    return text
+
+
+def _block(item: Diagnostic, colour: bool, link: Link | None, columns: int | None) -> str:
     paint = _COLOURS[item.severity]
     head = _paint(f"{item.severity}[{_linked(item.code, link)}]", paint + ";1", colour)
     if item.span is None:
         lines = [f"{item.path or '<input>'}: {head}: {item.message}"]
     else:
         lines = [f"{item.span}: {head}: {item.message}"]
-        lines += _excerpt(item.span, "^", paint, colour)
+        lines += _excerpt(item.span, "^", paint, colour, columns)
     for related in item.related:
         lines.append(f"   {related.span}: {related.message}")
-        lines += _excerpt(related.span, "-", "34", colour)
+        lines += _excerpt(related.span, "-", "34", colour, columns)
     if item.hint:
         first, *more = item.hint.splitlines()
         lines.append(f"   {_paint('hint', '32', colour)}: {first}")

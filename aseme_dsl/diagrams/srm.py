@@ -93,7 +93,7 @@ def _activity(name: str, activity: Activity | None) -> list[list[str]]:
         [", ".join(activity.uses)] if activity.uses else [],
         [] if activity.every is None else [duration_text(activity.every)],
         [] if activity.takes is None else [duration_text(activity.takes)],
-        [_subscription(item) for item in activity.reads],
+        [*map(_subscription, activity.reads), *(f"variable {name}" for name in activity.reads_variables)],
         [*map(str, activity.writes), *(f"variable {name}" for name in activity.writes_variables)],
     ]
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types as lsp
 
+from aseme_dsl import outside
 from aseme_dsl.diagnostics import Edit
 from aseme_dsl.diagnostics.changes import apply
 from aseme_dsl.diagnostics.pages import file_of
@@ -171,7 +172,7 @@ def _act(server: Server) -> None:
         file = file_of(code)
         if file is not None and _shows_documents(server):
             server.window_show_document(lsp.ShowDocumentParams(file.as_uri(), take_focus=True))
-        return file.read_text("utf-8") if file is not None else None
+        return outside.read_text(file) if file is not None else None
 
     @server.command(GO_ON)
     def go_on(uri: str, line: int, character: int) -> None:

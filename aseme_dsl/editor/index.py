@@ -584,7 +584,7 @@ def _path(node: Any, name: str, path: tree.Path, around: Around) -> Iterator[Occ
             return _value(around, path, Use.WRITE)
         case tree.Publish() | tree.Activity():
             return _channel(around, path, Use.WRITE)
-        case tree.ActivityRead():
+        case tree.ActivityRead() if path.text not in around.values:
             return _channel(around, path)
     return _value(around, path)
 

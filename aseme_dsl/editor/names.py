@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
+from aseme_dsl import outside
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.messages import AGENT, BYTES, Kind
 from aseme_dsl.compiler.aip_to_eac import PROCESS
@@ -36,7 +37,7 @@ def _libraries(ask: Ask) -> Iterator[Item]:
 def _head_of(path: Path) -> str:
     """The comment at the top of a file."""
     lines = []
-    for line in path.read_text("utf-8").split("\n"):
+    for line in outside.read_text(path).split("\n"):
         if not line.startswith("//"):
             break
         lines.append(line.removeprefix("//").strip())
@@ -136,6 +137,8 @@ def _channels(ask: Ask) -> Iterator[Item]:
             )
         return
     yield from topics(ask.known.top, ask.known, 2)
+    for name, (_, kind) in ask.scope.variables.items():
+        yield Item(name, ItemKind.VARIABLE, str(kind), rank=2)
 
 
 # ---- requirements --------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
 
@@ -53,7 +54,7 @@ def outcome_places(folder: Path | None, activity: str, outcome: str) -> tuple[Sp
 def read_python(path: Path) -> Source | None:
     """The text of a Python file; None if there is none that can be read."""
     try:
-        return Source(str(path), path.read_text("utf-8").replace("\r\n", "\n"))
+        return Source(str(path), outside.read_text(path).replace("\r\n", "\n"))
     except (OSError, UnicodeDecodeError, ValueError):
         return None
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from aseme_dsl.compiler.allow import OWN
-from aseme_dsl.compiler.missing import Missing, insertion
+from aseme_dsl.compiler.holes import HOLE
+from aseme_dsl.compiler.missing import Missing, insertions
 from aseme_dsl.diagnostics import CODES, Diagnostic, Edit, Severity
 from aseme_dsl.editor.declaring import declarations
 from aseme_dsl.editor.view import View
@@ -32,15 +33,33 @@ def fixes(view: View, item: Diagnostic) -> Iterator[Fix]:
     """What can be done about a problem of the file."""
     if item.changes:
         yield Fix(_title(item), item.changes, is_the_one=True)
+    yield from _operators(item)
     yield from (Fix(title, edits) for title, edits in declarations(view, item))
     skeleton = _skeleton(view, item)
     if skeleton is not None:
-        yield Fix("Write what is missing, to be filled in", (skeleton,))
+        yield Fix("Write what is missing, to be filled in", skeleton)
     if item.severity is not Severity.ERROR and item.code not in OWN and item.span is not None:
         allowed = _allow(view, item.span, item.code)
         cursor = allowed.span.start + len(allowed.text) - 1
         yield Fix(f"Allow {item.code} here, and say why", (allowed,), mends=False, cursor=cursor)
     yield Fix(f"Explain {item.code}: {CODES[item.code].title}", mends=False, explains=item.code)
+
+
+def _operators(item: Diagnostic) -> Iterator[Fix]:
+    """What may stand where an operator is still to be chosen."""
+    if item.code != HOLE or item.span is None:
+        return
+    start, end = item.span.start, item.span.end
+    if item.span.source.text[start - 1 : start] == "[":  # a condition
+        return
+    for operator, meaning in (
+        (".", "one after the other"),
+        ("|", "one of both"),
+        ("||", "both at once"),
+        ("[>", "the second may interrupt the first"),
+    ):
+        edit = Edit(Span(item.span.source, start, end), operator)
+        yield Fix(f"Write `{operator}`: {meaning}", (edit,))
 
 
 def _title(item: Diagnostic) -> str:
@@ -63,20 +82,21 @@ def _cut(text: str) -> str:
     return text if len(text) <= 40 else text[:39] + "…"
 
 
-def _skeleton(view: View, item: Diagnostic) -> Edit | None:
-    """The edit that writes what a note says is missing."""
+def _skeleton(view: View, item: Diagnostic) -> tuple[Edit, ...] | None:
+    """The edits that write what a note says is missing."""
     for missing in view.program.inspection.analysis.missing:
         note = missing.note
         if (note.code, note.message) != (item.code, item.message):
             continue
         inside = view.program.whole(missing.inside) if missing.inside is not None else None
-        place = inside or item.span
+        edits = tuple(Edit(view.program.whole(edit.span), edit.text) for edit in missing.edits)
+        located = Missing(item, missing.skeleton, inside, edits)
+        place = located.place
         if place is None or view.program.path_of(place.source) != view.path:
             continue
-        found = insertion(view.source.text, Missing(note, missing.skeleton, inside))
-        if found is not None:
-            at, text = found
-            return Edit(Span(view.source, at, at), text)
+        found = insertions(view.source.text, located)
+        if found:
+            return tuple(Edit(Span(view.source, at, at), text) for at, text in found)
     return None
 
 

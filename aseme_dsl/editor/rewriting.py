@@ -13,6 +13,7 @@ from aseme_dsl.compiler import Analysis, analyse
 from aseme_dsl.compiler import formulas as formula_tables
 from aseme_dsl.compiler.aip_to_eac import PROCESS
 from aseme_dsl.compiler.formulas import Formulas
+from aseme_dsl.compiler.holes import apart_from_holes
 from aseme_dsl.compiler.terms import Terms, terms_of
 from aseme_dsl.diagnostics import Diagnostic, Edit, Severity, has_errors
 from aseme_dsl.editor.place import begin_of_declaration, end_of_declaration
@@ -80,7 +81,7 @@ def read_piece(text: str) -> tree.Srm | tree.Aip:
         Refused: It is none, or has mistakes of syntax.
     """
     file, diagnostics = parse(Source("<declaration>", text))
-    if has_errors(diagnostics):
+    if has_errors(apart_from_holes(diagnostics)):
         raise Refused(f"mend the mistakes of syntax first: {diagnostics[0].message}")
     for item in file.declarations:
         if isinstance(item, (tree.Srm, tree.Aip)):

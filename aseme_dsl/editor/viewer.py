@@ -14,6 +14,9 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from importlib import resources
 from typing import TYPE_CHECKING, Any
+from urllib.parse import parse_qsl
+
+from aseme_dsl import outside
 
 if TYPE_CHECKING:
     from aseme_dsl.editor.diagram import LiveDrawing
@@ -23,6 +26,11 @@ PATIENCE = 20.0
 """How long a page waits for something new before it asks again, in seconds."""
 
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; connect-src 'self'"
+
+MOST_TABS = 32
+"""So many tabs may show something of their own; one that asks for more takes the place of the oldest."""
+NO_TAB = ""
+"""What a tab shows that nobody has selected anything in."""
 
 _LARGEST = 10_000
 """The most bytes that a page may send at once."""
@@ -39,7 +47,7 @@ class Viewer:
         self._on_act = on_act
         self._news = threading.Condition()
         self._version = 0
-        self._state: bytes = b"null"
+        self._states: dict[str, tuple[int, bytes]] = {NO_TAB: (0, b"null")}
         self._ended = False
         self._secret = secrets.token_urlsafe(12)
         self._server = _Server((LOOPBACK, port), _handler(self))
@@ -48,14 +56,21 @@ class Viewer:
         self._thread = threading.Thread(target=self._server.serve_forever, args=(0.1,), daemon=True)
         self._thread.start()
 
-    def show(self, state: Mapping[str, Any]) -> None:
-        """Show this from now on."""
+    def show(self, state: Mapping[str, Any], tab: str = NO_TAB) -> None:
+        """Show this from now on: in one tab, or in all that show nothing of their own."""
+        text = json.dumps(state, ensure_ascii=False).encode("utf-8", "backslashreplace")
         with self._news:
-            text = json.dumps(state, ensure_ascii=False).encode("utf-8", "backslashreplace")
-            if text != self._state:
-                self._state = text
+            if tab not in self._states or text != self._states[tab][1]:
                 self._version += 1
+                self._states[tab] = self._version, text
+                if len(self._states) > MOST_TABS + 1:
+                    del self._states[next(name for name in self._states if name != NO_TAB)]
                 self._news.notify_all()
+
+    def tabs(self) -> tuple[str, ...]:
+        """The tabs that show something of their own, and `NO_TAB`."""
+        with self._news:
+            return tuple(self._states)
 
     def close(self) -> None:
         """End it; pages say that it has ended."""
@@ -68,11 +83,15 @@ class Viewer:
 
     # ---- what the page asks --------------------------------------------------------------------------
 
-    def wait(self, version: int) -> tuple[int, bytes] | None:
-        """What is shown once it is another version than this one; None if that takes too long."""
+    def wait(self, version: int, tab: str = NO_TAB) -> tuple[int, bytes] | None:
+        """What a tab shows once it is another version than this one; None if that takes too long."""
         with self._news:
-            self._news.wait_for(lambda: self._version != version or self._ended, PATIENCE)
-            return (self._version, self._state) if self._version != version else None
+            self._news.wait_for(lambda: self._shown(tab)[0] != version or self._ended, PATIENCE)
+            shown = self._shown(tab)
+            return shown if shown[0] != version else None
+
+    def _shown(self, tab: str) -> tuple[int, bytes]:
+        return self._states.get(tab) or self._states[NO_TAB]
 
     def act(self, said: Mapping[str, Any]) -> None:
         self._on_act(said)
@@ -140,8 +159,9 @@ def _handler(viewer: Viewer) -> type[BaseHTTPRequestHandler]:
                 policy = f"{_POLICY}; script-src 'nonce-{nonce}'"
                 self._answer(HTTPStatus.OK, page(nonce), "text/html", {"Content-Security-Policy": policy})
             else:
-                number = question.removeprefix("after=")
-                found = viewer.wait(int(number) if number.isdecimal() else 0)
+                said = dict(parse_qsl(question[:_LARGEST]))
+                number = said.get("after", "")
+                found = viewer.wait(int(number[:18]) if number.isdecimal() else 0, said.get("tab", NO_TAB))
                 if found is None:
                     self._answer(HTTPStatus.NO_CONTENT)
                 else:
@@ -155,7 +175,7 @@ def _handler(viewer: Viewer) -> type[BaseHTTPRequestHandler]:
                 self._answer(HTTPStatus.NOT_FOUND)
                 return
             try:
-                said = json.loads(self.rfile.read(int(length)))
+                said = outside.loads(self.rfile.read(int(length)))
             except ValueError:
                 said = None
             if not isinstance(said, dict):

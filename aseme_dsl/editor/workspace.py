@@ -9,8 +9,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TypeVar, cast
 
+from aseme_dsl import outside
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import Options
+from aseme_dsl.compiler.holes import as_notes
 from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.phases import Inspection, inspecting
 from aseme_dsl.compiler.pieces import InPieces, finished
@@ -204,7 +206,7 @@ class Workspace:
         if path in self.buffers:
             return self.buffers[path].text
         try:
-            return Path(path).read_bytes().decode("utf-8-sig")
+            return outside.read_bytes(path).decode("utf-8-sig")
         except (OSError, UnicodeDecodeError, ValueError):
             return None
 
@@ -241,7 +243,7 @@ class Workspace:
         memory = self._memories.setdefault(root, Memory())
         inspection = yield from inspecting(root, texts, options, memory, self._read)
         analysis = inspection.analysis
-        diagnostics = in_order((*problems, *analysis.diagnostics))
+        diagnostics = as_notes(in_order((*problems, *analysis.diagnostics)))
         suppressed = analysis.suppressed
         yield
         if analysis.system is not None and not has_errors(diagnostics):

@@ -17,7 +17,7 @@ from aseme_dsl.grammar.expression import (
     read_transition,
 )
 from aseme_dsl.grammar.formula import BUILT_IN_TYPES, RESERVED, read_formula
-from aseme_dsl.grammar.lexer import shown
+from aseme_dsl.grammar.lexer import HOLE, PLACEHOLDER, shown
 from aseme_dsl.grammar.recovery import BLOCKS
 from aseme_dsl.grammar.token import Token
 from aseme_dsl.source import Source, Span
@@ -354,7 +354,23 @@ class _Builder:
         parameters = self.all(self.formula_parameter, node.parameters)
         if formula is None:
             return None
+        self.holes(node.tokens)
         return tree.NamedFormula(name, formula, self.span(node), parameters)
+
+    def holes(self, tokens: Sequence[Token]) -> None:
+        """E109 for each operator of a formula that is still to be chosen."""
+        for token in tokens:
+            if token == HOLE:
+                written = PLACEHOLDER.match(self.source.text, token.start)
+                end = written.end() if written is not None else token.end
+                self.diagnostics.append(
+                    Diagnostic(
+                        "E109",
+                        "an operator is still to be chosen here",
+                        Span(self.source, token.start, end),
+                        hint="write `.` for one after the other, `|` for one of both, `||` for both at once",
+                    )
+                )
 
     def formula_parameter(self, node: Any) -> tree.FormulaParameter:
         name = self.new_name(node.name, "a parameter")
@@ -420,7 +436,16 @@ class _Builder:
 
     def transition(self, node: Any) -> tree.TransitionExpression | None:
         end = node._tx_position_end
-        return self.tried(lambda: read_transition(self.source, node.tokens, Span(self.source, end - 1, end)))
+        place = Span(self.source, end - 1, end)
+        written = self.tried(lambda: read_transition(self.source, node.tokens, place))
+        if written is not None and isinstance(written.condition, tree.Hole):
+            hint = "write when this transition is taken, or `else` instead of the brackets"
+            self.diagnostics.append(
+                Diagnostic(
+                    "E109", "a condition is still to be written here", written.condition.span, hint=hint
+                )
+            )
+        return written
 
     # ---- roles ---------------------------------------------------------------------------------
 

@@ -19,7 +19,7 @@ from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.filling import apart
 from aseme_dsl.grammar.formula import RESERVED, Malformed, is_hyphen
-from aseme_dsl.grammar.lexer import UNITS, shown
+from aseme_dsl.grammar.lexer import HOLE, UNITS, shown
 from aseme_dsl.grammar.recovery import BLOCKS
 from aseme_dsl.grammar.token import Token, token
 from aseme_dsl.source import Source, Span
@@ -146,6 +146,8 @@ def spelled(written: tree.Expression) -> str:
             return f"[{', '.join(map(spelled, elements))}]"
         case tree.Element(list=whole, index=index, members=members):
             return ".".join((f"{spelled(whole)}[{spelled(index)}]", *(name.text for name in members)))
+        case tree.Hole():
+            return HOLE
 
 
 _LATER_VERBS = ("on", "exit", "resume")
@@ -261,7 +263,7 @@ class _Reader:
                 self.take()
         if self.next == "[":
             opener = self.take()
-            condition = self.expression()
+            condition = self.hole() or self.expression()
             self.need("]", opener)
         elif when:
             raise (
@@ -281,6 +283,12 @@ class _Reader:
         return tree.TransitionExpression(
             tuple(events), when, otherwise, condition, tuple(actions), self.since(start)
         )
+
+    def hole(self) -> tree.Hole | None:
+        """The `?` of `[?]`."""
+        if self.next != HOLE or self.tokens[self.index + 1 : self.index + 2] != ["]"]:
+            return None
+        return tree.Hole(self.span(self.take()))
 
     def event(self) -> tree.Event:
         start = self.index

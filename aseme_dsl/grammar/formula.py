@@ -23,6 +23,7 @@ _POSTFIX = {
 }
 _INFIX = {
     ".": Operator.SEQUENCE,
+    "?": Operator.HOLE,
     "|": Operator.CHOICE,
     "||": Operator.PARALLEL,
     "[>": Operator.DISABLING,
@@ -42,7 +43,6 @@ _MEANT = {
     "->": "write '.' for one after the other",
     ">": "write '[>' for one that cuts the other short, '.' for one after the other",
     "/": "write '|' for one of both",
-    "?": "an option is written [A]",
     "=": "is a name missing before '='?",
 }
 
@@ -70,6 +70,7 @@ class _Group:
     disabling: list[tuple[Formula, int]] = field(default_factory=list)
     parallel: list[tuple[Formula, int]] = field(default_factory=list)
     choice: list[tuple[Formula, int]] = field(default_factory=list)
+    hole: list[tuple[Formula, int]] = field(default_factory=list)
     sequence: list[tuple[Formula, int]] = field(default_factory=list)
 
 
@@ -212,8 +213,12 @@ class _Reader:
     def _infix(self, group: _Group, operator: Operator) -> None:
         if operator is Operator.SEQUENCE:
             return
-        group.choice.append(self._joined(Operator.SEQUENCE, group.sequence))
+        group.hole.append(self._joined(Operator.SEQUENCE, group.sequence))
         group.sequence = []
+        if operator is Operator.HOLE:
+            return
+        group.choice.append(self._joined(Operator.HOLE, group.hole))
+        group.hole = []
         if operator is Operator.CHOICE:
             return
         group.parallel.append(self._joined(Operator.CHOICE, group.choice))
@@ -308,13 +313,16 @@ class _Reader:
             raise AssertionError("the grammar lets no formula be empty")
         if index == len(tokens):
             assert previous is not None
+            hint = "write [A] for an option" if previous == "?" else None
             return self._error(
-                "E101", f"expected {wanted} after {shown(previous)}, but the formula ends", previous
+                "E101", f"expected {wanted} after {shown(previous)}, but the formula ends", previous, hint
             )
         token = tokens[index]
         after = f" after {shown(previous)}" if previous is not None else ""
         hint = None
-        if token in _INFIX and previous is not None and previous in _INFIX:
+        if previous == "?":
+            hint = "write [A] for an option; '?' stands between two terms for an operator still to be chosen"
+        elif token in _INFIX and previous is not None and previous in _INFIX:
             hint = "one of the two operators is too much, or a name is missing between them"
         elif token in (")", "]") and previous in ("(", "["):
             hint = "put an activity between the brackets"

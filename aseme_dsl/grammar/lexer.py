@@ -12,6 +12,9 @@ from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar.tree import Comment
 from aseme_dsl.source import Source, Span
 
+HOLE = "?"
+"""What stands for an operator, or a condition, that is still to be chosen."""
+
 UNITS = {"ms": 1_000_000, "s": 1_000_000_000, "min": 60_000_000_000}
 """The units of durations, in ns."""
 
@@ -23,11 +26,13 @@ _COMMON = r"""
   | (?P<quoted> ‘[^’\n]*’ | “[^”\n]*” | '[^'\n]*' )
   | (?P<number> (?<![A-Za-z0-9_]) [0-9]\w* (?:\.[0-9]\w*)* )
   | (?P<placeholder> \?\w+\? )
-  | (?P<odd> [^\t\n\r -~ω]+ | [$'`\\?]+ )
+  | (?P<odd> [^\t\n\r -~ω]+ | [$'`\\]+ )
 """
 _ASCII = re.compile(_COMMON, re.VERBOSE)
 _UNICODE = re.compile(r"(?P<word> [^\W\d]\w* ) | " + _COMMON, re.VERBOSE)
 
+PLACEHOLDER = re.compile(r"\?\w+\?", re.ASCII)
+"""A hole as the original tools write it: `?OP?`."""
 _QUOTES = re.compile(r'[\\"]')
 _END_OF_LINE = re.compile(r"[\s{}]*$")
 _ESCAPE = re.compile(r"\\.")
@@ -283,14 +288,8 @@ class _Cleaner:
             self.replaced.append((start, "0" * len(text)))
 
     def _placeholder(self, text: str, start: int) -> None:
-        self._report(
-            "E109",
-            f"{shown(text)} stands for an operator that is still to be chosen",
-            start,
-            start + len(text),
-            hint="write '.' for one after the other, '|' for one of both, '||' for both at once",
-        )
-        self.replaced.append((start, "." + " " * (len(text) - 1)))
+        """The `?OP?` of the original tools is a hole, as `?` is."""
+        self.replaced.append((start, HOLE + " " * (len(text) - 1)))
 
     def _word(self, text: str, start: int) -> None:
         if text.isascii() or text == "ω":

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import gc
-import threading
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.diagnostics import Diagnostic, in_order
@@ -21,9 +19,8 @@ def parse(source: Source) -> tuple[File, tuple[Diagnostic, ...]]:
     """
     from aseme_dsl.grammar.terminals import read
 
-    with _few_collections:
-        model, progress = read(source)
-        return understood(model, progress)
+    model, progress = read(source)
+    return understood(model, progress)
 
 
 def parse_with_leaves(source: Source) -> tuple[Any, tuple[Comment, ...], tuple[Diagnostic, ...]]:
@@ -33,10 +30,9 @@ def parse_with_leaves(source: Source) -> tuple[Any, tuple[Comment, ...], tuple[D
     """
     from aseme_dsl.grammar.terminals import read_with_leaves
 
-    with _few_collections:
-        model, progress, leaves = read_with_leaves(source)
-        file, diagnostics = understood(model, progress)
-        return leaves, file.comments, diagnostics
+    model, progress, leaves = read_with_leaves(source)
+    file, diagnostics = understood(model, progress)
+    return leaves, file.comments, diagnostics
 
 
 def understood(model: Any, progress: Progress) -> tuple[File, tuple[Diagnostic, ...]]:
@@ -106,32 +102,3 @@ def _at_different_places(mistakes: list[Diagnostic], taken: set[int]) -> list[Di
 
 _BRACES = ("E110", "E111", "E112")
 """What is shown on a line though it may concern others."""
-
-
-class _FewCollections:
-    """While anybody parses, look for cycles of objects rarely: a tree is many small objects without cycles.
-
-    To look for them all the time costs a third of the time. Threads may parse at once: the first one sets
-    the threshold, the last one restores it.
-    """
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._inside = 0
-        self._before = gc.get_threshold()
-
-    def __enter__(self) -> None:
-        with self._lock:
-            if self._inside == 0:
-                self._before = gc.get_threshold()
-                gc.set_threshold(100_000, 50, 100)
-            self._inside += 1
-
-    def __exit__(self, *raised: object) -> None:
-        with self._lock:
-            self._inside -= 1
-            if self._inside == 0:
-                gc.set_threshold(*self._before)
-
-
-_few_collections = _FewCollections()

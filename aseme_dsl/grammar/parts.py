@@ -150,7 +150,7 @@ _NO_BEGINNING = re.compile(
 """What an expression before it is not ended by, though it looks like a declaration (see expressions.tx)."""
 
 _NO_NAME = re.compile(
-    r"""(?x) system \b (?: \s | //[^\n]* | /\*(?:[^*]|\*(?!/))*\*/ )*
+    r"""(?x) system \b (?: \s | //[^\n]*\n | /\*(?:[^*]|\*(?!/))*\*/ )*
       (?: import|enum|message|topic|function|let|sag|suc|aip|srm|statechart|team|abstract ) \b"""
 )
 """A system whose name is perhaps none: it depends on what is behind it (see aseme.tx)."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 1120227944
+CHECKSUM = 197874926
 
 RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'File': (
@@ -79,7 +79,7 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'Path': (
         'match',
         {},
-        ('pattern', '(?x)\n  [A-Za-z_][A-Za-z0-9_]*\n  (?: \\s*\\. (?: [ \\t]*[A-Za-z_][A-Za-z0-9_]*\\b\n            | \\s*[A-Za-z_][A-Za-z0-9_]*\\b (?!\\s+(?:every|takes|within|as|uses|reads|writes|ends)\\b) ) )*\n  \\b\n'),
+        ('pattern', '(?x)\n  [A-Za-z_][A-Za-z0-9_]*\n  (?: \\s*\\. (?: [ \\t]*[A-Za-z_][A-Za-z0-9_]*\\b\n            | [ \\t]*[\\r\\n]\\s*[A-Za-z_][A-Za-z0-9_]*\\b (?!\\s+(?:every|takes|within|as|uses|reads|writes|ends)\\b) ) )*\n  \\b\n'),
     ),
     'Text': (
         'match',
@@ -646,12 +646,12 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'TermToken': (
         'match',
         {},
-        ('pattern', '(?x)\n    \\|\\| | \\[> | \\^?ω | && | \\?\\w*\\?\n  | (?! every\\s+[0-9] | (?:enter|skip|repeat|leave|start|finish|else|when|and|or|not)\\b ) [A-Za-z_][A-Za-z0-9_]*\\b\n  | [0-9]\\w*\n  | "(?:[^"\\\\\\n]|\\\\.)*"\n  | -(?!>)\n  | [.|()\\[\\]~*+&;,]\n'),
+        ('pattern', '(?x)\n    \\|\\| | \\[> | \\^?ω | && | \\?\\w*\\?\n  | (?! every\\s+[0-9] | (?:enter|skip|repeat|leave|start|finish|else|when|and|or|not)\\b ) [A-Za-z_][A-Za-z0-9_]*\\b\n  | [0-9]\\w*\n  | "(?:[^"\\\\\\n]|\\\\.)*"\n  | -(?!>)\n  | [.|()\\[\\]~*+&;,?]\n'),
     ),
     'ControlToken': (
         'match',
         {},
-        ('pattern', '(?x)\n  (?! (?:enter|skip|repeat|leave|start|finish)\\b (?! \\s* (?: [.<>=!+*\\/%,;)\\]&-] | \\|\\| ) )\n    | (?:on|exit|resume) \\s+ (?: (?!\\b(?:enter|skip|repeat|leave|start|finish|on|exit|resume)\\b) [\\w\\s.|()\\[\\]~*+#>] )+ :\n    | [0-9]+(?:\\.[0-9]+)*\\s*->\n    | state\\s+[0-9]\n    | (?:outcome\\s*" | clause\\s+\\w | let\\s+\\w+\\s*=(?!=) | var\\s+\\w+\\s*: | plays\\s+\\w+\\s*\\.) )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | (?: send\\s+[A-Za-z_]\\w*\\s+[A-Za-z_]\\w* | write_messages(?:\\s*\\.\\s*[A-Za-z_]\\w*)+ ) \\s*\n      \\{ (?: "(?:[^"\\\\\\n]|\\\\.)*" | (?!to\\b(?!\\s*[=.]))[A-Za-z_]\\w* | [^{}":A-Za-z_] )* \\}\n    | [A-Za-z_][A-Za-z0-9_]*\n      (?: \\s*\\. (?:[ \\t]*|\\s+(?!(?:enter|skip|repeat|leave|start|finish)\\b)) [A-Za-z_][A-Za-z0-9_]* )*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | [^\\s{}"\\w] )\n'),
+        ('pattern', '(?x)\n  (?! (?:enter|skip|repeat|leave|start|finish)\\b (?! \\s* (?: [.<>=!+*\\/%,;)\\]&-] | \\|\\| ) )\n    | (?:on|exit|resume) \\s+ (?: (?!\\b(?:enter|skip|repeat|leave|start|finish|on|exit|resume)\\b) [\\w\\s.|()\\[\\]~*+#>] )+ :\n    | [0-9]+(?:\\.[0-9]+)*\\s*->\n    | state\\s+[0-9]\n    | (?:outcome\\s*" | clause\\s+\\w | let\\s+\\w+\\s*=(?!=) | var\\s+\\w+\\s*: | plays\\s+\\w+\\s*\\.) )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | (?: send\\s+[A-Za-z_]\\w*\\s+[A-Za-z_]\\w* | write_messages(?:\\s*\\.\\s*[A-Za-z_]\\w*)+ ) \\s*\n      \\{ (?: "(?:[^"\\\\\\n]|\\\\.)*" | (?!to\\b(?!\\s*[=.]))[A-Za-z_]\\w*\\b | [^{}":A-Za-z_] )* \\}\n    | [A-Za-z_][A-Za-z0-9_]*\n      (?: \\s*\\. (?:[ \\t]*|[ \\t]*[\\r\\n]\\s*(?!(?:enter|skip|repeat|leave|start|finish)\\b)) [A-Za-z_][A-Za-z0-9_]* )*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | [^\\s{}"\\w] )\n'),
     ),
     'Let': (
         'common',

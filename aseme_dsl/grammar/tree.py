@@ -136,8 +136,27 @@ class Element:
     span: Span
 
 
+@dataclass(frozen=True, slots=True)
+class Hole:
+    """The `?` of `[?]`: a condition that nobody has written yet. It stands nowhere else."""
+
+    span: Span
+
+
 Expression = (
-    Number | Duration | Truth | Text | Path | Call | Unary | Binary | Logic | Parenthesised | List | Element
+    Number
+    | Duration
+    | Truth
+    | Text
+    | Path
+    | Call
+    | Unary
+    | Binary
+    | Logic
+    | Parenthesised
+    | List
+    | Element
+    | Hole
 )
 
 # ---- transition expressions --------------------------------------------------------------------

@@ -3,17 +3,23 @@
 What is known of the format (Monas, `config/agents.xml`): `<agent>` is a thread with a frequency in Hz that
 executes its `<activity>` children in order; `<provider>` is one for hardware, its text is its name;
 `<statechart>` names a statechart. `Enable` switches each of them off. Attributes may be written as child
-elements, and names in any case. An agent's activities become modules of one period: they are begun in their
-order, but one does not wait for another as in Monas. `IsRealTime`, `Priority` and `StatsCycle` have no
-counterpart in a role. What modules read and write is in no such file and is to be added.
+elements, and names in any case.
+
+The file is not XML, and XML libraries refuse it: its elements stand side by side without a root, and in most
+versions the values of attributes have no quotes. Both is read here, and so is proper XML, except document
+types.
+
+An agent's activities become modules of one period: they are begun in their order, but one does not wait for
+another as in Monas. `IsRealTime`, `Priority` and `StatsCycle` have no counterpart in a role. What modules
+read and write is in no such file and is to be added.
 """
 
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from xml.parsers import expat
 
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.diagnostics import Diagnostic
@@ -21,7 +27,17 @@ from aseme_dsl.source import Source, Span
 
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _PASSED_OVER = frozenset({"isrealtime", "priority", "statscycle"})
-_LARGEST = 10_000_000
+_KINDS = ("agent", "provider", "statechart")
+_LONGEST = 40
+"""How much of a name a message shows."""
+_DEEPEST = 100
+"""How many elements may be open at once; Monas needs two, and a root."""
+_MARKUP = (("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>"))
+_TAG = re.compile(r"<(/?)([^\W\d][\w.:-]*)")
+_ATTRIBUTE = re.compile(r"""\s+([^\s=<>/"']+)\s*=\s*(?:"([^"<]*)"|'([^'<]*)'|([^\s"'<>/]+))""")
+_TAG_END = re.compile(r"\s*(/?)>")
+_REFERENCE = re.compile(r"&(?:(lt|gt|amp|quot|apos)|#([0-9]{1,7})|#x([0-9A-Fa-f]{1,6}));|&")
+_REFERRED = {"lt": "<", "gt": ">", "amp": "&", "quot": '"', "apos": "'"}
 
 
 @dataclass(slots=True)
@@ -29,8 +45,12 @@ class _Element:
     name: str
     attributes: dict[str, str]
     place: Span
-    text: str = ""
+    parts: list[str] = field(default_factory=list)
     children: list[_Element] = field(default_factory=list)
+
+    @property
+    def text(self) -> str:
+        return "".join(self.parts)
 
     def said(self, name: str) -> str | None:
         """An attribute, or the text of a child element of that name; whatever the case."""
@@ -54,40 +74,40 @@ def modules_of(source: Source) -> tuple[str, tuple[Diagnostic, ...]]:
     statecharts: list[str] = []
     known: set[str] = set()
     any_known = False
+    left_out: list[Diagnostic] = []
     for item in _all(root):
         kind = item.name.lower()
-        if kind not in ("agent", "provider", "statechart"):
+        if kind not in _KINDS:
+            left_out += _unknown(item, root)
             continue
         any_known = True
         if kind == "statechart":
             state = "" if item.is_enabled else " (switched off)"
-            statecharts.append(f"{(item.said('name') or item.text).strip()}{state}")
+            statecharts.append(f"{_name(item)}{state}")
         else:
             lines += _thread(item, kind, known, found)
     if not any_known:
         found.append(
             Diagnostic(
                 "E220",
-                f"{source.path} is no configuration of Monas: it has no agent, provider or statechart",
+                f"{source.path} is not a configuration of Monas: it has no agent, provider or statechart",
                 root.place,
             )
         )
         return "", tuple(found)
+    found += left_out
     about = [f"  // statecharts: {', '.join(statecharts)}"] if statecharts else []
     return "\n".join(["modules {", *about, *lines, "}", ""]), tuple(found)
 
 
 def _thread(item: _Element, kind: str, known: set[str], found: list[Diagnostic]) -> list[str]:
     """The lines of an agent or a provider."""
-    name = (item.said("name") or item.text).strip()
+    name = _name(item)
     parts = [child for child in item.children if child.name.lower() == "activity"]
     if kind == "provider" or not parts:
         members = [(name, item.is_enabled, item.place)]
     else:
-        members = [
-            ((part.said("name") or part.text).strip(), item.is_enabled and part.is_enabled, part.place)
-            for part in parts
-        ]
+        members = [(_name(part), item.is_enabled and part.is_enabled, part.place) for part in parts]
     _strangers(item, found)
     period = _period(item, name, found)
     lines = [f"  // {kind} {name}"]
@@ -102,6 +122,12 @@ def _thread(item: _Element, kind: str, known: set[str], found: list[Diagnostic])
             off = "" if is_enabled and period is not None else "// "
             lines.append(f"  {off}{member}{clause}{'' if is_enabled else '  (switched off)'}")
     return lines
+
+
+def _name(item: _Element) -> str:
+    """On one line, without what cannot be printed: it may stand in a comment."""
+    words = " ".join((item.said("name") or item.text).split())
+    return "".join(c if c.isprintable() else "?" for c in words)
 
 
 def _period(item: _Element, name: str, found: list[Diagnostic]) -> int | None:
@@ -132,6 +158,14 @@ def _strangers(item: _Element, found: list[Diagnostic]) -> None:
             found.append(_left_out(f"`{name}` of the {item.name} means nothing here", item.place))
 
 
+def _unknown(item: _Element, root: _Element) -> Iterator[Diagnostic]:
+    """What is not an agent, provider or statechart, and holds none either."""
+    if item is not root and not item.children:
+        yield _left_out(f"`<{item.name[:_LONGEST]}>` means nothing here", item.place)
+    elif item.text.strip():
+        yield _left_out("there is text between the elements", item.place)
+
+
 def _left_out(problem: str, place: Span) -> Diagnostic:
     return Diagnostic("W110", f"{problem}: it is left out", place)
 
@@ -142,65 +176,117 @@ def _all(root: _Element) -> Iterator[_Element]:
     while waiting:
         item = waiting.pop()
         yield item
-        if item.name.lower() not in ("agent", "provider", "statechart"):
+        if item.name.lower() not in _KINDS:
             waiting += reversed(item.children)
 
 
 def _parsed(source: Source, found: list[Diagnostic]) -> _Element | None:
-    """The root element; a diagnostic for what is no XML, and for what XML may do and nobody needs here."""
-    top = _Element("", {}, Span(source, 0, 0))
-    open_: list[_Element] = [top]
-    parser = expat.ParserCreate("utf-8")
-    data = source.text.encode("utf-8", "replace")
-
-    def here(length: int) -> Span:
-        start = len(data[: parser.CurrentByteIndex].decode("utf-8", "replace"))
-        return Span(source, start, min(start + length, len(source.text)))
-
-    def begin(name: str, attributes: dict[str, str]) -> None:
-        element = _Element(name, attributes, here(len(name) + 1))
-        open_[-1].children.append(element)
-        open_.append(element)
-
-    def end(_: str) -> None:
-        open_.pop()
-
-    def text(part: str) -> None:
-        open_[-1].text += part
-
-    def declares(*_: object) -> None:
-        raise _NotThis("it declares entities")
-
-    parser.StartElementHandler = begin
-    parser.EndElementHandler = end
-    parser.CharacterDataHandler = text
-    parser.EntityDeclHandler = declares
+    """What holds all elements; None, with a diagnostic, for what is not read."""
     try:
-        if len(data) > _LARGEST:
-            raise _NotThis("it is too large")
-        parser.Parse(data, True)
+        return _Reader(source).read()
     except _NotThis as problem:
-        message = f"{source.path} is not read: {problem}"
-        found.append(Diagnostic("E220", message, Span(source, 0, min(1, len(source.text)))))
+        found.append(Diagnostic("E220", f"{source.path} is not read: {problem}", problem.place))
         return None
-    except expat.ExpatError as problem:
-        reason = expat.ErrorString(problem.code)
-        message = f"{source.path} is no valid XML: {reason}"
-        found.append(Diagnostic("E220", message, _place(source, problem.lineno, problem.offset)))
-        return None
-    return top.children[0]
 
 
-def _place(source: Source, line: int, column: int) -> Span:
-    """One character, or the last one where the text ends too soon."""
-    lines = source.text.count("\n") + 1
-    start = source.line_start(min(max(line, 1), lines)) + column
-    start = max(0, min(start, len(source.text) - 1))
-    return Span(source, start, min(start + 1, len(source.text)))
+class _Reader:
+    """The elements of a text, one after the other."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.open = [_Element("", {}, Span(source, 0, min(1, len(source.text))))]
+
+    def read(self) -> _Element:
+        text = self.source.text
+        at = 0
+        while at < len(text):
+            if text[at] == "<":
+                at = self._markup(at)
+            else:
+                begin, at = at, self._find("<", at, len(text))
+                self.open[-1].parts.append(self._plain(begin, at))
+        if len(self.open) > 1:
+            raise self._not_closed(self.open[-1])
+        return self.open[0]
+
+    def _find(self, wanted: str, begin: int, otherwise: int) -> int:
+        found = self.source.text.find(wanted, begin)
+        return found if found >= 0 else otherwise
+
+    def _markup(self, at: int) -> int:
+        """Read what begins with `<`; where it ends."""
+        text = self.source.text
+        for opening, closing in _MARKUP:
+            if text.startswith(opening, at):
+                end = self._find(closing, at + len(opening), -1)
+                if end < 0:
+                    raise self._problem(f"`{opening}` is not closed by `{closing}`", at, len(opening))
+                if opening == "<![CDATA[":
+                    self.open[-1].parts.append(text[at + len(opening) : end])
+                return end + len(closing)
+        if text.startswith("<!", at):
+            raise self._problem("it has a document type", at, 2)
+        tag = _TAG.match(text, at)
+        if tag is None:
+            raise self._problem("a name is missing after `<`", at, 1)
+        attributes: dict[str, str] = {}
+        end = tag.end()
+        while (attribute := _ATTRIBUTE.match(text, end)) is not None:
+            attributes[attribute[1]] = self._plain(*attribute.span(attribute.lastindex or 0))
+            end = attribute.end()
+        last = _TAG_END.match(text, end)
+        if last is None or (tag[1] and (attributes or last[1])):
+            raise self._problem(f"the tag `{tag[0][:_LONGEST]}` is not closed by `>`", at, len(tag[0]))
+        if tag[1]:
+            self._close(tag[2], at, last.end())
+        else:
+            self._begin(tag[2], attributes, at, is_empty=bool(last[1]))
+        return last.end()
+
+    def _begin(self, name: str, attributes: dict[str, str], at: int, *, is_empty: bool) -> None:
+        if len(self.open) > _DEEPEST:
+            raise self._problem(f"its elements are nested more than {_DEEPEST} deep", at, 1)
+        element = _Element(name, attributes, Span(self.source, at, at + len(name) + 1))
+        self.open[-1].children.append(element)
+        if not is_empty:
+            self.open.append(element)
+
+    def _close(self, name: str, at: int, end: int) -> None:
+        element = self.open[-1]
+        if len(self.open) == 1:
+            raise self._problem(f"`</{name[:_LONGEST]}>` closes nothing", at, end - at)
+        if element.name != name:
+            raise self._problem(
+                f"`</{name[:_LONGEST]}>` does not close `<{element.name[:_LONGEST]}>`", at, end - at
+            )
+        self.open.pop()
+
+    def _not_closed(self, element: _Element) -> _NotThis:
+        return _NotThis(f"`<{element.name[:_LONGEST]}>` is not closed", element.place)
+
+    def _plain(self, begin: int, end: int) -> str:
+        """A part of the text with its references replaced."""
+
+        def referred(found: re.Match[str]) -> str:
+            if found[1]:
+                return _REFERRED[found[1]]
+            number = int(found[2]) if found[2] else int(found[3], 16) if found[3] else sys.maxunicode + 1
+            if number > sys.maxunicode:
+                raise self._problem("`&` begins no character reference", begin + found.start(), 1)
+            return chr(number)
+
+        return _REFERENCE.sub(referred, self.source.text[begin:end])
+
+    def _problem(self, problem: str, at: int, length: int) -> _NotThis:
+        return _NotThis(problem, Span(self.source, at, at + length))
 
 
 class _NotThis(Exception):
-    """Why a text is not read."""
+    """Why a text is not read, and where."""
+
+    def __init__(self, problem: str, place: Span) -> None:
+        super().__init__(problem)
+        self.place = place
 
 
 __all__ = ["modules_of"]

@@ -11,6 +11,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from aseme_dsl import outside
 from aseme_dsl.amola.messages import (
     BOOL,
     BYTES,
@@ -149,7 +150,7 @@ def is_current(known: ProtoImport, source: Source, path: Path, buffers: Mapping[
 
 def _read(path: Path) -> str:
     try:
-        return path.read_text("utf-8-sig")
+        return outside.read_text(path, encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError):
         return ""
 

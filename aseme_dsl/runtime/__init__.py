@@ -9,6 +9,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from aseme_dsl.runtime.access import UndeclaredError
     from aseme_dsl.runtime.activities import Activity, ActivityError
     from aseme_dsl.runtime.board import NEVER, Board
     from aseme_dsl.runtime.body import Body, BodyLost, Heard, World
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.team import AgentResult, RunResult, Team, TeamError, make_team, run
 
 _MODULES = {
+    "access": ("UndeclaredError",),
     "activities": ("Activity", "ActivityError"),
     "board": ("NEVER", "Board"),
     "body": ("Body", "BodyLost", "Heard", "World"),
@@ -95,6 +97,7 @@ __all__ = [
     "Team",
     "TeamError",
     "Transition",
+    "UndeclaredError",
     "Variable",
     "World",
     "activities_in",

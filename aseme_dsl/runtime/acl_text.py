@@ -27,7 +27,7 @@ DEEPEST = 50
 
 _BLANK = re.compile(rb"[\x00-\x20]*")
 _TOKEN = re.compile(rb"[^\x00-\x20()]+")
-_STRING = re.compile(rb'"((?:[^"]|(?<=\\)")*+)"')
+_STRING = re.compile(rb'"(.*?)(?<!\\)"', re.DOTALL)
 _LENGTH = re.compile(rb'#(\d{1,18})"')
 _WORD = re.compile(r'[^\x00-\x20()#0-9\-@":+][^\x00-\x20()]*')
 _PARAMETER = re.compile(r"[^\x00-\x20()]+")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib
 import inspect
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import Any, ClassVar
 
 from aseme_dsl.runtime.context import Context
@@ -44,8 +43,8 @@ def from_mapping(classes: Mapping[str, type[Any]]) -> ActivityFinder:
     return classes.get
 
 
-def from_package(package: str, folder: Path) -> ActivityFinder:
-    """Activities that are modules of an importable package, whose files are in `folder`.
+def from_package(package: str, has: Callable[[str], bool]) -> ActivityFinder:
+    """Activities that are modules of an importable package; `has` says whether it has a file of that name.
 
     The finder raises ActivityError for a module that cannot be imported or lacks its class.
     """
@@ -53,24 +52,24 @@ def from_package(package: str, folder: Path) -> ActivityFinder:
 
     def find(activity: str) -> type[Any] | None:
         if activity not in found:
-            found[activity] = _load(package, folder, activity)
+            found[activity] = _load(package, has, activity)
         return found[activity]
 
     return find
 
 
-def _load(package: str, folder: Path, activity: str) -> type[Any] | None:
+def _load(package: str, has: Callable[[str], bool], activity: str) -> type[Any] | None:
     module = module_name(activity)
-    path = folder / f"{module}.py"
-    if not path.is_file():
+    file = f"{module}.py"
+    if not has(file):
         return None
     try:
         loaded = importlib.import_module(f"{package}.{module}")
-    except Exception as error:
-        raise ActivityError(f"{path.name} cannot be imported: {type(error).__name__}: {error}") from error
+    except (Exception, SystemExit) as error:
+        raise ActivityError(f"{file} cannot be imported: {type(error).__name__}: {error}") from error
     kind = getattr(loaded, class_name(activity), None)
     if not isinstance(kind, type):
-        raise ActivityError(f"{path.name} has no class {class_name(activity)}")
+        raise ActivityError(f"{file} has no class {class_name(activity)}")
     return kind
 
 

@@ -55,6 +55,13 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.driver import Driver
 
 
+FOLLOWING = 900
+"""After so many steps in a row for which only variables ask, an agent's regions wake each other for ever."""
+PAID = 10
+"""So many such steps an input may cause. With inputs in quick succession there is never a step without one
+that follows, though nothing goes round."""
+
+
 class Agent:
     """A running chart with its activities, its place on the bus and in conversations.
 
@@ -108,6 +115,7 @@ class Agent:
         """The place in the source where the agent failed."""
         self._sequence = itertools.count(behind + 1)
         self._wanted = True  # the first step enters the root
+        self._following = 0
         self._inputs: list[Posted] | None = None
         self._due: Timer | None = None
         self._prepared: dict[tuple[str | None, str], Any] = {}
@@ -125,7 +133,7 @@ class Agent:
             Joined: lambda effect: self.conversations.joined(self, effect.branch),
             Left: lambda effect: self.conversations.left(self, effect.branch),
             FunctionResult: _nothing,
-            Fault: _nothing,
+            Fault: self._count_fault,
             LeftOut: lambda effect: self.overload.inside(effect.region, effect.channel),
         }
         if not driver.clock.virtual:
@@ -226,6 +234,7 @@ class Agent:
         ahead: list[Arrived] = []
         if not self.driver.clock.virtual:
             chart.pending = lambda: self._ahead(ahead)
+        drained, chart.drains = chart.drains, False
         try:
             outcome = chart.step(now, [item.input for item in inputs])
         except Exception as error:  # nothing in a document can do that; the other agents play on
@@ -264,7 +273,26 @@ class Agent:
             self.modules.begin()
         if outcome.again:
             self.errand(self._want)
+        if chart.woken or self._following:
+            self._follow(bool(inputs) or drained)
+            if self.over:
+                return
         self._sleep(now)
+
+    def _follow(self, has_inputs: bool) -> None:
+        """Count the steps in a row that only variables have asked for, and stop an agent that makes them for
+        ever: its regions wake each other. An input pays for some of them, and so does a queued signal."""
+        if not self.chart.woken:
+            self._following = 0
+        elif has_inputs:
+            self._following = max(1, self._following - PAID)
+        else:
+            self._following += 1
+        self.chart.woken = False
+        if self._following >= FOLLOWING:
+            self.fail(
+                f"{FOLLOWING} steps follow each other and no end, its regions wake each other: {self.cycle()}"
+            )
 
     def _show(self, labels: Mapping[str, str] | None = None) -> None:
         """Show the chart with its behaviours, if it is to be shown so. One that goes on where another stood,
@@ -487,7 +515,7 @@ class Agent:
     def cycle(self) -> str:
         """The transitions taken last, for messages about what does not end."""
         transitions = self.plan.transitions
-        names = [f"{transitions[n[0]].source} -> {transitions[n[-1]].target}" for n in self.recent]
+        names = [self.plan.way(numbers) for numbers in self.recent]
         activities = [
             activity
             for numbers in self.recent
@@ -497,6 +525,10 @@ class Agent:
         return text + (f" (activities {', '.join(dict.fromkeys(activities))})" if activities else "")
 
     # ---- effects -----------------------------------------------------------------------------
+
+    def _count_fault(self, effect: Fault) -> None:
+        at = self.plan.transitions[effect.transition].at
+        self.trace.count_fault(self.driver.clock.now(), self.name, effect.reason, at)
 
     def _publish(self, effect: Publication) -> None:
         self.bus.publish(self, effect.channel, effect.message, effect.host, region=effect.region)
@@ -675,4 +707,4 @@ def _queued(plan: Plan) -> frozenset[str]:
 
 
 def _nothing(effect: object) -> None:
-    """Function results and faults are told by the line of the step."""
+    """Function results are in the record of the step."""

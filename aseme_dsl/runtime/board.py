@@ -147,11 +147,15 @@ class Board:
             self._seen[channel, host] = item
             self.asked.append(item)
 
-    def spend(self, channel: str, host: str | None = None) -> None:
-        """Consume the signal that was looked at last."""
+    def spend(self, channel: str, host: str | None, *around: Board) -> None:
+        """Consume the signal that was looked at last, here and on the boards of the regions around."""
         item = self._seen.pop((channel, host), None)
-        if item is not None:
-            self._drop(item)
+        if item is None:
+            return
+        self._drop(item)
+        for board in around:
+            if not board._drop(item) and item.identity in self.ahead:
+                board.ahead.add(item.identity)
 
     def take(self, channel: str, host: str | None = None) -> Arrived | None:
         """Read a signal as an activity does: it is gone afterwards."""

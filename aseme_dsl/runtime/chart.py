@@ -60,6 +60,7 @@ class Chart:
         "_functions",
         "agent",
         "chance",
+        "drains",
         "effects",
         "events",
         "failed",
@@ -77,6 +78,7 @@ class Chart:
         "started",
         "taken",
         "tokens",
+        "woken",
         "writes",
     )
 
@@ -96,6 +98,10 @@ class Chart:
     """The slots that hold when a state was entered, for those states where it matters."""
     COUNTS: ClassVar[Mapping[str, str]] = {}
     """The slots that hold how often a state was entered, for those states that a condition counts."""
+    WAKES: ClassVar[Mapping[str, tuple[tuple[str, str, tuple[tuple[int, int], ...]], ...]]] = {}
+    """Of each variable that wakes another region than the one that writes it: the copy that is read there,
+    the slot of that region's leaf, and the first and last numbers of the leaves at which a condition reads
+    it."""
     WITHIN: ClassVar[Mapping[str, int]] = {}
     """The deadlines of BASIC states: how long their activities have from the entry, in ns."""
     KEPT: ClassVar[Mapping[str, str]] = {}
@@ -120,6 +126,10 @@ class Chart:
         """The events that a transition of a region has taken in this step."""
         self.mail: dict[str, list[Mail]] = {info.label: [] for info in self.PLAN.branches}
         self.writes: list[tuple[int, str, Any]] = []
+        self.drains = False
+        """Whether a step has dropped a signal behind which another one waits; reset like `woken`."""
+        self.woken = False
+        """Whether a step has written what another region reads; whoever makes the next one resets it."""
         self.pending: Callable[[], Iterable[Arrived]] = tuple
         self.queue = QUEUE
         """How many signals of a queued channel may wait in a region."""
@@ -283,12 +293,12 @@ class Chart:
         self.outcomes[label] = outcome
 
     def _end_step(self, outcome: Outcome) -> None:
-        if self.writes:
-            self._spread_writes()
+        if self.writes and self._spread_writes():
+            self.woken = outcome.again = True
         if self.READERS:
             for board in self.boards():
                 if board is not None and board.asked and board.end_step():
-                    outcome.again = True
+                    self.drains = outcome.again = True
         if self.failed and self.failure is None:
             label, reason = next(iter(self.failed.items()))
             name = self.PLAN.by_label[label].name
@@ -301,11 +311,21 @@ class Chart:
         self.finished = outcome.finished = self.is_finished()
         outcome.failure = self.failure
 
-    def _spread_writes(self) -> None:
-        if self.writes:
-            for _, name, value in sorted(self.writes, key=lambda write: write[0]):
-                self.set_variable(name, value)
-            self.writes.clear()
+    def _spread_writes(self) -> bool:
+        """Let all regions see what was written; whether that wakes one of them."""
+        found = {name: value for _, name, value in sorted(self.writes, key=lambda write: write[0])}
+        self.writes.clear()
+        wakes = False
+        for name, value in found.items():
+            wakes = wakes or any(self._reads_anew(copy, value) for copy in self.WAKES.get(name, ()))
+            self.set_variable(name, value)
+        return wakes
+
+    def _reads_anew(self, copy: tuple[str, str, tuple[tuple[int, int], ...]], value: Any) -> bool:
+        """Whether a transition of an active state reads a copy of a variable that has another value yet."""
+        slot, region, leaves = copy
+        leaf = getattr(self, region)
+        return getattr(self, slot) != value and any(first <= leaf <= last for first, last in leaves)
 
     def _stop(self, reason: str) -> None:
         self.failure = reason
@@ -313,12 +333,8 @@ class Chart:
         self._spread_writes()
 
     def _unsettled(self) -> str:
-        recent = self.taken[-8:]
-        names = [
-            f"{self.PLAN.transitions[taken[0]].source} -> {self.PLAN.transitions[taken[-1]].target}"
-            for taken in recent
-        ]
-        return f"the step does not settle after {ROUNDS} rounds: " + ", ".join(dict.fromkeys(names))
+        ways = dict.fromkeys(self.PLAN.way(taken) for taken in self.taken[-8:])
+        return f"the step does not settle after {ROUNDS} rounds: {', '.join(ways)}"
 
     # ---- what generated code calls ---------------------------------------------------------
 
@@ -405,6 +421,10 @@ class Chart:
             return True
         other = any(one is not new for one, new in zip(mark[0], seen[0], strict=True))
         return other or mark[1] != seen[1]
+
+    def miss(self, region: int) -> None:
+        """A region that is entered does not see the events of this step."""
+        self.spent.update((region, name) for name in self.events)
 
     def failed_inside(self, label: str) -> bool:
         """Whether an activity of the state or inside it has failed."""

@@ -96,7 +96,7 @@ class Port(Protocol):
     async def sleep(self, duration: int) -> None: ...
     def newest(self, channel: str, host: str | None) -> Arrived | None: ...
     def history(self, channel: str, host: str | None) -> tuple[Arrived, ...]: ...
-    def looks_back(self, channel: str, duration: int) -> None: ...
+    def looks_back(self, channel: str, duration: int | None) -> int: ...
     def frozen(self) -> Port: ...
     def take(self, channel: str, host: str | None) -> Arrived | None: ...
     def variable(self, name: str) -> Any: ...
@@ -109,8 +109,8 @@ class Context:
     """What an activity is given. May be used from any thread, as long as the activity lasts.
 
     Channels are written as in the document: `vision.state.Ball`. What the activity reads or writes without
-    having declared it is noted in the trace, once. After the activity was cancelled, what it publishes,
-    writes, raises or sends is dropped.
+    having declared it raises UndeclaredError, a LookupError whose text has the line to add. After the
+    activity was cancelled, what it publishes, writes, raises or sends is dropped.
     """
 
     __slots__ = ("_port",)
@@ -225,15 +225,13 @@ class Context:
 
     # ---- histories ---------------------------------------------------------------------------
     #
-    # Of a data channel the document says how long it is kept: `reads vision.data.Ball for 2s`. Who looks back
-    # further is told, once, in the trace. Without `host`, the messages of all senders are one history.
+    # The activity declares how far it looks back at a data channel: `reads vision.data.Ball for 2s`. To look
+    # further back raises UndeclaredError. Without `host`, the messages of all senders are one history.
 
     def history(
         self, channel: str, host: str | None = None, *, seconds: float | None = None
     ) -> tuple[Arrived, ...]:
-        """What is kept of a data channel, oldest first, with times of measurement; or its last seconds."""
-        if seconds is None:
-            return self._port.history(channel, host)
+        """The last seconds of a data channel, by default all that is declared; oldest first, with times."""
         moment = self._back(channel, seconds)
         return history.since(self._port.history(channel, host), moment)
 
@@ -258,12 +256,11 @@ class Context:
         moment = self._back(channel, seconds)
         return history.mean(self._port.history(channel, host), moment, member)
 
-    def _back(self, channel: str, seconds: float) -> int:
-        """The moment so long ago. Raises LookupError for what is no data channel."""
+    def _back(self, channel: str, seconds: float | None) -> int:
+        """The moment so long ago, or as long as is declared. Raises LookupError for any other channel."""
         if channel.split(".", 2)[1:2] != ["data"]:
             raise LookupError(f"{channel} is no data channel: only data has a history")
-        duration = nanoseconds(seconds)
-        self._port.looks_back(channel, duration)
+        duration = self._port.looks_back(channel, None if seconds is None else nanoseconds(seconds))
         return self._port.now() - duration
 
     def take(self, channel: str, host: str | None = None) -> Any:

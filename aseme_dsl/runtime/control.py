@@ -7,9 +7,9 @@ either what was asked for or `reasons`. How they travel is not known here.
         system, model, time (ns), agents: name, role, model, over, failure, steps, configuration, activities
     {"version": 1, "request": "select", "agent": "robot2", "plan": "goalie"}
     {"version": 1, "request": "stop"}
-    {"version": 1, "request": "swap", "phase": "ready", "folder": "…/monas/Kouretes", "model": "…"}
-        `folder` is a generated package; `model`, if given, must be its hash. `agents` (names) and
-        `activities` (a folder) may be given, else it is all of them and the activities that run.
+    {"version": 1, "request": "swap", "phase": "ready", "hash": "9f2c…"}
+        `hash` names a version in the run's own folder of versions, by all that is in it. `agents` (names) may
+        be given, else it is all of them.
         state: "ready", or "busy" with the reasons
     {… "phase": "prepare", "within": 0.3, "hold": 2.0}
         waits `within` s for a moment at which all agents here can change, and holds them there, `hold` s at
@@ -37,8 +37,11 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any
 
-from aseme_dsl.runtime.loading import LoadError, activities_in, load_beside, package_like
+from aseme_dsl.outside import loads
+from aseme_dsl.runtime.control_log import PROGRAM, ControlLog, Origin
+from aseme_dsl.runtime.loading import LoadError, activities_of, load_beside, package_like
 from aseme_dsl.runtime.swap import Swap, Version, version_of
+from aseme_dsl.runtime.versions import HASH, VersionError, read_version
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.team import Team
@@ -49,6 +52,14 @@ HOLD = 2.0
 """How long, in seconds, agents are held for a commit or a finish, if the request does not say."""
 LONGEST = 60.0
 """Agents are held so long, in seconds, at the most."""
+LARGEST = 1 << 16
+"""A request has at most so many bytes."""
+DEEPEST = 8
+"""So many lists and objects may stand in each other in a request."""
+LONGEST_TEXT = 4096
+"""A text in a request has at most so many characters."""
+MOST_NAMES = 10_000
+"""A list in a request has at most so many texts."""
 _LOOK_SECONDS = 0.002
 
 Reply = dict[str, Any]
@@ -60,11 +71,9 @@ class Refused(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Changed:
-    """A swap that is done: to which generated package, with the activities of which other folder if any, and
-    whether it was the whole team's."""
+    """A swap that is done: to the version of which hash, and whether it was the whole team's."""
 
-    folder: Path
-    activities: Path | None
+    hash: str
     whole_team: bool
 
 
@@ -72,38 +81,77 @@ class Control:
     """Answers the requests of operators for a team that runs in real time. May be used from any thread."""
 
     def __init__(
-        self, team: Team, activities: Path | None = None, changed: Callable[[Changed], None] | None = None
+        self,
+        team: Team,
+        activities: Path | None = None,
+        changed: Callable[[Changed], None] | None = None,
+        store: Path | None = None,
     ) -> None:
-        """`activities` is the folder of the team's activities, and of those of new versions.
+        """`activities` is the folder of the team's activities; `store` the folder of the versions to which it
+        may be changed.
 
         `changed` is told of each swap that is done.
         """
         self._team = team
         self._activities = activities
         self._changed = changed or (lambda what: None)
+        self.log = ControlLog(team)
+        team.at_end.append(self.log.flush)
         self._lock = threading.Lock()
         self._numbers = itertools.count(1)
         self._held: _Held | None = None
-        self._versions: dict[tuple[Path, Path | None], Version] = {}
+        self._store = store
+        self._versions: dict[str, Version] = {}
 
-    def handle(self, request: dict[str, Any]) -> Reply:
+    def read(self, data: bytes, origin: Origin) -> Reply:
+        """The reply to a request as it came from outside."""
+        try:
+            request = loads(data, LARGEST, DEEPEST)
+            if not isinstance(request, dict):
+                raise ValueError("it is not an object")
+        except (ValueError, RecursionError) as problem:
+            return self.refuse(origin, None, f"a request is a JSON object on a line: {problem}")
+        return self.handle(request, origin)
+
+    def refuse(self, origin: Origin, request: str | None, *reasons: str) -> Reply:
+        """The reply to a request that is not fulfilled."""
+        self.log.note(origin, request, reasons)
+        return {"version": FORMAT, "ok": False, "reasons": list(reasons)}
+
+    def not_over_the_bus(self, agent: str, data: bytes) -> Reply:
+        """The reply to whatever comes over the bus where operators' keys are not configured."""
+        return self.refuse(Origin("bus", agent=agent), None, "control over the bus is off")
+
+    def handle(self, request: dict[str, Any], origin: Origin = PROGRAM) -> Reply:
         """The reply to a request. Never raises for what is in the request."""
+        kind = request.get("request")
+        known = kind if isinstance(kind, str) and kind in KINDS else None
+        try:
+            _check(request)
+            reply = self._fulfil(request)
+        except Refused as problem:
+            return self.refuse(origin, known, *map(str, problem.args))
+        except Exception as error:  # whoever asks must get an answer, and no traceback
+            return self.refuse(origin, known, f"internal error: {type(error).__name__}: {error}")
+        self.log.note(origin, known, ())
+        return reply
+
+    def _fulfil(self, request: dict[str, Any]) -> Reply:
         answers: dict[str, Callable[[dict[str, Any]], Reply]] = {
             "status": self._status,
             "select": self._select,
             "swap": self._swap,
             "stop": self._stop,
         }
-        try:
-            if request.get("version") != FORMAT:
-                raise Refused(f"requests of version {request.get('version')!r} are not known, but {FORMAT}")
-            answer = answers.get(str(request.get("request")))
-            if answer is None:
-                known = ", ".join(answers)
-                raise Refused(f"there is no request {request.get('request')!r}; there are {known}")
-            return {"version": FORMAT, "ok": True, **answer(request)}
-        except Refused as problem:
-            return {"version": FORMAT, "ok": False, "reasons": list(problem.args)}
+        if request.get("version") != FORMAT:
+            raise Refused(f"requests of version {request.get('version')!r} are not known, but {FORMAT}")
+        answer = answers.get(str(request.get("request")))
+        if answer is None:
+            known = ", ".join(answers)
+            raise Refused(f"there is no request {request.get('request')!r}; there are {known}")
+        if request["request"] != "status" and not self._team.trace.begun:
+            raise Refused("the run has not begun")
+        return {"version": FORMAT, "ok": True, **answer(request)}
 
     # ---- asking ------------------------------------------------------------------------------
 
@@ -131,6 +179,7 @@ class Control:
         return {
             "system": team.system,
             "model": team.version.model,
+            "activity_folder": None if self._activities is None else str(self._activities.absolute()),
             "plans": list(team.version.charts),
             "time": team.driver.clock.now(),
             "agents": agents,
@@ -182,23 +231,21 @@ class Control:
     def _new_swap(self, request: dict[str, Any]) -> Swap:
         if self._held is not None and self._held.is_alive():
             raise Refused("another swap is under way")
-        folder = Path(str(request.get("folder")))
-        given = request.get("activities")
-        activities = Path(str(given)) if given else self._activities
-        version = self._versions.get((folder, activities))
+        name = str(request.get("hash"))
+        version = self._versions.get(name)
         if version is None:
             try:
                 running = self._team.version
                 project = [entry for entry in running.path if entry != _root(running)]
-                package = package_like(folder, running.folder)
-                loaded = load_beside(package, running.modules, project, running.mixture)
-            except LoadError as problem:
+                if self._store is None:
+                    raise LoadError("this run has no folder of versions")
+                code = read_version(self._store, name)
+                package = package_like(code, running.system, running.folder)
+                loaded = load_beside(package, running.modules, project, running.mixture, code)
+            except (LoadError, VersionError) as problem:
                 raise Refused(str(problem)) from problem
-            find = activities_in(activities) if activities is not None else lambda name: None
-            version = version_of(loaded, find)
-            self._versions = {(folder, activities): version}
-        if request.get("model") not in (None, version.model):
-            raise Refused(f"{folder} has the model {version.model}, not {request['model']}")
+            version = version_of(loaded, activities_of(code))
+            self._versions = {name: version}
         agents = request.get("agents")
         if agents is not None and not isinstance(agents, list):
             raise Refused("agents is a list of names")
@@ -219,10 +266,7 @@ class Control:
     def _prepare(self, request: dict[str, Any]) -> Reply:
         swap = self._checked(request)
         within, hold = _seconds(request, "within", 0.0), _seconds(request, "hold", HOLD)
-        given = request.get("activities")
-        what = Changed(
-            Path(str(request["folder"])), Path(str(given)) if given else None, request.get("agents") is None
-        )
+        what = Changed(str(request["hash"]), request.get("agents") is None)
         finished = partial(self._changed, what)
         self._held = held = _Held(swap, next(self._numbers), within, hold, finished)
         held.start()
@@ -235,6 +279,49 @@ class Control:
             "reasons": list(swap.reasons),
             "notes": list(swap.notes),
         }
+
+
+KINDS = ("status", "select", "swap", "stop")
+"""The requests that there are."""
+
+
+def _is_text(value: object) -> bool:
+    return isinstance(value, str) and 0 < len(value) <= LONGEST_TEXT and value.isprintable()
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _is_list(value: object) -> bool:
+    return isinstance(value, list) and len(value) <= MOST_NAMES and all(map(_is_text, value))
+
+
+_MEMBERS: dict[str, tuple[Callable[[object], bool], str]] = {
+    "version": (_is_number, "a number"),
+    "request": (_is_text, "a text"),
+    "phase": (_is_text, "a text"),
+    "agent": (_is_text, "a text"),
+    "plan": (_is_text, "a text"),
+    "hash": (lambda value: isinstance(value, str) and HASH.fullmatch(value) is not None, "a hash"),
+    "agents": (lambda value: value is None or _is_list(value), "a list of texts"),
+    "reasons": (_is_list, "a list of texts"),
+    "reason": (_is_text, "a text"),
+    "within": (_is_number, "a number"),
+    "hold": (_is_number, "a number"),
+    "id": (_is_number, "a number"),
+}
+"""What a request may have: whether a value fits, and what it should be."""
+
+
+def _check(request: dict[str, Any]) -> None:
+    """Raises Refused for a request whose members are not what they should be, before any is used."""
+    for name, value in request.items():
+        if name not in _MEMBERS:
+            raise Refused(f"a request has no member {name[:40]!r}")
+        fits, expected = _MEMBERS[name]
+        if not fits(value):
+            raise Refused(f"{name} is not {expected} that a request may have")
 
 
 def _seconds(request: dict[str, Any], name: str, usual: float) -> float:

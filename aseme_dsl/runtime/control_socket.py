@@ -2,8 +2,7 @@
 
 Each process that runs agents listens on a Unix domain socket of its own in a folder for its output folder;
 all processes of a team share it. A request is a line of JSON, the reply another; a connection may be used for
-several. The folder is in the user's runtime directory ($XDG_RUNTIME_DIR, else the temporary one), since a
-socket's path may have no more than about a hundred bytes; only the user may enter it.
+several. The folder is one that only the user may enter, found as a team's meeting place is.
 """
 
 from __future__ import annotations
@@ -13,8 +12,7 @@ import hashlib
 import json
 import os
 import socket
-import stat
-import tempfile
+import struct
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -22,11 +20,15 @@ from pathlib import Path
 from typing import Any
 
 from aseme_dsl.runtime.control import FORMAT, Control
+from aseme_dsl.runtime.control import LARGEST as REQUEST
+from aseme_dsl.runtime.control_log import Origin
+from aseme_dsl.runtime.transport.meeting import private_folder
+from aseme_dsl.runtime.transport.port import TransportError
 
-ROOM = 32
-"""A folder whose path has more bytes leaves too few for the rest of a socket's path."""
 LARGEST = 1 << 20
-"""A request or reply has at most so many bytes."""
+"""A reply has at most so many bytes."""
+MOST = 64
+"""So many connections there may be at once; further ones are refused."""
 _IDLE_SECONDS = 60.0
 """A connection on which nothing is asked for so long is closed."""
 
@@ -36,12 +38,15 @@ class ControlError(Exception):
 
 
 def folder_for(output: Path) -> Path:
-    """Where the sockets are of what runs from an output folder."""
-    places = (os.environ.get("XDG_RUNTIME_DIR", ""), tempfile.gettempdir(), "/tmp")
-    root = next((place for place in places if place and len(os.fsencode(place)) <= ROOM), "/tmp")
-    return (
-        Path(root) / f"asemec-{os.getuid()}" / hashlib.sha256(os.fsencode(output.resolve())).hexdigest()[:16]
-    )
+    """Where the sockets are of what runs from an output folder: of places, the first that nobody has taken.
+
+    Raises:
+        ControlError: there is none.
+    """
+    try:
+        return private_folder(hashlib.sha256(os.fsencode(output.resolve())).hexdigest()[:16])
+    except TransportError as problem:
+        raise ControlError(str(problem)) from problem
 
 
 @contextmanager
@@ -54,8 +59,6 @@ def listening(control: Control, output: Path, name: str) -> Iterator[Path]:
     folder = folder_for(output)
     path = folder / f"{_safe(name)}-{os.getpid()}.sock"
     try:
-        _make_private(folder.parent)
-        _make_private(folder)
         # Under its name it is found, and removed if nobody listens: it gets that when somebody does.
         early = path.with_suffix(".new")
         early.unlink(missing_ok=True)  # of an earlier process of this number
@@ -86,7 +89,11 @@ def listening(control: Control, output: Path, name: str) -> Iterator[Path]:
 def endpoints(output: Path) -> list[Path]:
     """The sockets of what runs from an output folder; those that nobody listens on any more are removed."""
     found: list[Path] = []
-    for path in sorted(folder_for(output).glob("*.sock")):
+    try:
+        folder = folder_for(output)
+    except ControlError:  # nor can anything have listened
+        return found
+    for path in sorted(folder.glob("*.sock")):
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as probe:
             try:
                 probe.settimeout(1.0)
@@ -135,43 +142,54 @@ def _who(path: Path) -> str:
     return f"process {number} ({name})"
 
 
-def _make_private(folder: Path) -> None:
-    """Make a folder that is the user's alone. Raises OSError if it is somebody else's."""
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    found = folder.lstat()
-    if not stat.S_ISDIR(found.st_mode) or found.st_uid != os.getuid():
-        raise PermissionError(1, f"{folder} belongs to somebody else")
-    if stat.S_IMODE(found.st_mode) != 0o700:
-        folder.chmod(0o700)
-
-
 def _safe(name: str) -> str:
     return "".join(letter if letter.isalnum() else "_" for letter in name)[:32] or "team"
 
 
 def _serve(server: socket.socket, control: Control) -> None:
+    places = threading.BoundedSemaphore(MOST)
+
+    def answer(connection: socket.socket) -> None:
+        try:
+            _answer(connection, control)
+        finally:
+            places.release()
+
     while True:
         try:
             connection, _ = server.accept()
         except OSError:  # it was closed: the run is over
             return
-        threading.Thread(
-            target=_answer, args=(connection, control), name="aseme operator", daemon=True
-        ).start()
+        if places.acquire(blocking=False):
+            threading.Thread(target=answer, args=(connection,), name="aseme operator", daemon=True).start()
+            continue
+        with connection, contextlib.suppress(OSError):
+            origin = Origin("socket", uid=_user_of(connection))
+            reply = control.refuse(origin, None, f"{MOST} others are connected")
+            connection.settimeout(0.0)
+            connection.sendall(json.dumps(reply).encode() + b"\n")
+
+
+def _user_of(connection: socket.socket) -> int | None:
+    """The user at the other end; None where the system does not say, and only the folder keeps others out."""
+    option = getattr(socket, "SO_PEERCRED", None)
+    if option is None:
+        return None
+    credentials = connection.getsockopt(socket.SOL_SOCKET, option, struct.calcsize("3i"))
+    return int(struct.unpack("3i", credentials)[1])
 
 
 def _answer(connection: socket.socket, control: Control) -> None:
     """Answer the requests of a connection until it is closed or silent."""
     with connection, contextlib.suppress(OSError), connection.makefile("rb") as lines:
         connection.settimeout(_IDLE_SECONDS)
-        while line := lines.readline(LARGEST):
-            try:
-                request = json.loads(line)
-            except (ValueError, RecursionError):
-                request = None
-            if not isinstance(request, dict):
-                reason = "a request is a JSON object on a line"
-                reply: dict[str, Any] = {"version": FORMAT, "ok": False, "reasons": [reason]}
+        origin = Origin("socket", uid=_user_of(connection))
+        foreign = origin.uid not in (None, os.geteuid())
+        while line := lines.readline(REQUEST + 1):
+            if foreign:
+                reply = control.refuse(origin, None, "this socket is for another user")
             else:
-                reply = control.handle(request)
+                reply = control.read(line, origin)
             connection.sendall(json.dumps(reply).encode() + b"\n")
+            if foreign or not line.endswith(b"\n"):  # the rest of it would be taken for another request
+                return

@@ -763,6 +763,59 @@ class Conversations:
             places = self._desks[agent.name].branches.values()
             return [(place.info, place.conversation) for place in places if place.conversation is not None]
 
+    def place(self, agent: Agent, branch: str) -> tuple[str | None, bool]:
+        """The conversation of an entered branch, if it is in one; and whether the branch is entered."""
+        with self._lock:
+            place = self._desks[agent.name].branches.get(branch)
+            return (None, False) if place is None else (place.conversation, True)
+
+    def open(self) -> list[tuple[str, str, list[tuple[str, str, str | None]]]]:
+        """The open conversations: name, protocol, and who is still in it as (agent, participant, branch).
+
+        The branch is None where the agent runs elsewhere, or was invited and has not joined yet.
+        """
+        with self._lock:
+            found = []
+            for name, conversation in self._conversations.items():
+                here = {
+                    (agent, participant): place.info.label
+                    for (agent, participant), place in conversation.places.items()
+                }
+                members = dict.fromkeys(
+                    (agent, participant)
+                    for participant, agents in conversation.members.items()
+                    for agent in agents
+                    if (agent, participant) not in conversation.past
+                )
+                members.update(dict.fromkeys(here))
+                found.append((name, conversation.protocol, [(*who, here.get(who)) for who in members]))
+            return found
+
+    def unread(self) -> list[tuple[str, str, str, str, str, str]]:
+        """The agent messages that wait here: receiver, participant, conversation, performative, message and
+        sender."""
+        with self._lock:
+            found = []
+            for agent, desk in self._desks.items():
+                for place in desk.branches.values():
+                    found += [
+                        (
+                            agent,
+                            place.info.participant,
+                            place.conversation or "",
+                            mail.performative,
+                            mail.message,
+                            mail.sender,
+                        )
+                        for mail in place.waiting.values()
+                        if mail.performative != LOST
+                    ]
+                found += [
+                    (agent, acl.to, acl.conversation, acl.performative, acl.message, acl.sender)
+                    for acl in desk.invitations.waiting()
+                ]
+            return found
+
     def carry(self, agent: Agent, labels: Mapping[str, str], messages: Messages) -> None:
         """The agent goes on under its new plan, in which the states have these labels.
 

@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
+from aseme_dsl.runtime import access
 from aseme_dsl.runtime import context as c
 from aseme_dsl.runtime.activities import ActivityError, ActivityFinder, has_code, kind_of
 from aseme_dsl.runtime.as_json import to_json
@@ -31,8 +32,6 @@ WITHOUT_CODE = 100 * MILLISECOND
 TICK = 10 * MILLISECOND
 """How long a `step` activity sleeps that yields nothing."""
 
-_MOST_NOTED = 1000
-"""After so many different remarks it is forgotten which were told: some texts are different for ever."""
 _CANCELLATIONS = ("Cancelled", "CancelledError", "GeneratorExit")
 """How a cancelled activity may end without having failed."""
 _RUNTIME = str(Path(__file__).parent)
@@ -44,7 +43,6 @@ class Owner(Protocol):
     agent: Agent
 
     def check(self, execution: Execution, doing: c.Doing) -> None: ...
-    def undeclared(self, execution: Execution, what: str) -> None: ...
     def returned(self, execution: Execution, error: BaseException | None) -> None: ...
 
 
@@ -180,27 +178,19 @@ class Execution:
         await asyncio.sleep(duration / 1e9)
 
     def newest(self, channel: str, host: str | None) -> Arrived | None:
-        self._declared("reads", channel)
+        access.check_read(self.info, channel)
         agent = self.owner.agent
         with agent.driver.guard(agent):
             return self.board.newest(channel, host)
 
     def history(self, channel: str, host: str | None) -> tuple[Arrived, ...]:
-        self._declared("reads", channel)
+        access.check_read(self.info, channel)
         agent = self.owner.agent
         with agent.driver.guard(agent):
             return self.board.history(channel, host)
 
-    def looks_back(self, channel: str, duration: int) -> None:
-        self.note_lookback(channel, duration, self.board.RETENTION.get(channel, 0))
-
-    def note_lookback(self, channel: str, duration: int, kept: int) -> None:
-        """Remark on an activity that looks back further than messages are kept."""
-        if duration > kept:
-            agent = self.owner.agent
-            text = f"activity {self.activity} looks back {shown(duration)} at {channel}"
-            text += f", of which {shown(kept)} are kept: say how long in its `reads {channel} for …`"
-            agent.trace.remark(self.now(), agent.name, text, activity=self.activity)
+    def looks_back(self, channel: str, duration: int | None) -> int:
+        return access.check_look_back(self.info, channel, duration)
 
     def frozen(self) -> c.Port:
         from aseme_dsl.runtime.snapshot import FrozenPort
@@ -208,7 +198,7 @@ class Execution:
         return FrozenPort(self)
 
     def take(self, channel: str, host: str | None) -> Arrived | None:
-        self._declared("reads", channel)
+        access.check_read(self.info, channel)
         agent = self.owner.agent
         with agent.driver.guard(agent):
             item = self.board.take(channel, host)
@@ -226,9 +216,10 @@ class Execution:
 
     def variable(self, name: str) -> Any:
         agent = self.owner.agent
-        key = agent.variable_of(name, self.label).name
+        variable = agent.variable_of(name, self.label)
+        access.check_get(self.info, variable, name)
         with agent.driver.guard(agent):
-            return agent.chart.variable(key)
+            return agent.chart.variable(variable.name)
 
     def receive(self, performative: str | None, message: str | None, sender: str | None) -> Mail | None:
         if self.branch is None:
@@ -252,11 +243,6 @@ class Execution:
             self.held.append(doing)
         else:
             self.owner.agent.perform(self, doing)
-
-    def _declared(self, what: str, channel: str) -> None:
-        known = self.info.reads if what == "reads" else self.info.writes
-        if channel not in known:
-            self.owner.undeclared(self, f"{what} {channel}")
 
     # ---- its end -----------------------------------------------------------------------------
 
@@ -321,7 +307,6 @@ class Executions:
         self._nodes: dict[str, _Node] = {}
         self._former: list[_Node] = []
         """What the present plan does not have and is cancelled, but has not come to its end yet."""
-        self._noted: set[tuple[str, str]] = set()
         self._late_codeless: set[str] = set()
         self._codeless: set[str] = set()
         """The branches of which an activity without code has begun."""
@@ -670,9 +655,10 @@ class Executions:
     # ---- what an activity does ---------------------------------------------------------------
 
     def check(self, execution: Execution, doing: c.Doing) -> None:
-        """Refuse at once what means nothing, and note what was not declared.
+        """Refuse at once what means nothing, and what was not declared.
 
         Raises:
+            UndeclaredError: the activity does not declare that it writes the channel or variable.
             LookupError: there is no such channel, variable or participant.
             TypeError: a message or value is of another type.
         """
@@ -680,15 +666,12 @@ class Executions:
             case c.Publish(channel, message):
                 c.check_message(channel, message)
                 self._check_kind(channel, message)
-                if channel not in execution.info.writes:
-                    self.undeclared(execution, f"writes {channel}")
+                access.check_publish(execution.info, channel)
             case c.SetVariable(name, value):
                 variable = self.agent.variable_of(name, execution.label)
                 if not _fits(variable.type, value):
                     raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
-                # Those of a participant are there for its activities: the role need not say so again.
-                if variable.scope is None and name not in execution.info.variables:
-                    self.undeclared(execution, f"writes variable {name}")
+                access.check_set(execution.info, variable, name)
             case c.Send(performative, message, to):
                 self.agent.check_send(execution.branch, performative, type(message).__name__, to)
             case Offer(anew=anew):
@@ -707,17 +690,6 @@ class Executions:
                 f"{channel} carries {agent.plan.system}'s {found.__name__}, not the one of {found.__module__}"
             )
             raise TypeError(text)
-
-    def undeclared(self, execution: Execution, what: str) -> None:
-        """Note, once in a run, that an activity does what it does not declare."""
-        key = (execution.activity, what)
-        if key not in self._noted:
-            if len(self._noted) >= _MOST_NOTED:
-                self._noted.clear()
-            self._noted.add(key)
-            text = f"activity {execution.activity} {what}, which it does not declare"
-            now = self.agent.driver.clock.now()
-            self.agent.trace.remark(now, self.agent.name, text, activity=execution.activity)
 
     def _trace(self, what: str, effect: Start | Cancel, **members: Any) -> None:
         agent = self.agent

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from importlib import import_module
 from typing import Any
 
@@ -36,6 +36,21 @@ def find_function(target: str) -> Callable[..., Any]:
     return function  # type: ignore[no-any-return]
 
 
+def function_errors(plan: str, functions: Iterable[tuple[str, str, str]]) -> list[str]:
+    """Why functions of a plan cannot be called, each `(name, "module:name", result)`."""
+    errors: list[str] = []
+    for name, target, _ in functions:
+        try:
+            find_function(target)
+        except FunctionError as problem:
+            errors.append(f"{plan}: E541: the function {name}: {problem}")
+        except Exception as problem:  # its module raises when it is imported
+            module = target.partition(":")[0]
+            text = f"module {module} cannot be imported: {type(problem).__name__}: {problem}"
+            errors.append(f"{plan}: E541: the function {name}: {text}")
+    return errors
+
+
 def results_of(declared: str) -> tuple[type, ...]:
     """The Python types of a declared result; anything for a message or an enum."""
     return _RESULTS.get(declared, (object,))
@@ -66,4 +81,4 @@ def function_at(target: str, name: str, declared: str) -> Callable[..., Any]:
     return call
 
 
-__all__ = ["FunctionError", "checked", "find_function", "function_at", "results_of"]
+__all__ = ["FunctionError", "checked", "find_function", "function_at", "function_errors", "results_of"]

@@ -38,9 +38,14 @@ class Invitations:
         self.size -= len(found)
         return [acl for _, acl in found]
 
+    def waiting(self) -> list[AclMessage]:
+        """All that waits, in the order in which it came."""
+        found = [item for waiting in self._waiting.values() for items in waiting.values() for item in items]
+        return [acl for _, acl in sorted(found, key=lambda item: item[0])]
+
     def clear(self) -> list[AclMessage]:
         """All that waits, which it then does no more."""
-        found = [item for waiting in self._waiting.values() for items in waiting.values() for item in items]
+        found = self.waiting()
         self._waiting.clear()
         self.size = 0
-        return [acl for _, acl in sorted(found, key=lambda item: item[0])]
+        return found

@@ -17,7 +17,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, is_dataclass, replace
 from importlib.abc import Loader, MetaPathFinder
-from importlib.machinery import ModuleSpec, PathFinder
+from importlib.machinery import ModuleSpec
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -26,6 +26,7 @@ from aseme_dsl.runtime.activities import ActivityFinder, from_package
 from aseme_dsl.runtime.as_json import member_types
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.plan import Plan
+from aseme_dsl.runtime.versions import ACTIVITIES, VersionFiles, serving
 from aseme_dsl.runtime.wire import Schema
 
 Modules = dict[str, ModuleType]
@@ -73,6 +74,8 @@ class Loaded:
     modules: Modules = field(default_factory=dict, repr=False, compare=False)
     """The modules of its packages, by the names under which they import each other."""
     mixture: Mixture = PURE
+    code: VersionFiles | None = None
+    """The version that it was loaded from; None: the build itself."""
 
     @property
     def plans(self) -> tuple[Plan, ...]:
@@ -128,11 +131,17 @@ def forgetting(folder: Path) -> Iterator[None]:
                 _forget(name)
 
 
-def load_beside(folder: Path, running: Modules, path: Sequence[Path] = (), mixture: Mixture = PURE) -> Loaded:
+def load_beside(
+    folder: Path,
+    running: Modules,
+    path: Sequence[Path] = (),
+    mixture: Mixture = PURE,
+    code: VersionFiles | None = None,
+) -> Loaded:
     """Import another version of a system that is running with these modules, and leave them in their place.
 
     If the messages of both are the same, they are the same classes in both, so that activities of the one
-    and of the other understand each other's.
+    and of the other understand each other's. What is imported is `code`, where it is given, not the disk.
 
     Raises:
         LoadError: as `load_system`.
@@ -144,10 +153,10 @@ def load_beside(folder: Path, running: Modules, path: Sequence[Path] = (), mixtu
     same: Modules = {}
     messages = f"{own}.{folder.name}.messages"
     module = running.get(messages)
-    if module is not None and _code(Path(module.__file__ or "")) == _code(folder / "messages.py"):
+    if module is not None and _code(_source_of(module)) == _code(_file_in(folder, "messages.py", code)):
         same[messages] = module
     try:
-        return load_system(folder, path, same, mixture)
+        return load_system(folder, path, same, mixture, code)
     finally:
         for name in [name for name in sys.modules if _is_inside(name, names)]:
             del sys.modules[name]
@@ -158,11 +167,31 @@ def _is_inside(name: str, packages: tuple[str, ...]) -> bool:
     return name in packages or name.startswith(tuple(f"{package}." for package in packages))
 
 
-def _code(path: Path) -> str | None:
+def _source_of(module: ModuleType) -> str | bytes | None:
+    """The text of a module, as its loader has it."""
+    get: Any = getattr(module.__loader__, "get_source", None)
+    try:
+        source: str | None = get(module.__name__) if get is not None else None
+    except ImportError:
+        return None
+    return source
+
+
+def _file_in(folder: Path, name: str, code: VersionFiles | None) -> bytes | None:
+    """A file of a package; None where there is none."""
+    if code is not None:
+        return code.code.get(f"{folder.parent.name}/{folder.name}/{name}")
+    try:
+        return (folder / name).read_bytes()
+    except OSError:
+        return None
+
+
+def _code(source: str | bytes | None) -> str | None:
     """A module's code without its documentation, which tells where things stand in the source."""
     try:
-        tree = ast.parse(path.read_text("utf-8"))
-    except (OSError, ValueError, SyntaxError):
+        tree = ast.parse(source or "")
+    except (ValueError, SyntaxError):
         return None
     for node in ast.walk(tree):
         body = getattr(node, "body", None)
@@ -196,18 +225,23 @@ def put_in_place(modules: Modules) -> None:
 
 
 def load_system(
-    folder: Path, path: Sequence[Path] = (), same: Modules | None = None, mixture: Mixture = PURE
+    folder: Path,
+    path: Sequence[Path] = (),
+    same: Modules | None = None,
+    mixture: Mixture = PURE,
+    code: VersionFiles | None = None,
 ) -> Loaded:
     """Import the generated package in `folder` (`build/monas/Kouretes`), afresh each time; of the packages
     beside it, those of `mixture`.
 
-    `same` are modules of it that need not be imported again.
+    `same` are modules of it that need not be imported again. With `code`, which was read from the folder
+    around the backends' (`build`), nothing there is read again.
 
     Raises:
         LoadError: one is not there, cannot be imported, or is not a generated package; or a package beside it
             was generated from another model.
     """
-    found = _load_package(folder, path, same)
+    found = _load_package(folder, path, same, code)
     own = folder.resolve().parent.name
     modules, charts = dict(found.modules), dict(found.charts)
     system = folder.name
@@ -217,7 +251,7 @@ def load_system(
     mixture = replace(mixture, roles=roles)
     for name in mixture.folders(own):
         beside = folder.resolve().parent.parent / name / system
-        other = _load_package(beside, path, {f"{name}.{system}.messages": messages})
+        other = _load_package(beside, path, {f"{name}.{system}.messages": messages}, code)
         if other.model != found.model:
             raise LoadError(f"{folder} and {beside} are of different models: build both")
         charts |= {role: other.charts[role] for role, kind in roles.items() if kind == name}
@@ -231,12 +265,22 @@ def load_system(
     return replace(found, charts=charts, modules=modules, mixture=mixture)
 
 
-def package_like(folder: Path, running: Path | None) -> Path:
-    """Of a version's packages, of which one is in `folder`, that of the backend of what is running."""
-    if running is None:
-        return folder
-    other = folder.parent.parent / running.parent.name / folder.name
-    return other if other.is_dir() else folder
+def package_like(code: VersionFiles, system: str, running: Path | None) -> Path:
+    """Of a version's packages of a system, the folder of that of the backend of what is running.
+
+    Raises:
+        LoadError: it has none of this system.
+    """
+    backends = [
+        path.split("/")[0]
+        for path in code.code
+        if path.endswith(f"/{system}/messages.py") and path.count("/") == 2
+    ]
+    if not backends:
+        known = ", ".join(code.systems) or "none"
+        raise LoadError(f"the version {code.hash[:12]} has no system {system}; it has {known}")
+    own = running.parent.name if running is not None else backends[0]
+    return code.folder / (own if own in backends else backends[0]) / system
 
 
 def other_names(modules: Modules) -> dict[str, str]:
@@ -262,8 +306,16 @@ class _Renamed(MetaPathFinder, Loader):
             return None
         if rest.endswith(".messages") and rest.count(".") == 1:
             return ModuleSpec(fullname, self)
-        there = rest.count(".") == 0 and PathFinder.find_spec(fullname, path) is None
+        there = rest.count(".") == 0 and not self._is_found(fullname, path)
         return ModuleSpec(fullname, None, is_package=True) if there else None
+
+    def _is_found(self, fullname: str, path: Sequence[str] | None) -> bool:
+        """Whether there is a real package of that name."""
+        others = [finder for finder in sys.meta_path if finder is not self]
+        try:
+            return any(finder.find_spec(fullname, path) is not None for finder in others)
+        except ModuleNotFoundError:
+            return False
 
     def exec_module(self, module: ModuleType) -> None:
         folder, _, rest = module.__name__.partition(".")
@@ -275,18 +327,21 @@ def know_as(names: Mapping[str, str]) -> None:
     sys.meta_path.insert(0, _Renamed(names))
 
 
-def _load_package(folder: Path, path: Sequence[Path], same: Modules | None = None) -> Loaded:
-    folder = folder.resolve()
-    if not (folder / "__init__.py").is_file():
+def _load_package(
+    folder: Path, path: Sequence[Path], same: Modules | None = None, code: VersionFiles | None = None
+) -> Loaded:
+    folder = folder.resolve() if code is None else folder
+    if _file_in(folder, "__init__.py", code) is None:
         raise LoadError(f"there is no generated package in {folder}: build it first")
-    folders = (folder.parent.parent, *(entry.resolve() for entry in path))
+    root = () if code is not None else (folder.parent.parent,)
+    folders = (*root, *(entry.resolve() for entry in path))
     parent = folder.parent.name
     name = f"{parent}.{folder.name}"
     _forget(name)
     known = sys.modules.get(parent)
     if known is not None and folder.parent not in [Path(p).resolve() for p in getattr(known, "__path__", [])]:
         _forget(parent)  # it stands for another folder of that name
-    with importing(folders):
+    with importing(folders), serving(code):
         sys.modules.update(same or {})
         package = _import(name, folder)
         messages = _import(f"{name}.messages", folder)
@@ -306,7 +361,7 @@ def _load_package(folder: Path, path: Sequence[Path], same: Modules | None = Non
     model = str(getattr(package, "MODEL", ""))
     modules = {key: module for key, module in sys.modules.items() if _is_inside(key, (name,))}
     modules[parent] = sys.modules[parent]
-    return Loaded(system, charts, team, classes, schema, model, folder, folders, modules)
+    return Loaded(system, charts, team, classes, schema, model, folder, folders, modules, code=code)
 
 
 def _has_module(folder: Path, name: str) -> bool:
@@ -316,7 +371,7 @@ def _has_module(folder: Path, name: str) -> bool:
 def _import(name: str, folder: Path) -> ModuleType:
     try:
         return importlib.import_module(name)
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise LoadError(f"{folder} cannot be imported: {type(error).__name__}: {error}") from error
 
 
@@ -332,4 +387,11 @@ def activities_in(folder: Path) -> ActivityFinder:
     package = ModuleType(name, "Activities that a run has loaded.")
     package.__path__ = [str(folder)]
     sys.modules[name] = package
-    return from_package(name, folder)
+    return from_package(name, lambda file: (folder / file).is_file())
+
+
+def activities_of(code: VersionFiles) -> ActivityFinder:
+    """The activities of a version."""
+    name = f"aseme_activities_{next(_numbers)}"
+    code.as_package(name)
+    return from_package(name, lambda file: f"{ACTIVITIES}/{file}" in code.code)

@@ -22,6 +22,7 @@ import json
 from collections.abc import Callable, Container, Iterable
 from typing import Any
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.acl import JSON, AgentIdentifier, FipaMessage, fipa_name, performative_of
 from aseme_dsl.runtime.clock import SECOND
 from aseme_dsl.runtime.directory import Change, Directory, DirectoryError, Entry, Service, as_json
@@ -203,7 +204,7 @@ def _content(message: FipaMessage) -> Any:
     if not isinstance(text, str):
         raise _Refused("not-understood", "unrecognised-value", "the content is no text in UTF-8")
     try:
-        found = json.loads(text)
+        found = outside.loads(text)
         json.dumps(found, ensure_ascii=False).encode()
     except (ValueError, RecursionError) as problem:  # half a character is no text, either
         reason = f"the content is no JSON: {problem}"

@@ -249,10 +249,6 @@ class Modules:
         """Refuse at once what means nothing; see `Executions.check`."""
         self.agent.executions.check(execution, doing)
 
-    def undeclared(self, execution: Execution, what: str) -> None:
-        """Note, once in a run, that a module does what it does not declare."""
-        self.agent.executions.undeclared(execution, what)
-
     def returned(self, execution: Execution, error: BaseException | None) -> None:
         """A beat has come to its end."""
         if execution.has_returned:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.acl import (
     JSON,
     AclMessage,
@@ -111,7 +112,7 @@ def _content(message: FipaMessage) -> Any:
     if not (message.content or "").strip():
         return {}
     try:
-        found = json.loads(message.content or "")
+        found = outside.loads(message.content or "")
         json.dumps(found, ensure_ascii=False).encode()
     except (ValueError, RecursionError) as problem:  # half a character is no text, either
         raise NotUnderstood(f"the content is no JSON: {problem}"[:LONGEST]) from None

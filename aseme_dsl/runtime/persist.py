@@ -15,6 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.as_json import from_json, to_json
 
 PAUSE = 0.05
@@ -118,13 +119,13 @@ class Kept:
         """What an agent said last as (channel, host, message), and what could not be read of it."""
         path = self._path(agent)
         try:
-            text = path.read_text("utf-8")
+            text = outside.read_text(path)
         except FileNotFoundError:
             return [], []
         except (OSError, UnicodeDecodeError) as error:
             return [], [f"{path} cannot be read: {error}"]
         try:
-            states = json.loads(text)["states"]
+            states = outside.loads(text)["states"]
             entries = [(str(s["channel"]), s["host"], s["message"]) for s in states]
         except (ValueError, KeyError, TypeError) as error:
             return [], [f"{path} is not a file of kept states: {error!r}"]

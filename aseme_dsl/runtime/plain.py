@@ -107,6 +107,10 @@ class Plain:
     """The places of messages on the blackboard, each with its channel, and whose it is (None: anybody's)."""
     VARIABLES: ClassVar[Mapping[str, str]] = {}
     """What those variables are called on the blackboard whose names mean something else there."""
+    WAKING: ClassVar[tuple[str, ...]] = ()
+    """The transitions by which regions wake each other, in words."""
+    CIRCLING: ClassVar[tuple[str, ...]] = ()
+    """The transitions that may be taken again and again in one step, in words."""
     TRANSITIONS: ClassVar[tuple[str, ...]] = ()
     """The transitions by their numbers, in words; in classes that are watched only."""
     END: ClassVar[int] = -1
@@ -159,12 +163,22 @@ class Plain:
         takes = hasattr(self, "failures")  # there is an `error` transition
         if takes and found is not None:
             setattr(self, "failures", {**(self.failures or {}), label: reason})  # noqa: B010
-        taken = self.step()
-        if self.failures if takes else label in self.configuration():
-            raise ActivityFailed(f"the activity of {label} failed: {reason}")
-        if takes:
+        taken = self._alone()
+        not_left = bool(self.failures) if takes else label in self.configuration()
+        if takes and not not_left:
             setattr(self, "failures", None)  # noqa: B010
+        if self.WAKING and not (takes and not_left):
+            self._follow()
+        if not_left:
+            raise ActivityFailed(f"the activity of {label} failed: {reason}")
         return taken
+
+    def _alone(self) -> bool:
+        """What a step without an event does, without the steps that follow it."""
+        return self.step()
+
+    def _follow(self) -> None:
+        """The steps that follow as long as regions write what conditions of others read."""
 
     def _running(self, label: str) -> tuple[int, int] | None:
         """The region of a BASIC state and its number, if its activity runs and that matters."""
@@ -308,8 +322,17 @@ class Plain:
 
     def unsettled(self) -> Unsettled:
         """The error of a step that does not settle."""
-        active = ", ".join(self.configuration())
-        return Unsettled(f"{type(self).__name__} does not settle after {ROUNDS} rounds, at {active}")
+        name, active = type(self).__name__, ", ".join(self.names() or self.configuration())
+        ways = "; ".join(self.CIRCLING[:SHOWN])
+        return Unsettled(f"{name} does not settle after {ROUNDS} rounds, at {active}: {ways}")
+
+    def endless(self) -> Unsettled:
+        """The error of steps that follow each other at one instant without an end."""
+        name, active = type(self).__name__, ", ".join(self.names() or self.configuration())
+        ways = "; ".join(self.WAKING[:SHOWN])
+        return Unsettled(
+            f"{name} makes {ROUNDS} steps at one instant and does not settle, at {active}: {ways}"
+        )
 
 
 def unknown_event(kind: type, event: str) -> ValueError:

@@ -25,7 +25,7 @@ Durations are in ns; ("duration", value) cuts a computed one to whole ns.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -96,8 +96,9 @@ class Region:
 class ActivityInfo:
     """What the document says of an activity: `every` and `takes` in ns, `kind`, what it reads and writes.
 
-    `within` is its deadline in ns, from the entry of its state; `ends` are its outcomes, `parameters` the
-    names and types of what it is given.
+    `variables` are those of the role that it writes, `reads_variables` those that it reads; `histories` says
+    how far it looks back at data channels, in ns. `within` is its deadline in ns, from the entry of its
+    state; `ends` are its outcomes, `parameters` the names and types of what it is given.
     """
 
     name: str
@@ -107,6 +108,8 @@ class ActivityInfo:
     reads: tuple[str, ...] = ()
     writes: tuple[str, ...] = ()
     variables: tuple[str, ...] = ()
+    reads_variables: tuple[str, ...] = ()
+    histories: tuple[tuple[str, int], ...] = ()
     within: int | None = None
     ends: tuple[str, ...] = ()
     parameters: tuple[tuple[str, str], ...] = ()
@@ -186,6 +189,12 @@ class Plan:
     @cached_property
     def by_label(self) -> dict[str, State]:
         return {state.label: state for state in self.states}
+
+    def way(self, numbers: Sequence[int]) -> str:
+        """What a compound transition leads from and to, and where it is written, for messages."""
+        first, last = self.transitions[numbers[0]], self.transitions[numbers[-1]]
+        source, target = (self.by_label[label] for label in (first.source, last.target))
+        return f"{source.name or source.label} -> {target.name or target.label} ({first.at})"
 
     @cached_property
     def receivers(self) -> dict[tuple[str, str, str], tuple[str, ...]]:

@@ -22,6 +22,7 @@ from typing import IO, TYPE_CHECKING, Any
 from aseme_dsl.runtime.context import Cancelled
 from aseme_dsl.runtime.execution import reason_of
 from aseme_dsl.runtime.snapshot import Snapshot, snapshot_of, tell
+from aseme_dsl.runtime.versions import VersionFiles, version_of_module
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.execution import Execution
@@ -130,9 +131,11 @@ class _Process:
         try:
             child = self.child or self._start()
             file = getattr(sys.modules.get(code.__module__), "__file__", None)
+            version = version_of_module(code.__module__)
             name: str = getattr(code, "__qualname__", "")
+            place = file if version is None else (version.folder, version.hash)
             with self._sending:
-                self._put(("run", code.__module__, file, name, execution.keeps, snapshot))
+                self._put(("run", code.__module__, place, name, execution.keeps, snapshot))
         except BrokenPipeError:
             return self._ended()
         except Exception as error:  # what cannot be pickled, a worker that cannot start
@@ -175,7 +178,9 @@ class _Process:
         found = [*map(str, self.pool.path), *(entry or str(Path.cwd()) for entry in sys.path)]
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(dict.fromkeys(found))}
         self.listens = False
+        version = self.pool.code
         command = [sys.executable, "-m", "aseme_dsl.runtime.worker", str(self.pool.memory or 0)]
+        command.append(str(version.folder) if version is not None else "")
         command += [f"{name}={other}" for name, other in self.pool.names.items()]
         child = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment)
         self.child = child
@@ -230,10 +235,13 @@ class Processes:
         ended: Callable[[Execution], None],
         complain: Callable[..., None],
         names: Mapping[str, str] | None = None,
+        code: VersionFiles | None = None,
     ) -> None:
-        """`memory` is the address space that each may use, in bytes; `names` are other names of packages."""
+        """`memory` is the address space that each may use, in bytes; `names` are other names of packages;
+        `code` is the version whose packages are imported."""
         self.path = tuple(path)
         self.names = dict(names or {})
+        self.code = code
         self.memory = memory
         self.ended = ended
         self._maximum = maximum
@@ -328,11 +336,12 @@ class Processes:
         process: _Process | None = execution.handle
         return process is not None and process.listens and process.kill(execution, reason)
 
-    def renew(self, path: Sequence[Path], names: Mapping[str, str]) -> None:
+    def renew(self, path: Sequence[Path], names: Mapping[str, str], code: VersionFiles | None) -> None:
         """From now on workers import from here: those that there are end when they have done what they do."""
         with self._lock:
             self.path = tuple(path)
             self.names = dict(names)
+            self.code = code
             self._retired += [*self._all, *self._kept.values()]
             idle = [process for process in self._retired if process.execution is None]
             self._all.clear()

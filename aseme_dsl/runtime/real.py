@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.execution import Execution
     from aseme_dsl.runtime.processes import Processes
     from aseme_dsl.runtime.real_loop import RealLoop
+    from aseme_dsl.runtime.versions import VersionFiles
 
 GRACE = 1.0
 """How long, in seconds, activities that were cancelled at the end of a run may take to return."""
@@ -57,9 +58,11 @@ class RealDriver:
         options: RealTime | None = None,
         origin: int | None = None,
         names: Mapping[str, str] | None = None,
+        code: VersionFiles | None = None,
     ) -> None:
         """`path` are the folders where worker processes find what they import, `names` are other names of
-        packages there (`runtime.loading.other_names`); `origin` is the clock's."""
+        packages there (`runtime.loading.other_names`), and `code` is the version that is played, if it is not
+        the build itself; `origin` is the clock's."""
         self.clock = RealClock(origin)
         self.options = options or RealTime()
         self.agents: Sequence[Agent] = ()
@@ -70,6 +73,10 @@ class RealDriver:
         self.settled: Callable[[], str | None] = lambda: None
         """Called when an agent has ended or, with `watch`, stepped; a reason ends the run."""
         self.watch = False
+        self.ending: Callable[[], None] = lambda: None
+        """Called once, when the run is to end and nothing has been stopped yet."""
+        self.idle_since: int | None = None
+        """Always None: in real time an input may come from outside at any moment."""
         self.complain: Callable[..., None] = lambda text, agent="", activity=None: None
         """Told what is stuck or cannot be had, and errors in callbacks of the event loop."""
         self.reason = ""
@@ -77,6 +84,7 @@ class RealDriver:
         """Activities, agents and threads of activities that had not ended when the run was over."""
         self._path = tuple(path)
         self._names = dict(names or {})
+        self._code = code
         self._live: dict[Execution, Timer | None] = {}
         self._timekeeper = Timekeeper(self.clock, self._fail)
         self._condition = threading.Condition()
@@ -174,13 +182,14 @@ class RealDriver:
         if agent.intake:
             self.wake(agent)
 
-    def renew(self, path: Sequence[Path], names: Mapping[str, str]) -> None:
+    def renew(self, path: Sequence[Path], names: Mapping[str, str], code: VersionFiles | None) -> None:
         """Activities of another version begin now: their processes import what they need from here."""
         with self._making:
             self._path = tuple(path)
             self._names = dict(names)
+            self._code = code
             if self._processes is not None:
-                self._processes.renew(self._path, self._names)
+                self._processes.renew(self._path, self._names, code)
 
     def have_threads(self) -> None:
         """Have the threads that the agents' plans can need: none is made in the midst of the run."""
@@ -246,6 +255,7 @@ class RealDriver:
                     self.ended,
                     self._complain,
                     self._names,
+                    self._code,
                 )
             return self._processes
 
@@ -375,6 +385,7 @@ class RealDriver:
             return max(0.0, begun + seconds - time.monotonic())
 
         self._timekeeper.stop(0.2)
+        self.ending()
         stuck = [agent.name for agent in self.agents if not self._stop_agent(agent, rest)]
         with self._condition:
             while self._live and (seconds := rest(GRACE)) > 0:
@@ -408,14 +419,20 @@ class RealDriver:
 
     def _stop_agent(self, agent: Agent, rest: Callable[[float], float]) -> bool:
         """Stop an agent, unless it is stuck in a step."""
+        if not self.look(agent, agent.stop, rest(GRACE / 2)):
+            return False
+        self.wake(agent)
+        return True
+
+    def look(self, agent: Agent, call: Callable[[], None], seconds: float = PAUSE) -> bool:
+        """Make a call while nobody steps the agent; False if it is in a step for so many seconds."""
         lock = self._locks[agent.name]
-        if not lock.acquire(timeout=max(0.001, rest(GRACE / 2))):
+        if not lock.acquire(timeout=max(0.001, seconds)):
             return False
         self._owners[agent.name] = threading.get_ident()
         try:
-            agent.stop()
+            call()
         finally:
             del self._owners[agent.name]
             lock.release()
-        self.wake(agent)
         return True

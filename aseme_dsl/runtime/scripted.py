@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.as_json import from_json
 
 _UNITS = {"ns": 1, "us": 1_000, "ms": 1_000_000, "s": 1_000_000_000, "min": 60_000_000_000}
@@ -69,7 +70,7 @@ def read_script(lines: Iterable[str], messages: Mapping[str, Any]) -> tuple[Scri
 
 def _read(line: str, messages: Mapping[str, Any]) -> Scripted:
     try:
-        data = json.loads(line)
+        data = outside.loads(line)
     except json.JSONDecodeError as error:
         raise ValueError(f"not JSON: {error.msg} at column {error.colno}") from error
     if not isinstance(data, dict):

@@ -7,11 +7,13 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from aseme_dsl.runtime import access
 from aseme_dsl.runtime.board import Board
 from aseme_dsl.runtime.body import Body
-from aseme_dsl.runtime.context import Context, Doing, Port, Publish, check_message, matches
+from aseme_dsl.runtime.context import Context, Doing, Port, Publish, SetVariable, check_message, matches
 from aseme_dsl.runtime.directory import Directory
 from aseme_dsl.runtime.inputs import Arrived, Identity, Mail
+from aseme_dsl.runtime.plan import ActivityInfo, Variable
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.execution import Execution
@@ -42,15 +44,14 @@ class Snapshot:
     label: str
     now: int
     chance_seed: str
-    reads: tuple[str, ...]
+    info: ActivityInfo
     board: Board
-    variables: dict[str, Any]
+    variables: dict[str, tuple[Variable, Any]]
+    """Those that its state can see, with their values."""
     mail: tuple[Mail, ...] | None
     """What waits; None outside a protocol's participant."""
     received: tuple[Mail, ...]
     """What was taken."""
-    kept: dict[str, int]
-    """How long each data channel is kept, in ns."""
     arguments: dict[str, Any]
     """What it is given, by parameter."""
 
@@ -71,23 +72,7 @@ class TookMail:
     identity: Identity
 
 
-@dataclass(frozen=True, slots=True)
-class LookedBack:
-    """The activity looks back further, in ns, than a channel is kept."""
-
-    channel: str
-    duration: int
-    kept: int
-
-
-@dataclass(frozen=True, slots=True)
-class Undeclared:
-    """The activity does something that it does not declare."""
-
-    what: str
-
-
-Told = Doing | TookSignal | TookMail | LookedBack | Undeclared
+Told = Doing | TookSignal | TookMail
 """What is told to the agent while the activity runs."""
 
 
@@ -151,17 +136,15 @@ class SnapshotPort:
         raise RuntimeError("a 'process' activity waits with context.wait(…)")
 
     def newest(self, channel: str, host: str | None) -> Arrived | None:
-        self._declared(channel)
+        access.check_read(self._snapshot.info, channel)
         return self._snapshot.board.newest(channel, host)
 
     def history(self, channel: str, host: str | None) -> tuple[Arrived, ...]:
-        self._declared(channel)
+        access.check_read(self._snapshot.info, channel)
         return self._snapshot.board.history(channel, host)
 
-    def looks_back(self, channel: str, duration: int) -> None:
-        kept = self._snapshot.kept.get(channel, 0)
-        if duration > kept:
-            self._tell(LookedBack(channel, duration, kept))
+    def looks_back(self, channel: str, duration: int | None) -> int:
+        return access.check_look_back(self._snapshot.info, channel, duration)
 
     def frozen(self) -> Port:
         """What it sees stands still already; now its time does, too."""
@@ -169,18 +152,16 @@ class SnapshotPort:
         return SnapshotPort(self._snapshot, self._tell, lambda: now, self._wait, self._is_cancelled)
 
     def take(self, channel: str, host: str | None) -> Arrived | None:
-        self._declared(channel)
+        access.check_read(self._snapshot.info, channel)
         item = self._snapshot.board.take(channel, host)
         if item is not None:
             self._tell(TookSignal(channel, item.sender, item.identity))
         return item
 
     def variable(self, name: str) -> Any:
-        try:
-            return self._snapshot.variables[name]
-        except KeyError:
-            known = ", ".join(sorted(self._snapshot.variables)) or "none"
-            raise LookupError(f"no variable {name} here; there is {known}") from None
+        variable, value = self._variable(name)
+        access.check_get(self._snapshot.info, variable, name)
+        return value
 
     def receive(self, performative: str | None, message: str | None, sender: str | None) -> Mail | None:
         if self._snapshot.mail is None:
@@ -199,13 +180,21 @@ class SnapshotPort:
         return tuple(self._received)
 
     def do(self, doing: Doing) -> None:
-        if isinstance(doing, Publish):  # here, so that the error has the place in the code
-            check_message(doing.channel, doing.message)
+        match doing:  # checked here, so that the error has the place in the code
+            case Publish(channel, message):
+                check_message(channel, message)
+                access.check_publish(self._snapshot.info, channel)
+            case SetVariable(name):
+                variable, _ = self._variable(name)
+                access.check_set(self._snapshot.info, variable, name)
         self._tell(doing)
 
-    def _declared(self, channel: str) -> None:
-        if channel not in self._snapshot.reads:
-            self._tell(Undeclared(f"reads {channel}"))
+    def _variable(self, name: str) -> tuple[Variable, Any]:
+        try:
+            return self._snapshot.variables[name]
+        except KeyError:
+            known = ", ".join(sorted(self._snapshot.variables)) or "none"
+            raise LookupError(f"no variable {name} here; there is {known}") from None
 
 
 class FrozenPort(SnapshotPort):
@@ -245,12 +234,13 @@ def snapshot_of(execution: Execution) -> Snapshot:
     agent = execution.owner.agent
     board = BoardCopy(execution.board, execution.info.reads)
     names = {variable.name.partition("@")[0] for variable in agent.plan.variables}
-    variables: dict[str, Any] = {}
+    variables: dict[str, tuple[Variable, Any]] = {}
     for name in sorted(names):
         try:
-            variables[name] = agent.chart.variable(agent.variable_of(name, execution.label).name)
+            variable = agent.variable_of(name, execution.label)
         except LookupError:
             continue  # the variable of a participant that the activity is no part of
+        variables[name] = variable, agent.chart.variable(variable.name)
     mail = None if execution.branch is None else tuple(agent.chart.mail[execution.branch])
     return Snapshot(
         agent.name,
@@ -258,12 +248,11 @@ def snapshot_of(execution: Execution) -> Snapshot:
         execution.label,
         execution.now(),
         execution.chance_seed,
-        execution.info.reads,
+        execution.info,
         board,
         variables,
         mail,
         () if execution.branch is None else execution.received(),
-        {name: kept for name, kept in execution.board.RETENTION.items() if name in execution.info.reads},
         execution.arguments,
     )
 
@@ -280,10 +269,6 @@ def tell(execution: Execution, told: Told) -> None:
         case TookMail(identity):
             with agent.driver.guard(agent):
                 agent.take_mail(execution, None, None, None, identity)
-        case LookedBack(channel, duration, kept):
-            execution.note_lookback(channel, duration, kept)
-        case Undeclared(what):
-            execution.owner.undeclared(execution, what)
         case _:
             execution.do(told)
 

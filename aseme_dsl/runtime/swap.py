@@ -21,9 +21,11 @@ from aseme_dsl.runtime.carry import CannotCarry, Carried, carry, same_states
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.clock import SECOND, shown
 from aseme_dsl.runtime.convert import Messages
+from aseme_dsl.runtime.functions import function_errors
 from aseme_dsl.runtime.loading import PURE, Loaded, Mixture, Modules, importing, put_in_place, standing_in
 from aseme_dsl.runtime.modules import code_of
 from aseme_dsl.runtime.plan import Plan
+from aseme_dsl.runtime.versions import VersionFiles
 from aseme_dsl.runtime.wire import Schema
 
 if TYPE_CHECKING:
@@ -54,6 +56,8 @@ class Version:
     folder: Path | None = None
     """Where its package is."""
     mixture: Mixture = PURE
+    code: VersionFiles | None = None
+    """What it was loaded from, where that is a version rather than the build itself."""
 
 
 def version_of(loaded: Loaded, find: ActivityFinder) -> Version:
@@ -70,6 +74,7 @@ def version_of(loaded: Loaded, find: ActivityFinder) -> Version:
         loaded.team,
         loaded.folder,
         loaded.mixture,
+        loaded.code,
     )
 
 
@@ -258,7 +263,7 @@ def plan_record(plan: Plan) -> dict[str, Any]:
 
 
 def activity_errors(charts: Iterable[type[Chart]], find: ActivityFinder) -> Sequence[str]:
-    """Why activities of these charts cannot be loaded, where they cannot."""
+    """Why activities, modules and functions of these charts cannot be loaded, where they cannot."""
     errors: list[str] = []
     for chart in charts:
         kinds = {info.name: info.kind for info in chart.PLAN.activities}
@@ -279,4 +284,5 @@ def activity_errors(charts: Iterable[type[Chart]], find: ActivityFinder) -> Sequ
                 code_of(module, find)
             except ActivityError as error:
                 errors.append(str(error))
+        errors += function_errors(chart.PLAN.name, chart.PLAN.functions)
     return list(dict.fromkeys(errors))

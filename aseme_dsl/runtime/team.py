@@ -7,12 +7,14 @@ import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import FrameType
 from typing import Any
 
 from aseme_dsl.runtime.activities import ActivityFinder
 from aseme_dsl.runtime.agent import Agent
+from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.body import World
 from aseme_dsl.runtime.bus import Bus
@@ -20,6 +22,16 @@ from aseme_dsl.runtime.carry import knowledge_of, variables_of
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.clock import shown
 from aseme_dsl.runtime.conversation import Conversations
+from aseme_dsl.runtime.ending import (
+    NOTHING,
+    FaultCount,
+    OpenConversation,
+    Unread,
+    Waiting,
+    is_stuck,
+    picture,
+    waits_of,
+)
 from aseme_dsl.runtime.faults import Faults, Links
 from aseme_dsl.runtime.loading import Loaded, importing, other_names, put_in_place, standing_in
 from aseme_dsl.runtime.plan import Plan
@@ -50,6 +62,10 @@ class AgentResult:
     at: str
     configuration: tuple[str, ...]
     steps: int
+    waits: tuple[Waiting, ...] = ()
+    """What it waited for when the run ended; nothing if it had ended before."""
+    stuck: bool = False
+    """Whether nothing pending could have woken it, though it does not wait for a conversation to begin."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +74,8 @@ class RunResult:
 
     `reason` is "finished" (all agents have ended), "time" (the duration is over), "idle" (nothing would ever
     happen any more), "interrupted", or what the stop condition said. `trace_error` says why a trace ended
-    before the run.
+    before the run. `conversations` were open at the end, `unread` are the agent messages that waited then,
+    `faults` those of the whole run by reason and place.
     """
 
     reason: str
@@ -67,11 +84,22 @@ class RunResult:
     trace_error: str | None = None
     left: tuple[str, ...] = ()
     """What of the activities still runs, in spite of its cancellation: it ends with this process."""
+    idle_since: int | None = None
+    """The moment (ns) from which on nothing was pending: no input, timer or activity. None if something was,
+    with the real clock and in a world."""
+    conversations: tuple[OpenConversation, ...] = ()
+    unread: tuple[Unread, ...] = ()
+    faults: tuple[FaultCount, ...] = ()
 
     @property
     def failed(self) -> bool:
         """Whether an agent has stopped by itself without having finished."""
         return any(agent.failure is not None for agent in self.agents)
+
+    @property
+    def stuck(self) -> tuple[str, ...]:
+        """The agents that wait for ever: see `AgentResult.stuck`."""
+        return tuple(agent.name for agent in self.agents if agent.stuck)
 
 
 class Team:
@@ -154,6 +182,9 @@ class Team:
         self._until = until
         self._stop = stop
         self._has_run = False
+        self.at_end: list[Callable[[], None]] = []
+        """Called before the last line of the trace is written."""
+        self._open = NOTHING
         self._messages = dict(messages or {})
         find: ActivityFinder = activities if callable(activities) else dict(activities).get
         plans = {chart.PLAN.name: chart for _, chart in members}
@@ -228,7 +259,8 @@ class Team:
         if clock == "virtual":
             driver: VirtualDriver | RealDriver = VirtualDriver()
         else:
-            driver = RealDriver(self._path, real_time, origin, other_names(self.version.modules))
+            names = other_names(self.version.modules)
+            driver = RealDriver(self._path, real_time, origin, names, self.version.code)
             driver.watch = self._stop is not None
         driver.until = self._until
         return driver
@@ -311,13 +343,14 @@ class Team:
 
         self.driver.at(max(at, self.driver.clock.now()), choose)
 
-    def choose(self, agent: Agent, plan: str, by: str) -> str | None:
+    def choose(self, agent: Agent, plan: str, by: str, *, own: bool = False) -> str | None:
         """Let an agent leave its plan and enter another: one of the team's system, or of another that the
         robot carries (`player`, `Kouretes.player`). Called while the agent is guarded, between two steps.
 
-        Gives the reason if it was refused. An agent that follows the plan already goes on with it.
+        `own` keeps it to the team's system: nothing is loaded. Gives the reason if it was refused. An agent
+        that follows the plan already goes on with it.
         """
-        found = self._carried_plan(plan)
+        found = self._carried_plan(plan, own)
         if isinstance(found, str):
             return self._refuse(agent, plan, by, found)
         version, kind = found
@@ -353,11 +386,11 @@ class Team:
         self.renew(agent, version)
         return None
 
-    def _carried_plan(self, plan: str) -> tuple[Version, type[Chart]] | str:
+    def _carried_plan(self, plan: str, own: bool) -> tuple[Version, type[Chart]] | str:
         """The chart of a plan's name, or why there is none."""
         try:
             versions = [self.version]
-            if plan not in self.version.charts:
+            if not own and plan not in self.version.charts:
                 versions += [item for item in self._others() if item.system != self.version.system]
         except Exception as error:  # another package in the folder, of anybody
             return f"what the robot carries cannot be loaded: {error}"
@@ -378,10 +411,14 @@ class Team:
         return reason
 
     def _chosen(self, agent: Agent, plan: str, by: str) -> None:
-        """A message says which plan an agent is to run: it does so before its next step."""
+        """A message says which plan an agent is to run: it does so before its next step.
+
+        To load what the robot carries besides is control, which other robots do not have.
+        """
+        of_another = by != agent.name and (by in self.elsewhere or any(by == x.name for x in self.agents))
 
         def choose() -> None:
-            self.choose(agent, plan, by)
+            self.choose(agent, plan, by, own=of_another)
 
         agent.errand(choose)
 
@@ -392,9 +429,9 @@ class Team:
 
     def adopt(self, version: Version) -> None:
         """The whole team, here and elsewhere, is of this version now."""
-        same = version.messages.items() == self.version.messages.items()
+        same = version.messages.items() == self.version.messages.items() and version.code == self.version.code
         if isinstance(self.driver, RealDriver) and not same:
-            self.driver.renew(version.path, other_names(version.modules))
+            self.driver.renew(version.path, other_names(version.modules), version.code)
         self.version = version
         for name, plan in self.elsewhere.items():
             if plan.name in version.charts:
@@ -460,6 +497,7 @@ class Team:
         schema = self.version.schema
         queue = None if self._queue == QUEUE else self._queue
         self.trace.header(self.system, plans, self.seed, driver.clock.virtual, self.elsewhere, schema, queue)
+        self.trace.begun = True
         try:
             with importing(self._path), _interruptible(driver.stop):
                 try:
@@ -479,14 +517,38 @@ class Team:
         except BaseException:
             self._end("error")
             raise
-        now = driver.clock.now()
-        results = tuple(self._result(agent) for agent in self.agents)
-        return RunResult(driver.reason, now, results, self.trace.error, driver.left)
+        return RunResult(
+            driver.reason,
+            driver.clock.now(),
+            tuple(self._result(agent) for agent in self.agents),
+            self.trace.error,
+            driver.left,
+            self._idle_since(),
+            self._open.conversations,
+            self._open.unread,
+            self.trace.faults.counts(),
+        )
+
+    def _note_open(self) -> None:
+        """What is open, before everything is stopped."""
+        waits: dict[str, tuple[Waiting, ...]] = {}
+
+        def note(agent: Agent) -> None:
+            waits[agent.name] = waits_of(agent)
+
+        for agent in self.agents:
+            self.driver.look(agent, partial(note, agent))
+        self._open = picture(waits, self.conversations)
+
+    def _idle_since(self) -> int | None:
+        return self.driver.idle_since if self.world is None else None
 
     def _end(self, reason: str) -> None:
         """Keep what is to be kept, write the last line, close the trace."""
         try:
             self.bus.end()
+            for call in self.at_end:
+                call()
             results = [self._result(agent) for agent in self.agents]
             self.trace.write(
                 "finish",
@@ -498,9 +560,15 @@ class Team:
                         "finished": result.finished,
                         "failure": result.failure,
                         "configuration": list(result.configuration),
+                        **({"waits": to_json(result.waits)} if result.waits else {}),
+                        **({"stuck": True} if result.stuck else {}),
                     }
                     for result in results
                 ],
+                idle_since=self._idle_since(),
+                conversations=to_json(self._open.conversations) or None,
+                unread=to_json(self._open.unread) or None,
+                faults=to_json(self.trace.faults.counts()) or None,
             )
         finally:
             self.trace.close()
@@ -510,6 +578,7 @@ class Team:
         driver.settled = self._settled
         driver.advance = self._advance
         driver.complain = self._complain
+        driver.ending = self._note_open
         if isinstance(driver, RealDriver):
             driver.have_threads()
         with driver.holding():  # what is there from the beginning is part of the first step
@@ -568,6 +637,7 @@ class Team:
 
     def _result(self, agent: Agent) -> AgentResult:
         chart = agent.chart
+        waits = self._open.waits.get(agent.name, ())
         return AgentResult(
             agent.name,
             agent.role,
@@ -576,6 +646,8 @@ class Team:
             agent.failed_at,
             chart.configuration() if chart.started else (),
             agent.steps,
+            waits,
+            self._idle_since() is not None and is_stuck(waits),
         )
 
 

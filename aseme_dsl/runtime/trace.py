@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from aseme_dsl.runtime.as_json import to_json
+from aseme_dsl.runtime.ending import Faults
 from aseme_dsl.runtime.inputs import (
     Arrived,
     Cancel,
@@ -82,6 +83,8 @@ class Trace:
         self._listening: dict[tuple[str, str | None], tuple[Listener, ...]] = {}
         self._ways: dict[tuple[str, str, tuple[int, ...]], str] = {}
         self._remarks: set[str] = set()
+        self.faults = Faults()
+        """The faults so far; counted also where nobody reads the trace."""
         self._lock = threading.Lock()
         self._output: Output | None = None
         self._dropped = 0
@@ -90,6 +93,8 @@ class Trace:
             self._part = part_of(path)
             file = format_for(path, self._part)
             self._output = Background(file, self._give_up) if background else Direct(file)
+        self.begun = False
+        """Whether the header has been written, before which there is no other line."""
         self.active = self._output is not None or bool(self._listeners)
         """Whether anybody reads what is written: who has a costly line to write asks first."""
 
@@ -322,7 +327,7 @@ class Trace:
         for effect in outcome.effects:
             if isinstance(effect, Fault):
                 at = plan.transitions[effect.transition].at
-                self.fault(moment, agent, effect.reason, at, transition=effect.transition)
+                self._write_fault(moment, agent, effect.reason, at, transition=effect.transition)
 
     def _way_text(self, plan: Plan, numbers: tuple[int, ...]) -> str:
         """`_way` as it is written; it is the same each time."""
@@ -367,6 +372,15 @@ class Trace:
 
     def fault(self, moment: int, agent: str, reason: str, at: str = "", **members: Any) -> None:
         """Something could not be done; the agent goes on."""
+        self.count_fault(moment, agent, reason, at, members.get("activity") or "")
+        self._write_fault(moment, agent, reason, at, **members)
+
+    def count_fault(self, moment: int, agent: str, reason: str, at: str = "", activity: str = "") -> None:
+        """Count a fault; `step` writes those of a step."""
+        with self._lock:
+            self.faults.add(reason, agent, at, activity, moment)
+
+    def _write_fault(self, moment: int, agent: str, reason: str, at: str, **members: Any) -> None:
         self.write("fault", moment, agent=agent, reason=reason, at=at or None, **members)
 
     def failure(self, moment: int, agent: str, reason: str, at: str = "", **members: Any) -> None:

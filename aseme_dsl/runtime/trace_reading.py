@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.trace_files import PART, TraceError, part_of
 from aseme_dsl.runtime.trace_mcap import MAGIC, Torn, lines_in
 
@@ -39,7 +39,7 @@ class TraceReader:
         self.finished = False
         """Whether the run came to its end: the last line says so."""
         try:
-            self._file = self.path.open("rb")
+            self._file = outside.open_file(self.path)
             self._is_mcap = self._file.peek(len(MAGIC)).startswith(MAGIC)
         except OSError as problem:
             raise TraceError(f"{self.path} cannot be read: {problem.strerror or problem}") from problem
@@ -97,8 +97,8 @@ def _decoded(data: bytes) -> str:
 def record_of(text: str) -> Record | None:
     """What a line says, or None if it is none."""
     try:
-        found = json.loads(text)
-    except (ValueError, RecursionError):
+        found = outside.loads(text)
+    except ValueError:
         return None
     if not isinstance(found, dict) or not isinstance(found.get("kind"), str):
         return None

@@ -78,6 +78,12 @@ class VirtualDriver:
         """Called each time that the clock has jumped, before anything that is due then."""
         self.settled: Callable[[], str | None] = _no_reason
         """Called when nothing is left to do at an instant; a reason ends the run."""
+        self.ending: Callable[[], None] = _nothing
+        """Called once, when the run is to end and nothing has been stopped yet."""
+        self.idle_since: int | None = None
+        """The moment after which nothing was pending any more, if the run ended so."""
+        self._last = 0
+        """The last moment at which something was due that is not of the background."""
         self.complain: Callable[..., None] = _nothing
         """Called with what is wrong, the agent and the activity, as far as that is known."""
         self.reason = ""
@@ -88,6 +94,7 @@ class VirtualDriver:
         self._jobs: deque[Callable[[], None]] = deque()
         self._wave: deque[tuple[Agent, list[Any]]] = deque()
         self._steps: dict[str, int] = {}
+        self._drained = 0
         self._woken = False
         self._interrupt: str | None = None
         self._closing = False
@@ -132,6 +139,11 @@ class VirtualDriver:
     def guard(self, agent: Agent) -> AbstractContextManager[object]:
         """Nothing to guard: only one thread runs."""
         return _FREE
+
+    def look(self, agent: Agent, call: Callable[[], None]) -> bool:
+        """Make a call while nobody steps the agent: at once."""
+        call()
+        return True
 
     def launch(self, execution: Execution) -> None:
         """Run the code of an activity when the wave is over."""
@@ -315,6 +327,11 @@ class VirtualDriver:
 
     def _bound(self) -> None:
         """Stop the agents that step for ever at one instant."""
+        if any(agent.chart.drains for agent, _ in self._wave):
+            # Queues become shorter; they cannot for longer than all of them are long.
+            self._drained += 1
+            if self._drained <= sum(agent.chart.queue for agent in self.agents):
+                return
         for agent, _ in self._wave:
             steps = self._steps[agent.name] = self._steps.get(agent.name, 0) + 1
             if steps == STEPS and not agent.over:
@@ -328,24 +345,31 @@ class VirtualDriver:
         moment = self._timers.next()
         if self.until is None:
             if moment is None or self._timers.only_background():
+                self.idle_since = self._last
                 self._close("idle")
                 return
         elif moment is None or moment > self.until:
+            if moment is None or self._timers.only_background():
+                self.idle_since = self._last
             self.clock.jump(self.until)
             self.advance(self.until)
             self._close("time")
             return
         if moment > self.clock.now():
             self._steps.clear()
+            self._drained = 0
             self.clock.jump(moment)
             self.advance(moment)
         while (timer := self._timers.take(moment)) is not None:
+            if not timer.background:
+                self._last = moment
             timer.ring()
 
     def _close(self, reason: str) -> None:
         """Stop everything; what is told that it is cancelled still comes to its end."""
         self.reason = reason
         self._closing = True
+        self.ending()
         for agent in self.agents:
             agent.stop()
 

@@ -16,6 +16,7 @@ from functools import cached_property
 from types import NoneType
 from typing import TYPE_CHECKING, Any, TypeVar, get_args
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.as_json import from_json, member_types, to_json
 
 if TYPE_CHECKING:
@@ -99,7 +100,7 @@ class Schema:
             WireError: It is none.
         """
         try:
-            found: M = from_json(kind, json.loads(data))
+            found: M = from_json(kind, outside.loads(data))
         except (ValueError, RecursionError) as problem:
             raise WireError(f"{len(data)} bytes are no {kind.__name__}: {problem}") from None
         return found

@@ -11,6 +11,7 @@ import signal
 import sys
 import threading
 import time
+from functools import cache
 from pathlib import Path
 from queue import SimpleQueue
 from types import ModuleType
@@ -22,6 +23,7 @@ from aseme_dsl.runtime.execution import as_outcome, frames_of, reason_of
 from aseme_dsl.runtime.loading import know_as
 from aseme_dsl.runtime.processes import get, put
 from aseme_dsl.runtime.snapshot import Snapshot, SnapshotPort, Told
+from aseme_dsl.runtime.versions import VersionFiles, read_version, serve
 
 
 class _Worker:
@@ -52,8 +54,8 @@ class _Worker:
             kind: str | None = None
             reason, frames, result = "", None, None
             try:
-                _, module, file, name, keep, snapshot = pickle.loads(data)
-                code = self.kept.pop(keep, None) or _class(module, file, name)()
+                _, module, place, name, keep, snapshot = pickle.loads(data)
+                code = self.kept.pop(keep, None) or _class(module, place, name)()
                 result = self._run(code, snapshot)
                 if keep:
                     self.kept = {keep: code}
@@ -86,20 +88,34 @@ _ORPHAN = 2.0
 _CANCEL = pickle.dumps(("cancel",))
 
 
-def _class(module: str, file: str | None, name: str) -> type[Any]:
-    """The class of an activity. A module that cannot be imported by its name is loaded from its file."""
+def _class(module: str, place: str | tuple[Path, str] | None, name: str) -> type[Any]:
+    """The class of an activity.
+
+    A module that cannot be imported by its name is loaded from its file; one of a version, which is given as
+    its folder and hash, only from there.
+    """
     found: Any = sys.modules.get(module)
-    if found is None:
+    if found is None and isinstance(place, tuple):
+        package = module.rpartition(".")[0]
+        if package not in sys.modules:
+            _version(*place).as_package(package)
+        found = importlib.import_module(module)
+    elif found is None and not isinstance(place, tuple):
         try:
             found = importlib.import_module(module)
         except ImportError:
-            if file is None:
+            if place is None:
                 raise
-            found = _loaded(module, file)
+            found = _loaded(module, place)
     for part in name.split("."):
         found = getattr(found, part)
     kind: type[Any] = found
     return kind
+
+
+@cache
+def _version(folder: Path, name: str) -> VersionFiles:
+    return read_version(folder.parent, name)
 
 
 def _loaded(module: str, file: str) -> ModuleType:
@@ -120,16 +136,20 @@ def _loaded(module: str, file: str) -> ModuleType:
 def main() -> None:
     """Serve the process at the other end of standard input and output; what is printed goes to its errors.
 
-    The first argument is how many bytes of address space there are, if it is not 0; the others are other
-    names of packages with messages (`monas=jade_like`).
+    The first argument is how many bytes of address space there are, if it is not 0; the second the folder of
+    the version whose packages are imported, if it is not empty; the others are other names of packages with
+    messages (`monas=jade_like`).
     """
     for number in (signal.SIGINT, signal.SIGTERM):  # the team is told, and tells us
         signal.signal(number, signal.SIG_IGN)
-    memory, *names = sys.argv[1:]
+    memory, version, *names = sys.argv[1:]
     if int(memory):
         import resource
 
         resource.setrlimit(resource.RLIMIT_AS, (int(memory), int(memory)))
+    if version:
+        folder = Path(version)
+        serve(_version(folder, folder.name))
     if names:
         know_as(dict(name.split("=", 1) for name in names))
     requests = os.fdopen(os.dup(0), "rb")

@@ -11,6 +11,8 @@
 
 ;;; Code:
 
+(require 'seq)
+
 (defgroup aseme nil "Multi-agent systems in text." :group 'languages)
 
 (defcustom aseme-command '("asemec")
@@ -68,13 +70,27 @@
     (,(regexp-opt aseme-types 'symbols) . font-lock-type-face)
     (,(regexp-opt aseme-constants 'symbols) . font-lock-constant-face)))
 
+(defun aseme--begins-p ()
+  "Whether point, at the first character of a line, is where a declaration or an entry begins."
+  (let ((before (save-excursion
+                  (forward-comment (- (point)))
+                  (char-before))))
+    (or (memq before '(nil ?{ ?}))
+        (looking-at-p "}")
+        (and (looking-at-p "[A-Za-z_][A-Za-z0-9_]*[ \t]*=[^=]") (not (memq before '(?\; ?, ?/)))))))
+
 (defun aseme-indent-line ()
-  "Indent by the braces that are open."
+  "Indent by the braces that are open; a line that is continued keeps what it is aligned with."
   (interactive)
   (let* ((state (save-excursion (syntax-ppss (line-beginning-position))))
-         (closes (save-excursion (back-to-indentation) (looking-at-p "[])}]")))
-         (column (if (nth 8 state) (current-indentation)
-                   (* aseme-indent (max 0 (- (nth 0 state) (if closes 1 0)))))))
+         (open (seq-count (lambda (place) (eq (char-after place) ?{)) (nth 9 state)))
+         (base (save-excursion
+                 (back-to-indentation)
+                 (* aseme-indent (max 0 (- open (if (looking-at-p "}") 1 0))))))
+         (aligned (save-excursion
+                    (back-to-indentation)
+                    (and (not (eolp)) (> (current-column) base) (not (aseme--begins-p)))))
+         (column (if (or (nth 8 state) aligned) (current-indentation) base)))
     (if (<= (current-column) (current-indentation))
         (indent-line-to column)
       (save-excursion (indent-line-to column)))))
@@ -86,6 +102,8 @@
               comment-end ""
               comment-start-skip "//+\\s-*\\|/\\*+\\s-*"
               indent-tabs-mode nil
+              ;; The bracket of the operator `[>' has no other one.
+              syntax-propertize-function (syntax-propertize-rules ("\\(\\[\\)>" (1 ".")))
               indent-line-function #'aseme-indent-line
               compile-command (mapconcat #'identity (append aseme-command '("check")) " ")
               font-lock-defaults '(aseme-font-lock-keywords)))

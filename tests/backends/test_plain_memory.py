@@ -1,6 +1,6 @@
 """What an instance of a plain class takes: 100 bytes and 8 a region at most, its blackboard not counted.
 
-One that is watched keeps which activities have failed, too.
+One that is watched keeps which activities have failed, too; one whose regions wake each other, that they did.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ FRAMES = 20
 FIXED = 100
 A_REGION = 8
 WATCHED = 8
+WOKEN = 8
 
 TWO = """
 system S
@@ -88,6 +89,7 @@ def test_an_instance_is_small(name: str, watched: bool) -> None:
     kind = plain_class(generate(CHARTS[name]), "R", PlainOptions(watched=watched))
     board = vars(sys.modules[kind.__module__])["RBlackboard"]
     limit = FIXED + A_REGION * len(kind.LEAVES) + WATCHED * watched
+    limit += WOKEN * ("woken" in kind.__slots__)
     assert _bytes(kind, board) <= limit
 
 

@@ -7,8 +7,10 @@ from functools import cache
 
 import pytest
 
+from aseme_dsl.runtime.chart import Chart
 from tests.behaviour.running import Engine, Run
 from tests.oracle.interpreter import Reference
+from tests.support import asleep
 from tests.support.generated import Generated, generate
 from tests.support.plain_engine import CannotDo, PlainEngine
 
@@ -48,6 +50,12 @@ def step_class(made: Generated, role: str) -> Engine:
 
 def plain_chart(made: Generated, role: str) -> Engine:
     return PlainEngine(made, role)
+
+
+@pytest.fixture(autouse=True)
+def nothing_is_overlooked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whenever a chart goes to sleep, no transition of it is enabled."""
+    monkeypatch.setattr(Chart, "step", asleep.step)
 
 
 @pytest.fixture(params=[interpreter, step_class, plain_chart], ids=["interpreter", "generated", "plain"])

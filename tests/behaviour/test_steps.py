@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tests.behaviour.conftest import Play
+from tests.oracle.interpreter import Reference
 from tests.support.plain_engine import PlainEngine
 
 
@@ -61,7 +62,8 @@ def test_a_write_is_seen_at_once_in_its_region(play: Play) -> None:
 
 
 def test_a_write_is_seen_elsewhere_from_the_next_step(play: Play) -> None:
-    """ "A write is seen at once in its region, elsewhere from the next step" """
+    """ "A write is seen at once in its region, elsewhere from the next step, which follows at the same
+    instant if anything there reads it" """
     run = play("""
         srm R {
           var v : int = 0
@@ -70,9 +72,12 @@ def test_a_write_is_seen_elsewhere_from_the_next_step(play: Play) -> None:
           control second { enter D : when [v == 1] }
         }
     """).step()
-    assert run.step(run.done("A")).active == ["B", "C"]
+    run.step(run.done("A"))
+    if not isinstance(run.chart, PlainEngine):  # a plain class makes the step that follows itself
+        assert (run.active, run.last.again) == (["B", "C"], True)
+        run.step()
     assert run.variable("v") == 1
-    assert run.step().active == ["B", "D"]
+    assert run.active == ["B", "D"]
 
 
 def test_of_two_writers_the_last_in_document_order_stays(play: Play) -> None:
@@ -136,10 +141,12 @@ def test_a_step_that_does_not_settle_is_reported(play: Play) -> None:
     """).step()
     run.step(run.done("A"))
     assert run.last.failure is not None
-    if isinstance(run.chart, PlainEngine):  # which takes some ways together, and says where it is
-        assert "0.3.2" in run.last.failure
-    else:
+    if isinstance(run.chart, Reference):  # which knows no places
         assert "0.3.2.2 -> 0.3.2.3" in run.last.failure and "0.3.2 -> 0.3.2" in run.last.failure
+    else:
+        assert "B" in run.last.failure and "C" in run.last.failure
+        assert ".aseme:21:" in run.last.failure and ".aseme:22:" in run.last.failure
+    if not isinstance(run.chart, PlainEngine):  # which takes some ways together
         assert len(run.taken) == 1000
     assert run.step().did == []
 

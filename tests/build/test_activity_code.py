@@ -8,6 +8,7 @@ import pytest
 
 from aseme_dsl.build.activity_code import check_code
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.diagnostics.changes import apply
 from tests.support.compiling import system
 
 SYSTEM = """
@@ -34,7 +35,7 @@ srm player {
   }
   activities {
     Look    writes vision.state.Ball, vision.data.Ball
-    Search  reads vision.state.Ball, vision.data.Ball for 2s  writes tired, motion.signal.Ball
+    Search  reads vision.state.Ball, vision.data.Ball for 2s, tired  writes tired, motion.signal.Ball
     Legs    reads motion.signal.Ball
     Collect writes bids
   }
@@ -96,8 +97,8 @@ def test_what_is_right_or_cannot_be_known_is_not_reported(tmp_path: Path, body: 
         ('context.set("tird", True)', "W530", '"tird"', "did you mean `tired`?"),
         ('context.variable("x")', "W530", '"x"', "declare it: `var x : …`"),
         ('context.raise_event("sene")', "W532", '"sene"', "did you mean `seen`?"),
-        ('context.publish("vision.state.Ball", ball)', "W531", '"vision.state.Ball"', None),
-        ('context.read("motion.signal.Ball")', "W531", '"motion.signal.Ball"', None),
+        ('context.publish("vision.state.Ball", ball)', "E540", '"vision.state.Ball"', None),
+        ('context.read("motion.signal.Ball")', "E540", '"motion.signal.Ball"', None),
     ],
 )
 def test_what_is_wrong(tmp_path: Path, body: str, code: str, place: str, hint: str | None) -> None:
@@ -133,13 +134,13 @@ class Search:
 
 def test_what_is_done_several_times_is_said_once(tmp_path: Path) -> None:
     body = 'context.read("motion.signal.Ball"); context.take("motion.signal.Ball")'
-    assert [item.code for item in say(tmp_path, "search.py", activity(body))] == ["W531"]
+    assert [item.code for item in say(tmp_path, "search.py", activity(body))] == ["E540"]
 
 
 def test_a_participants_variables_are_those_of_its_activities(tmp_path: Path) -> None:
     assert say(tmp_path, "collect.py", activity('context.set("bids", 3)', "Collect")) == []
     assert say(tmp_path, "pay.py", activity('context.set("bids", 3)', "Pay")) == []
-    assert say(tmp_path, "pay.py", activity('context.set("tired", True)', "Pay"))[0].code == "W531"
+    assert say(tmp_path, "pay.py", activity('context.set("tired", True)', "Pay"))[0].code == "E540"
     assert say(tmp_path, "offer.py", activity('context.variable("bids")', "Offer"))[-1].code == "W530"
 
 
@@ -184,6 +185,11 @@ def test_a_comment_on_the_line_allows_it(tmp_path: Path) -> None:
     assert [item.code for item in say(tmp_path, "search.py", activity(body))] == ["W532"]
 
 
+def test_a_comment_allows_no_error(tmp_path: Path) -> None:
+    body = 'context.read("motion.signal.Ball")  # asemec: allow(E540) it is only for tests'
+    assert [item.code for item in say(tmp_path, "search.py", activity(body))] == ["E540"]
+
+
 def test_an_event_that_no_activity_raises(tmp_path: Path) -> None:
     for name in ("Look", "Walk", "Legs", "Collect", "Pay", "Offer"):
         (tmp_path / f"{name.lower()}.py").write_text(activity("pass", name))
@@ -204,10 +210,10 @@ def test_an_event_that_no_activity_raises(tmp_path: Path) -> None:
 
 def test_a_history_is_kept_as_long_as_somebody_says(tmp_path: Path) -> None:
     code = activity('context.history("vision.data.Ball")')
-    (found,) = say(tmp_path, "search.py", code, text=SYSTEM.replace(" for 2s", ""))
+    (found,) = say(tmp_path, "search.py", code, text=SYSTEM.replace(" for 2s", "", 1))
     assert (found.code, found.hint) == (
-        "W531",
-        "add `reads vision.data.Ball for …` to it among the `activities` of the role",
+        "E540",
+        "declare how far it looks back: `activities { Search reads vision.data.Ball for … }`",
     )
 
 
@@ -280,7 +286,7 @@ def test_an_outcome_that_the_activity_does_not_have(tmp_path: Path, body: str, p
 MODULES = SYSTEM.replace(
     "  activities {",
     """  modules {
-    Vision every 33ms reads vision.state.Ball writes vision.data.Ball, tired
+    Vision every 33ms reads vision.state.Ball, tired writes vision.data.Ball, tired
     Sight  every 1s writes vision.data.Ball = "seeing.eyes:Eyes"
   }
   activities {""",
@@ -301,9 +307,9 @@ class TestModules:
         [
             (
                 'context.publish("motion.signal.Ball", ball)',
-                "W531",
+                "E540",
                 '"motion.signal.Ball"',
-                "add `writes motion.signal.Ball` to it among the `modules` of the role",
+                "declare it: `modules { Vision writes motion.signal.Ball }`",
             ),
             (
                 'context.read("vision.state.Bal")',
@@ -442,3 +448,34 @@ def test_an_execute_that_does_not(tmp_path: Path, signature: str, hints: list[st
     code = f"class Walk:\n    def execute({signature}):\n        context.wait(1)\n"
     found = say(tmp_path, "walk.py", code, text=GIVEN)
     assert shown(found) == [("W530", "execute", hint) for hint in hints]
+
+
+@pytest.mark.parametrize(
+    ("body", "line"),
+    [
+        (
+            'context.publish("motion.signal.Ball", b)',
+            "Legs    reads motion.signal.Ball writes motion.signal.Ball",
+        ),
+        ('context.read("vision.state.Ball")', "Legs    reads motion.signal.Ball, vision.state.Ball"),
+        ('context.at("vision.data.Ball", 3)', "Legs    reads motion.signal.Ball, vision.data.Ball for 3s"),
+    ],
+)
+def test_the_fix_declares_what_is_used(tmp_path: Path, body: str, line: str) -> None:
+    (found,) = say(tmp_path, "legs.py", activity(body, "Legs"))
+    changed = apply(SYSTEM, found.edits)
+    assert line in changed
+    assert say(tmp_path, "legs.py", activity(body, "Legs"), text=changed) == []
+
+
+def test_the_fix_describes_an_activity_of_which_nothing_is_said(tmp_path: Path) -> None:
+    (found,) = say(tmp_path, "walk.py", activity('context.set("tired", True)', "Walk"))
+    changed = apply(SYSTEM, found.edits)
+    assert "    Walk writes tired\n" in changed
+    assert say(tmp_path, "walk.py", activity('context.set("tired", True)', "Walk"), text=changed) == []
+
+
+def test_a_function_that_the_class_does_not_use_may_be_for_another_activity(tmp_path: Path) -> None:
+    helper = 'def ask(context):\n    return context.read("motion.signal.Ball")\n\n\n'
+    assert say(tmp_path, "search.py", helper + activity("pass")) == []
+    assert [item.code for item in say(tmp_path, "search.py", helper + activity("ask(context)"))] == ["E540"]

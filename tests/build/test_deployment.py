@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 from pathlib import Path
 
 import pytest
@@ -21,51 +23,80 @@ def read(folder: Path, text: str) -> tuple[object, str]:
 
 def test_without_a_word_nothing_leaves_the_machine() -> None:
     network = network_of(None, "robot1")
-    assert network.listen == ("tcp/127.0.0.1:0",)
-    assert network.connect == ()
-    assert dict(network.settings())["scouting/multicast/interface"] == '"lo"'
+    assert network.local
+    assert dict(network.settings())["scouting/multicast/enabled"] == "false"
 
 
-def test_robots_with_hosts_connect_to_each_other(tmp_path: Path) -> None:
+TLS = '[tool.asemec.deploy.tls]\nauthority = "ca.pem"\ncertificate = "ROBOT.pem"\nkey = "ROBOT.key"\n'
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> Path:
+    for name in ("ca.pem", "robot1.pem", "robot1.key"):
+        (tmp_path / name).write_text("")
+    return tmp_path
+
+
+def test_robots_with_hosts_connect_to_each_other(files: Path) -> None:
     deployment, problems = read(
-        tmp_path,
+        files,
         '[tool.asemec.deploy]\nlease = "800ms"\n'
-        'hosts = { robot1 = "10.0.0.1", robot2 = "10.0.0.2:7448", keeper = "[fe80::1]" }\n',
+        'hosts = { robot2 = "10.0.0.1", robot1 = "10.0.0.2:7448", keeper = "[fe80::1]" }\n' + TLS,
     )
     assert problems == ""
-    network = network_of(deployment, "robot2")  # type: ignore[arg-type]
-    assert network.listen == ("tcp/10.0.0.2:7448",)
-    assert network.connect == ("tcp/10.0.0.1:7447", "tcp/[fe80::1]:7447")
+    network = network_of(deployment, "robot1", ["robot1", "robot2"])  # type: ignore[arg-type]
+    assert network.listen == ("tls/10.0.0.2:7448",)
+    assert network.connect == ("tls/10.0.0.1:7447", "tls/[fe80::1]:7447")
     settings = dict(network.settings())
     assert settings["scouting/multicast/enabled"] == "false"
     assert settings["transport/link/tx/lease"] == "800"
+    rules = json.loads(settings["access_control"])
+    assert rules["default_permission"] == "deny"
+    assert [item["id"] for item in rules["subjects"]] == ["robot2"]
 
 
-def test_an_interface_is_searched(tmp_path: Path) -> None:
-    deployment, _ = read(tmp_path, '[tool.asemec.deploy]\ninterface = "wlan0"\n')
-    network = network_of(deployment, "robot1")  # type: ignore[arg-type]
-    assert network.listen == ("tcp/0.0.0.0:0#iface=wlan0",)
-    assert dict(network.settings())["scouting/multicast/interface"] == '"wlan0"'
-
-
-def test_each_robot_has_its_own_files(tmp_path: Path) -> None:
-    for name in ("ca.pem", "robot1.pem", "robot1.key"):
-        (tmp_path / name).write_text("")
-    (tmp_path / "access.json").write_text('{"enabled": true}')
+def test_an_interface_is_searched(files: Path) -> None:
     deployment, problems = read(
-        tmp_path,
-        '[tool.asemec.deploy]\naccess = "access.json"\n'
-        '[tool.asemec.deploy.tls]\nauthority = "ca.pem"\ncertificate = "ROBOT.pem"\nkey = "ROBOT.key"\n',
+        files, '[tool.asemec.deploy]\ninterface = "wlan0"\nhosts = { robot2 = "10.0.0.1" }\n' + TLS
     )
     assert problems == ""
     network = network_of(deployment, "robot1")  # type: ignore[arg-type]
-    assert network.listen == ("tls/127.0.0.1:0",)
+    assert network.listen == ("tls/0.0.0.0:0#iface=wlan0",)
+    assert dict(network.settings())["scouting/multicast/interface"] == '"wlan0"'
+
+
+def test_each_robot_has_its_own_files(files: Path) -> None:
+    (files / "access.json").write_text('{"enabled": true}')
+    deployment, problems = read(
+        files,
+        '[tool.asemec.deploy]\naccess = "access.json"\nhosts = { robot1 = "127.0.0.1" }\n' + TLS,
+    )
+    assert problems == ""
+    network = network_of(deployment, "robot1", ["robot1"])  # type: ignore[arg-type]
     settings = dict(network.settings())
-    assert settings["transport/link/tls/connect_private_key"] == f'"{tmp_path}/robot1.key"'
+    assert settings["transport/link/tls/connect_private_key"] == f'"{files}/robot1.key"'
     assert settings["transport/link/tls/enable_mtls"] == "true"
     assert settings["access_control"] == '{"enabled": true}'
     with pytest.raises(TransportError, match=r"robot2\.pem cannot be read: No such file"):
         dict(network_of(deployment, "robot2").settings())  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("text", "codes"),
+    [
+        ('hosts = { robot1 = "127.0.0.1" }', ["E015"]),
+        ('interface = "wlan0"', ["E015", "E016"]),
+        ('connect = ["tcp/10.0.0.1:7447"]', ["E015"]),
+        ('connect = ["tls/10.0.0.1:7447", "tcp/10.0.0.1:7447"]\n' + TLS, ["E015"]),
+        ('access = "access.json"', ["E016"]),
+        (TLS, ["E016"]),
+        ('interface = "wlan0"\n' + TLS, ["E016", "E016"]),
+    ],
+)
+def test_nobody_is_let_in_without_a_certificate(tmp_path: Path, text: str, codes: list[str]) -> None:
+    _, problems = read(tmp_path, f"[tool.asemec.deploy]\n{text}\n")
+    assert re.findall(r"error\[(E\d+)\]", problems) == codes
+    assert problems.count("pyproject.toml:") == len(codes)
 
 
 @pytest.mark.parametrize(

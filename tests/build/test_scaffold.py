@@ -88,3 +88,40 @@ def test_what_an_imported_file_lacks_is_not_written_here(tmp_path: Path) -> None
     done = scaffold(Source(str(tmp_path / "main.aseme"), text))
     assert [item.code for item in done.added] == ["N704"]
     assert "control Q" in done.text and "control R" not in done.text
+
+
+REFINED = """\
+system S
+sag { actor robot { goal tidy } }
+suc { usecase tidy includes look, grasp }
+srm robot {
+  liveness {
+    robot = (tidy | Rest)  // decided
+    tidy = Look . Grasp
+  }
+  control robot { enter tidy : [true]  enter Rest : else }
+}
+"""
+
+
+def test_a_written_file_is_refined_when_use_cases_are_added() -> None:
+    text = REFINED.replace(
+        "look, grasp }", "look, grasp, put_down  usecase report by robot  usecase ring by robot }"
+    )
+    done = run(text)
+    assert is_kept(text, done.text)
+    assert "    robot = (tidy | Rest) ? Report ? Ring  // decided\n" in done.text
+    assert "    tidy = Look . Grasp ? PutDown\n" in done.text
+    assert {item.code for item in done.diagnostics} == {"E109"}
+    assert run(done.text).text == done.text
+
+
+def test_a_use_case_with_parts_gets_a_formula_that_is_used() -> None:
+    text = REFINED.replace("look, grasp }", "look, grasp  usecase report by robot includes call, write }")
+    text = text.replace("(tidy | Rest)", "tidy | Rest").replace("Grasp\n", "Grasp  // in this order\n")
+    text = text.replace("\n", "\r\n")
+    done = run(text)
+    assert is_kept(text, done.text)
+    assert "robot = (tidy | Rest) ? report  // decided\r\n" in done.text
+    assert "    tidy = Look . Grasp  // in this order\r\n    report = Call ? Write\r\n" in done.text
+    assert run(done.text).text == done.text

@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-import pty
 import re
-import subprocess
 import sys
-from contextlib import suppress
 from pathlib import Path
 from urllib.parse import urlparse
 
@@ -16,6 +13,7 @@ import pytest
 
 from tests.cli.support import BAD, GOOD, WARNED, Here, asemec, command
 from tests.conftest import Snapshot
+from tests.support.terminal import shown
 
 
 def test_a_good_file(here: Here, folder: Path) -> None:
@@ -238,15 +236,7 @@ class TestReports:
 class TestTerminal:
     def run(self, *arguments: str) -> str:
         """What somebody sees who is at a terminal."""
-        controller, terminal = pty.openpty()
-        with subprocess.Popen(command("check", *arguments), stdout=terminal, stderr=terminal):
-            os.close(terminal)
-            said = b""
-            with suppress(OSError):  # Linux says so that nobody writes any more
-                while part := os.read(controller, 65536):
-                    said += part
-        os.close(controller)
-        return said.decode().replace("\r\n", "\n")
+        return shown(command("check", *arguments))
 
     def test_codes_are_links_and_there_is_a_tip(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.delenv("NO_COLOR", raising=False)

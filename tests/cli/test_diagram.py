@@ -174,3 +174,13 @@ def test_without_graphviz(here: Here, folder: Path, monkeypatch: pytest.MonkeyPa
     assert done.code == 1
     assert "Graphviz is needed to draw" in done.err
     assert here("diagram", "good.aseme", "--format", "dot").code == 0
+
+
+def test_progress_is_shown_on_a_terminal_alone(
+    here: Here, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    arguments = ("diagram", "good.aseme", "iac", "--format", "dot")
+    assert here(*arguments).err == ""
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+    said = here(*arguments).err
+    assert "drawing 1 of 2: iac.robot" in said and said.endswith("\r\x1b[K")

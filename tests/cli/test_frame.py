@@ -18,6 +18,7 @@ import aseme_dsl
 from aseme_dsl.cli import main
 from aseme_dsl.cli.program import COMMANDS
 from tests.cli.support import GOOD, Here, asemec, command
+from tests.support.terminal import shown
 
 
 def test_version_of_the_module_and_the_script() -> None:
@@ -59,7 +60,7 @@ def test_every_command_has_help_with_an_example(here: Here, name: str) -> None:
         (["chekc"], "Did you mean 'check'?"),
         (["fly"], "There are new, check, explain"),
         (["check", "--nothing"], "No such option"),
-        (["run"], "Missing argument"),
+        (["import"], "Missing argument"),
         (["run", "x.aseme", "--for", "5 apples"], "is no duration"),
         (["run", "x.aseme", "--body", "nonsense"], "[AGENT=]MODULE:FUNCTION"),
         (["run", "x.aseme", "--world", "nonsense"], "MODULE:FUNCTION"),
@@ -184,33 +185,14 @@ class TestColour:
         assert "\x1b[31" in here("check", "bad.aseme", "--color", "always").out
 
     def test_on_a_terminal_unless_not_wanted(self, folder: Path) -> None:
-        pty = pytest.importorskip("pty")
-
-        def shown(*arguments: str, **environment: str) -> str:
-            ours, theirs = pty.openpty()
+        def seen(*arguments: str, **environment: str) -> str:
             environment = {**os.environ, "TERM": "xterm", **environment}
-            done = subprocess.Popen(
-                command("check", "bad.aseme", *arguments), stdout=theirs, stderr=theirs, env=environment
-            )
-            os.close(theirs)
-            text = b""
-            while True:
-                try:
-                    piece = os.read(ours, 10_000)
-                except OSError:  # the other end is closed
-                    break
-                if not piece:
-                    break
-                text += piece
-            os.close(ours)
-            done.wait(60)
-            return text.decode()
+            return shown(command("check", "bad.aseme", *arguments), environment)
 
-        os.environ.pop("NO_COLOR", None)
-        assert "\x1b[31" in shown()
-        assert "\x1b[" not in shown(NO_COLOR="1")
-        assert "\x1b[" not in shown("--color", "never")
-        assert "\x1b[" not in shown(TERM="dumb")
+        assert "\x1b[31" in seen()
+        assert "\x1b[" not in seen(NO_COLOR="1")
+        assert "\x1b[" not in seen("--color", "never")
+        assert "\x1b[" not in seen(TERM="dumb")
 
 
 def test_main_leaves_the_signals_of_its_caller_alone(folder: Path) -> None:

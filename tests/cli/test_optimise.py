@@ -576,7 +576,7 @@ system Work
 srm robot {
   var speed : double = 1.0
   liveness { robot = Work~ }
-  activities { Work takes 1s }
+  activities { Work takes 1s  reads speed }
 }
 team Work { r[1..6] : robot }
 """

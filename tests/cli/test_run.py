@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -502,3 +503,62 @@ def test_a_robot_that_the_team_does_not_have(here: Here, folder: Path) -> None:
     done = here("node", "onne", "good.aseme")
     assert done.code == 2
     assert "there is no robot onne; did you mean one? there are one, two" in done.err
+
+
+STUCK = """\
+system Stuck
+message Go { int n }
+topic t { signal Go }
+srm r {
+  liveness { r = A . B }
+  activities { A takes 1s  B takes 1s }
+  control r {
+    enter B : [has(t.signal.Go)]
+  }
+}
+"""
+
+
+class TestTheEnd:
+    """What a run leaves open is said, and an agent that waits for ever is a failure (U2)."""
+
+    @pytest.fixture(autouse=True)
+    def _file(self, folder: Path) -> None:
+        (folder / "stuck.aseme").write_text(STUCK)
+
+    def test_an_agent_that_waits_for_ever_is_named_and_the_code_is_1(self, here: Here) -> None:
+        done = here("run", "stuck.aseme", "--quiet")
+        assert done.code == 1
+        assert "deadlock since 1 s: no input, timer or activity is pending that could wake r" in done.out
+        assert "r (r) waits after A (stuck.aseme:5) for [has(t.signal.Go)] (stuck.aseme:8)" in done.out
+
+    def test_it_may_be_allowed(self, here: Here) -> None:
+        done = here("run", "stuck.aseme", "--quiet", "--allow", "waiting")
+        assert done.code == 0
+        assert "deadlock since 1 s" in done.out
+
+    def test_as_json(self, here: Here) -> None:
+        done = here("run", "stuck.aseme", "--json")
+        result = done.json["result"]
+        assert done.code == 1
+        assert (result["stuck"], result["idle_since"]) == (["r"], 1_000_000_000)
+        assert result["agents"][0]["waits"][0]["awaits"][0]["what"] == "[has(t.signal.Go)]"
+
+    def test_the_end_of_the_time_is_no_deadlock(self, here: Here) -> None:
+        done = here("run", "stuck.aseme", "--quiet", "--for", "500ms")
+        assert done.code == 0
+        assert "deadlock" not in done.out
+        assert "waits" not in done.out
+
+    def test_faults_are_listed_once_of_each_kind(self, here: Here, folder: Path) -> None:
+        text = (
+            STUCK.replace("signal Go }", "signal Go  state Go }")
+            .replace("A . B", "(A . B)+")
+            .replace("enter B : [has(t.signal.Go)]", "enter B : / t.signal.Go.n = t.state.Go.n")
+            .replace("  }\n}", "    repeat (A . B) : [true]\n  }\n}")
+        )
+        (folder / "faulty.aseme").write_text(text)
+        done = here("run", "faulty.aseme", "--quiet", "--for", "10s")
+        lines = done.out.splitlines()
+        first = next(number for number, line in enumerate(lines) if "faults; the first of each kind:" in line)
+        assert re.fullmatch(r"\s+\d+ times, r, 1 s: .* \(faulty.aseme:8\)", lines[first + 1])

@@ -34,7 +34,17 @@ def test_what_is_missing_is_added_behind_what_is_there(here: Here, sketch: Path)
     assert text.startswith(SKETCH)
     assert "aip win {" in text
     assert "srm striker {" in text
-    assert here("check", "match.aseme").code == 0
+    assert "process = Shout ? Run" in text and "//" not in text
+    checked = here("check", "match.aseme")
+    assert checked.code == 0 and "note[E109]" in checked.out and "fine" not in checked.out
+    assert here("check", "--strict", "match.aseme").code == 1
+    assert (
+        here("fmt", "--check", "match.aseme").code in (0, 1) and "E109" not in here("fmt", "match.aseme").err
+    )
+    for command in ("build", "run", "diagram"):
+        refused = here(command, "match.aseme")
+        assert refused.code == 1 and "error[E109]" in refused.err, command
+    assert not (sketch.parent / "out").exists()
     before = sketch.stat().st_mtime_ns, sketch.stat().st_ino
     assert here("scaffold", "match.aseme").out == "match.aseme: 0 skeletons written\n"
     assert (sketch.stat().st_mtime_ns, sketch.stat().st_ino) == before

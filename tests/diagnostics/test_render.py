@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import unicodedata
+from collections.abc import Iterator
+
 import pytest
 
 from aseme_dsl.diagnostics import (
@@ -146,3 +149,38 @@ def test_every_code_has_a_severity_that_its_letter_says() -> None:
 )
 def test_did_you_mean(name: str, known: list[str], expected: str | None) -> None:
     assert closest(name, known) == expected
+
+
+LONG = "f(x); " * 20 + "HERE" + " + g(y)" * 20
+WIDE = "日本" * 40 + "\tHERE" + "é" * 90
+
+
+@pytest.mark.parametrize("text", [LONG, WIDE, "HERE" + " x" * 90, " x" * 90 + "HERE", "x " + "HERE" * 60])
+@pytest.mark.parametrize("columns", [30, 80, 81, 120])
+def test_lines_are_cut_to_the_width_of_the_terminal(text: str, columns: int) -> None:
+    source = Source("wide.aseme", text + "\n")
+    place = Span(source, text.index("HERE"), text.rindex("HERE") + 4)
+    shown = render_text([Diagnostic("E100", "no", place)], columns=columns)
+    _, line, marks = shown.splitlines()
+    assert columns_of(line) <= columns and columns_of(marks) <= columns
+    assert "…" in line and "\t" not in line
+    begin = columns_of(marks[: marks.index("^")])
+    marked = "".join(char for at, char in placed(line) if begin <= at < begin + marks.count("^"))
+    assert marked == "HERE" if "HEREHERE" not in text else marked.startswith("HEREHERE")
+
+
+def columns_of(text: str) -> int:
+    return sum(2 if unicodedata.east_asian_width(char) in "WF" else 1 for char in text)
+
+
+def placed(text: str) -> Iterator[tuple[int, str]]:
+    """Each character with the column in which it begins."""
+    at = 0
+    for char in text:
+        yield at, char
+        at += columns_of(char)
+
+
+def test_a_short_line_stays_as_it_is() -> None:
+    problem = Diagnostic("W300", "mixed", span("A"))
+    assert render_text([problem], columns=80) == render_text([problem])

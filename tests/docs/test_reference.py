@@ -29,6 +29,7 @@ OVERVIEWS = {"index.md", "formulas.md", "messages.md", "agent-messages.md", "con
 OF_SEVERAL = {
     "control.md",
     "expressions.md",
+    "holes.md",  # nothing is drawn of a hole, or run
     "lexical.md",
     "protocols.md",
     "requirements.md",

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from tests.editor.test_neovim import ROOT, TEAM, WORLD
+from tests.grammar.syntax.programs import laid_out
 
 HERE = Path(__file__).parent
 
@@ -64,3 +65,30 @@ def test_the_server_answers(seen: dict[str, Any]) -> None:
     assert any("Kik" in each for each in seen["mistakes"])
     assert seen["renamed"].count("Shoot") == 2
     assert "srm player {\n" in seen["formatted"]
+
+
+REINDENT = """
+(setq make-backup-files nil)
+(add-to-list 'load-path (concat (getenv "ASEME_EDITORS") "/emacs"))
+(require 'aseme-mode)
+(dolist (file command-line-args-left)
+  (find-file file)
+  (aseme-mode)
+  (indent-region (point-min) (point-max))
+  (save-buffer))
+(setq command-line-args-left nil)
+"""
+
+
+def test_a_file_that_is_laid_out_stays_as_it_is(tmp_path: Path) -> None:
+    """`indent-region` keeps what continued lines are aligned with."""
+    if shutil.which("emacs") is None:
+        pytest.skip("NOT TRIED, for there is no emacs here: apt install emacs-nox elpa-eglot")
+    script = tmp_path / "reindent.el"
+    script.write_text(REINDENT)
+    files = laid_out(tmp_path)
+    command = ["emacs", "-Q", "--batch", "-l", str(script), *map(str, files)]
+    environment = {**os.environ, "ASEME_EDITORS": str(ROOT / "editors"), "HOME": str(tmp_path)}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+    assert done.returncode == 0, done.stderr
+    assert [path.name for path, text in files.items() if path.read_text("utf-8") != text] == []

@@ -34,8 +34,10 @@ SECONDS = 60.0
 class Browser:
     """Asks what the page asks."""
 
-    def __init__(self, url: str) -> None:
+    def __init__(self, url: str, tab: str = "") -> None:
         found = urlsplit(url)
+        self.tab = tab
+        self.url = url
         assert found.hostname == "127.0.0.1" and found.port is not None
         self.host, self.path, self.version = f"127.0.0.1:{found.port}", found.path, 0
 
@@ -54,9 +56,9 @@ class Browser:
     def next(self) -> Any:
         """What is shown, as soon as it is something else than before."""
         last = time.monotonic() + SECONDS
-        status, headers, text = self.ask("GET", f"state?after={self.version}")
+        status, headers, text = self.ask("GET", f"state?after={self.version}&tab={self.tab}")
         while status == 204 and time.monotonic() < last:  # nothing yet
-            status, headers, text = self.ask("GET", f"state?after={self.version}")
+            status, headers, text = self.ask("GET", f"state?after={self.version}&tab={self.tab}")
         assert status == 200
         self.version = int(headers["X-Version"])
         return json.loads(text)
@@ -71,7 +73,7 @@ class Browser:
         raise AssertionError(f"only {state['title']}: {state['note']}")
 
     def act(self, **said: Any) -> int:
-        return self.ask("POST", "act", json.dumps(said))[0]
+        return self.ask("POST", "act", json.dumps({**said, "tab": self.tab} if self.tab else said))[0]
 
 
 @pytest.fixture
@@ -176,6 +178,32 @@ def test_a_file_is_followed(tmp_path: Path) -> None:
         save(file, GOOD.replace("Stand", "Sit"))
         state = browser.until(lambda state: not state["note"])
         assert ">Sit<" in state["svg"] and state["text"] == ""
+
+
+def test_each_tab_has_a_selection_of_its_own(tmp_path: Path) -> None:
+    file = tmp_path / "team.aseme"
+    file.write_text(GOOD)
+    with viewing(file) as first:
+        one, two = Browser(first.url, "one"), Browser(first.url, "two")
+        assert [one.next()["model"], two.next()["model"]] == ["iac.robot", "iac.robot"]
+        one.act(act="choose", model="srm.robot")
+        assert one.until(lambda state: state["model"] == "srm.robot")["here"] is None
+        two.act(act="click", id="t4")
+        state = two.next()
+        assert (state["model"], state["here"]) == ("iac.robot", "t4")
+        save(file, GOOD.replace("Stand", "Sit"))
+        assert ">Sit<" in two.until(lambda state: "Sit" in state["svg"])["svg"]
+        assert one.next()["model"] == "srm.robot"
+        third = Browser(first.url, "three").next()
+        assert (third["model"], third["here"]) == ("iac.robot", None)
+
+
+def test_no_more_tabs_are_remembered_than_some(shown: Viewer) -> None:
+    shown.show(page_state(title="all"))
+    for number in range(3 * viewer.MOST_TABS):
+        shown.show(page_state(title=str(number)), str(number))
+    assert len(shown.tabs()) == viewer.MOST_TABS + 1
+    assert Browser(shown.url, "0").next()["title"] == "all"
 
 
 def test_a_file_that_changes_while_it_is_compiled_is_compiled_again(tmp_path: Path) -> None:

@@ -18,6 +18,7 @@ import pytest
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.transport import Access, Network, Tls, TransportError
 from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport.access import OPERATOR, access_rules
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 from tests.runtime.transport.net import Part, part
@@ -100,16 +101,17 @@ class Hostile:
     """A Zenoh session that says it is ann, or anybody, and sends what it likes."""
 
     def __init__(self, generated: Generated, name: str = "ann") -> None:
-        config = zenoh.Config()
-        for key, value in Network().settings():
-            config.insert_json5(key, value)
-        self.session = zenoh.open(config)
+        self.link = ZenohLink(WIRE, Network())
+        self.session = self.link.connected(name)
         self.generated = generated
         self.name = name
         self.life = time.time_ns()
-        self.token = self.session.liveliness().declare_token(f"asemec/{WIRE}/here/{name}/{self.life:x}")
+        self.token = self.session.liveliness().declare_token(self.link.token(name, self.life))
 
     def send(self, attachment: bytes | None, payload: bytes, way: str = "team/signal/M") -> None:
+        secret = self.link._secret
+        if attachment is not None and secret is not None:
+            attachment = envelopes.proven(attachment, payload, secret, f"asemec/{WIRE} bob {self.name}")
         self.session.put(f"asemec/{WIRE}/to/bob/{self.name}/{way}", payload, attachment=attachment)
 
     def message(self, bob: Part, n: int, place: int, **members: Any) -> None:
@@ -269,7 +271,7 @@ class Proxy:
 @pytest.mark.parametrize("how", ["cut", "deaf"])
 def test_a_partition_loses_no_signal(wire: Generated, mouth: Mouth, port: int, how: str) -> None:
     proxy = Proxy(port)
-    alone = {"interface": None, "lease_ms": 500}
+    alone = {"lease_ms": 500}
     bob = part(
         wire,
         ["bob"],
@@ -333,12 +335,12 @@ def openssl(folder: Path, *arguments: str) -> None:
 
 @pytest.fixture(scope="module")
 def certificates(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """An authority with certificates for ann, bob and mallory, and another authority's for a stranger."""
+    """An authority with certificates for a team and its operator, and another authority's for a stranger."""
     if shutil.which("openssl") is None:
         pytest.skip("openssl is not installed: certificates are not tested")
     folder = tmp_path_factory.mktemp("certificates")
     (folder / "host.ext").write_text("subjectAltName=IP:127.0.0.1\n")
-    for authority, names in (("team", ("ann", "bob", "mallory")), ("other", ("stranger",))):
+    for authority, names in (("team", ("ann", "bob", "mallory", OPERATOR)), ("other", ("stranger",))):
         new = ["req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", f"/CN={authority}"]
         openssl(folder, *new, "-keyout", f"{authority}.key", "-out", f"{authority}.pem")
         for name in names:
@@ -360,7 +362,7 @@ def certificates(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def secured(certificates: Path, name: str, **options: Any) -> Network:
     tls = Tls(certificates / "team.pem", certificates / f"{name}.pem", certificates / f"{name}.key")
-    return Network(interface=None, tls=tls, **{"listen": ("tls/127.0.0.1:0",), **options})
+    return Network(tls=tls, **{"listen": ("tls/127.0.0.1:0",), **options})
 
 
 def test_robots_with_certificates_talk(wire: Generated, mouth: Mouth, certificates: Path, port: int) -> None:
@@ -386,7 +388,7 @@ def test_who_has_no_certificate_is_not_let_in(
     if how == "no certificate":
         settings = {k: v for k, v in settings.items() if "connect_" not in k and "mtls" not in k}
     elif how == "no tls":
-        settings = dict(Network(interface=None, connect=(f"tcp/127.0.0.1:{port}",)).settings())
+        settings = dict(Network(connect=(f"tcp/127.0.0.1:{port}",)).settings())
     for key, value in settings.items():
         config.insert_json5(key, value)
     config.insert_json5("connect/timeout_ms", "0")
@@ -401,34 +403,17 @@ def test_who_has_no_certificate_is_not_let_in(
     assert bob.of("peer") == []
 
 
-def documented_access() -> dict[str, Any]:
-    """The access file of the documentation, which is for one robot."""
-    page = (Path(__file__).resolve().parents[2] / "docs" / "deploy.md").read_text("utf-8")
-    text = page.partition("<!-- file: access.json -->\n```json\n")[2].partition("\n```")[0]
-    found: dict[str, Any] = json.loads(text)
-    return found
-
-
-def access_for(*robots: str) -> dict[str, Any]:
-    access = documented_access()
-    rule, subject, policy = access["rules"].pop(), access["subjects"].pop(), access["policies"].pop()
-    for robot in robots:
-        as_robot = lambda item, robot=robot: json.loads(json.dumps(item).replace("robot1", robot))  # noqa: E731
-        access["rules"].append(as_robot(rule))
-        access["subjects"].append(as_robot(subject))
-        access["policies"].append(as_robot(policy))
-    return access
-
-
 @pytest.mark.parametrize("guarded", [True, False])
 def test_a_robot_speaks_only_for_itself(
     wire: Generated, mouth: Mouth, certificates: Path, tmp_path: Path, port: int, guarded: bool
 ) -> None:
     file = tmp_path / "access.json"
-    file.write_text(json.dumps(access_for("ann", "bob") | {"enabled": guarded}))
+    team = ("ann", "bob", "mallory")
+    file.write_text(json.dumps(access_rules("bob", team) | {"enabled": guarded}))
     listening = secured(certificates, "bob", listen=(f"tls/127.0.0.1:{port}",), access=Access(file))
     bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, listening)).start()
-    connecting = secured(certificates, "ann", connect=(f"tls/127.0.0.1:{port}",), access=Access(file))
+    own: dict[str, Any] = {"robot": "ann", "team": team} if guarded else {}
+    connecting = secured(certificates, "ann", connect=(f"tls/127.0.0.1:{port}",), **own)
     ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, connecting)).start()
     config = zenoh.Config()
     for key, value in secured(certificates, "mallory", connect=(f"tls/127.0.0.1:{port}",)).settings():

@@ -180,13 +180,12 @@ class Running:
 
 
 def package(folder: Path, text: str) -> tuple[str, str]:
-    """A generated package on disk, and the hash of its models."""
+    """The hash of a version on disk, and that of its models."""
     from aseme_dsl.build.build import Choice
-    from aseme_dsl.build.operate import generate_version
+    from aseme_dsl.build.operate import write_version
     from tests.support.generated import system_of
 
-    place, model = generate_version(system_of(text), folder, Choice())
-    return str(place), model
+    return write_version(system_of(text), folder, Choice(), None)
 
 
 def said(control: Control, **request: Any) -> dict[str, Any]:
@@ -194,14 +193,14 @@ def said(control: Control, **request: Any) -> dict[str, Any]:
 
 
 def test_who_hears_no_more_goes_on_as_it_was(tmp_path: Path) -> None:
-    folder, model = package(tmp_path, LONGER)
+    name, _ = package(tmp_path, LONGER)
     with Running() as (team, records):
-        control = Control(team)
+        control = Control(team, store=tmp_path / "versions")
         old = {agent.plan.model for agent in team.agents}
-        reply = said(control, request="swap", phase="prepare", folder=folder, model=model, within=60, hold=2)
+        reply = said(control, request="swap", phase="prepare", hash=name, within=60, hold=2)
         assert reply["state"] == "prepared"
         steps = [agent.steps for agent in team.agents]
-        other = said(control, request="swap", phase="prepare", folder=folder, model=model)
+        other = said(control, request="swap", phase="prepare", hash=name)
         assert other["reasons"] == ["another swap is under way"]
         assert [agent.steps for agent in team.agents] == steps  # they are held
         wait_until(lambda: said(control, request="status")["swap"] is None)
@@ -214,10 +213,10 @@ def test_who_hears_no_more_goes_on_as_it_was(tmp_path: Path) -> None:
 
 
 def test_who_has_committed_goes_on_to_the_end(tmp_path: Path) -> None:
-    folder, model = package(tmp_path, LONGER)
+    name, model = package(tmp_path, LONGER)
     with Running() as (team, records):
-        control = Control(team)
-        held = said(control, request="swap", phase="prepare", folder=folder, within=60, hold=2)
+        control = Control(team, store=tmp_path / "versions")
+        held = said(control, request="swap", phase="prepare", hash=name, within=60, hold=2)
         assert said(control, request="swap", phase="finish", id=held["id"])["ok"] is False
         assert said(control, request="swap", phase="commit", id=held["id"])["state"] == "committed"
         wait_until(lambda: said(control, request="status")["swap"] is None)
@@ -230,7 +229,7 @@ def test_who_has_committed_goes_on_to_the_end(tmp_path: Path) -> None:
     [
         ({"request": "dance"}, "there is no request 'dance'"),
         ({"request": "swap", "phase": "hop"}, "there is no phase 'hop'"),
-        ({"request": "swap", "phase": "prepare", "folder": "/nowhere"}, "there is no generated package"),
+        ({"request": "swap", "phase": "prepare", "folder": "/nowhere"}, "no member 'folder'"),
         ({"request": "select", "agent": "zoe", "plan": "x"}, "there is no agent zoe here; there are a, b"),
         ({"request": "status", "version": 9}, "requests of version 9 are not known"),
     ],
@@ -287,7 +286,6 @@ class TestSocket:
         import socket
 
         folder = control_socket.folder_for(tmp_path / "out")
-        folder.mkdir(parents=True)
         left = folder / "team-1.sock"
         with socket.socket(socket.AF_UNIX) as server:
             server.bind(str(left))

@@ -49,7 +49,7 @@ def test_robots_with_behaviours_are_changed_and_come_back(tmp_path: Path) -> Non
         run.wait_for(lambda: signals_from(run.trace("robot2", 2), "robot1"))
         assert logs(run.trace("robot1")) == ["begins"]  # it goes on: nothing was left
     (version,) = (folder / "out" / "versions").iterdir()
-    assert {path.name for path in version.iterdir()} == {"monas", "jade_like"}
+    assert {path.name for path in version.iterdir()} == {"monas", "jade_like", "activities"}
 
 
 MIXED = (

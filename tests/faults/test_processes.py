@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import json
 import signal
 from pathlib import Path
-from typing import Any
 
 import psutil
 import pytest
 
-from aseme_dsl.runtime.transport import Network
+from tests.cli.support import asemec
 from tests.faults.team import NAME, Started, project, signals_from, started
 from tests.runtime.playing import check_line
 from tests.support.waiting import LONG, wait_until
 
-zenoh = pytest.importorskip("zenoh")
+pytest.importorskip("zenoh")
 
 
 def gone(processes: list[psutil.Process]) -> bool:
@@ -111,27 +109,6 @@ def test_a_robot_that_stands_still_is_gone_and_comes_back(tmp_path: Path) -> Non
     ] == []
 
 
-def test_a_robot_can_be_asked_over_the_network(tmp_path: Path) -> None:
-    config = zenoh.Config()
-    for key, value in Network().settings():
-        config.insert_json5(key, value)
-    with started(project(tmp_path)) as run, zenoh.open(config) as session:
-        run.wait_for_talk()
-        question = json.dumps({"version": 1, "request": "status"})
-
-        def ask() -> list[dict[str, Any]]:
-            """Put the question; nobody answers until this session has found the robots."""
-            answers = session.get(f"asemec/{NAME}/control/robot2", payload=question, timeout=LONG)
-            return [json.loads(answer.ok.payload.to_string()) for answer in answers if answer.ok is not None]
-
-        replies = wait_until(ask)
-        assert run.end() == 130
-    (status,) = replies
-    assert status["ok"] and status["system"] == NAME
-    assert [agent["name"] for agent in status["agents"]] == ["robot2"]
-    assert status["elsewhere"] == ["robot1", "robot3"]
-
-
 def test_a_robot_that_always_dies_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     say = "import os\n\n\nclass Say:\n    def execute(self, context):\n        os._exit(7)\n"
     with started(project(tmp_path, say=say), "--for", f"{LONG:g}s", "-q") as run:
@@ -140,8 +117,51 @@ def test_a_robot_that_always_dies_is_given_up(tmp_path: Path, monkeypatch: pytes
 
 
 def test_what_cannot_be_started_is_said(tmp_path: Path) -> None:
-    folder = project(tmp_path, configuration='hosts = { robot9 = "127.0.0.1" }\n')
+    network = 'tls = { authority = "a.pem", certificate = "b.pem", key = "c.pem" }\n'
+    folder = project(tmp_path, configuration='hosts = { robot9 = "127.0.0.1" }\n' + network)
     run = Started(folder)
     assert run.process.wait(LONG) == 1
     run.end()
     assert run.said("there is no agent robot9 in the team; there are robot1, robot2, robot3")
+
+
+def test_each_robot_says_what_its_run_has_left_open(tmp_path: Path) -> None:
+    text = (
+        f"system {NAME}\n"
+        "message Offer { int price }\n"
+        "aip trade {\n"
+        "  participant buyer { sends request Offer  receives agree Offer  process = Ask . Got }\n"
+        "  participant seller {\n"
+        "    var ready : bool = false\n"
+        "    sends agree Offer  receives request Offer  process = Answer . Tell\n"
+        "  }\n"
+        "  control buyer {\n"
+        "    enter Ask : / send request Offer to seller\n"
+        "    enter Got : agree Offer from seller\n"
+        "  }\n"
+        "  control seller {\n"
+        "    enter Answer : request Offer from buyer\n"
+        "    enter Tell : [ready] / send agree Offer to buyer\n"
+        "  }\n"
+        "}\n"
+        "srm b { plays trade.buyer  liveness { b = Rest . buyer }"
+        "  activities { Rest takes 500ms  Ask takes 1ms  Got takes 1ms } }\n"
+        "srm s { plays trade.seller  liveness { s = seller }"
+        "  activities { Answer takes 1ms  Tell takes 1ms } }\n"
+        "team T { bob : b  sue : s }\n"
+    )
+    (tmp_path / "trade.aseme").write_text(text)
+    done = asemec(
+        "run", "trade.aseme", "--process-per-robot", "--for", "3s", "--quiet", "--json", cwd=tmp_path
+    )
+    assert done.code == 0, done.out + done.err
+    for robot, awaited in zip(
+        done.json["result"]["robots"], ("agree Offer from seller", "[ready]"), strict=True
+    ):
+        end = robot["end"]
+        assert [item["protocol"] for item in end["conversations"]] == ["trade"]
+        members = end["conversations"][0]["members"]
+        assert sorted(item["agent"] for item in members) == ["bob", "sue"]
+        assert [item["here"] for item in members if item["agent"] == robot["name"]] == [True]
+        assert end["agents"][0]["waits"][0]["awaits"][0]["what"] == awaited
+        assert end["stuck"] == []

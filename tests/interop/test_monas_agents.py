@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
+from pathlib import Path
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from aseme_dsl.build.foreign import imported_modules
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import render_text
 from aseme_dsl.interop.monas_agents import modules_of
@@ -66,15 +70,69 @@ def test_the_block_is_what_an_srm_takes() -> None:
     assert names == ["Vision", "LocalWorldState", "HeadController", "Sensors"]
 
 
+# The form of the files that the robots had: no root, and attributes with or without quotes.
+SEVERAL_ROOTS = """<?xml version="1.0" ?>
+<!-- What runs beside -->
+<agent IsRealTime=1 Priority=1 ThreadFrequency=50 StatsCycle=1000>
+\t<name>Motion</name>
+\t<activity>Walker</activity>
+\t<activity Enable=0>Kicker</activity>
+</agent>
+
+<agent IsRealTime="1" ThreadFrequency='5' Enable="1">
+\t<name>Sharing</name>
+\t\t<activity Enable="1">SharedModel</activity>
+</agent>
+<provider IsRealTime="1" ThreadFrequency="10" Enable="1">Sensors</provider>
+
+<statechart Enable="0">Keeper</statechart>
+"""
+
+
+def test_several_roots_and_values_without_quotes_are_read() -> None:
+    text, found = modules_of(Source("agents.xml", SEVERAL_ROOTS))
+    assert (
+        text
+        == """modules {
+  // statecharts: Keeper (switched off)
+  // agent Motion
+  Walker every 20ms
+  // Kicker every 20ms  (switched off)
+  // agent Sharing
+  SharedModel every 200ms
+  // provider Sensors
+  Sensors every 100ms
+}
+"""
+    )
+    assert found == ()
+
+
+def test_a_problem_after_the_first_root_has_its_place() -> None:
+    text, (problem,) = modules_of(Source("agents.xml", SEVERAL_ROOTS.replace("Sharing</name>", "Sharing")))
+    assert (text, problem.code) == ("", "E220")
+    assert "`</agent>` does not close `<name>`" in problem.message
+    assert problem.span is not None and problem.span.text == "</agent>"
+    assert str(problem.span).startswith("agents.xml:12:")
+
+
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("", "no element found"),
-        ("<agents>", "no element found"),
-        ("<agents></agent>", "mismatched tag"),
-        ("<html><body/></html>", "is no configuration of Monas"),
-        ('<!DOCTYPE a [<!ENTITY b "c">]><agents>&b;</agents>', "it declares entities"),
-        ("<a>" * 5000, "no element found"),
+        ("", "has no agent"),
+        ("<agents>", "`<agents>` is not closed"),
+        ("<agents></agent>", "`</agent>` does not close `<agents>`"),
+        ("<agent/></agent>", "`</agent>` closes nothing"),
+        ("<agent>a</agent b='c'>", "the tag `</agent` is not closed"),
+        ("<agent Enable=>a</agent>", "the tag `<agent` is not closed"),
+        ("<agent>a</agent><!-- b", "`<!--` is not closed by `-->`"),
+        ("<agent>a < b</agent>", "a name is missing after `<`"),
+        ("<agent>a & b</agent>", "begins no character reference"),
+        ("<agent>&#x110000;</agent>", "begins no character reference"),
+        ("<html><body/></html>", "is not a configuration of Monas"),
+        ('<!DOCTYPE a [<!ENTITY b "c">]><agents>&b;</agents>', "it has a document type"),
+        ('<agent/><!DOCTYPE a SYSTEM "/etc/passwd">', "it has a document type"),
+        ("<a>" * 5000, "nested more than 100 deep"),
     ],
 )
 def test_what_cannot_be_read_is_said(text: str, says: str) -> None:
@@ -82,7 +140,53 @@ def test_what_cannot_be_read_is_said(text: str, says: str) -> None:
     assert block == "" and problem.code == "E220" and says in problem.message
 
 
+def test_a_name_ends_no_comment() -> None:
+    name = "Head\n}\nsrm evil { liveness { evil = A } }\u2028\x1b[2J"
+    text, _ = modules_of(Source("agents.xml", f"<agent ThreadFrequency=1><name>{name}</name></agent>"))
+    assert len(text.splitlines()) == 3 and "\x1b" not in text
+
+
+def test_what_means_nothing_is_said() -> None:
+    _, found = modules_of(Source("agents.xml", "<agent ThreadFrequency=1>A</agent> b <Colour>red</Colour>"))
+    assert [(item.code, item.message) for item in found] == [
+        ("W110", "there is text between the elements: it is left out"),
+        ("W110", "`<Colour>` means nothing here: it is left out"),
+    ]
+
+
+@pytest.mark.parametrize(
+    "unit",
+    [
+        "<a/>",
+        "<!--",
+        "<agent>",
+        "&",
+        "<agent ",
+        "\n",
+        "a=b ",
+        "</a>",
+        "<![CDATA[]]>",
+        "<agent ThreadFrequency=1>A</agent>",
+    ],
+)
+def test_a_long_text_takes_work_in_proportion(unit: str) -> None:
+    """Of many characters: what takes the square of that would not come to an end."""
+    block, found = modules_of(Source("agents.xml", unit * (200_000 // len(unit))))
+    assert block or found
+
+
 @given(st.text(alphabet="<>/agentprovider ='\"&;é\x00\n0123", max_size=80))
 def test_no_text_is_too_strange(text: str) -> None:
     block, found = modules_of(Source("agents.xml", text))
     assert block or found
+
+
+def test_a_file_without_end_is_not_read(tmp_path: Path) -> None:
+    pipe = tmp_path / "agents.xml"
+    os.mkfifo(pipe)
+    text, (problem,) = imported_modules(pipe)
+    assert (text, problem.code) == ("", "E001")
+    large = tmp_path / "large.xml"
+    large.write_text(" " * 1_000_001, "utf-8")
+    text, (problem,) = imported_modules(large)
+    assert (text, problem.code, problem.hint) == ("", "E003", None)

@@ -16,6 +16,7 @@ class Choices:
     """
 
     def __init__(self, seed: int | str = 0, replay: Sequence[int] | None = None) -> None:
+        self.seed = seed
         self._random = Random(seed)
         self._replay = replay
         self.made: list[int] = []

@@ -288,8 +288,9 @@ class Reference:
                 self.stop("the step does not settle: " + self.last_transitions())
 
         # "3. At the end: variable writes of the step become visible everywhere (of two writers the region
-        # later in document order wins);"
-        self.spread_writes()
+        # later in document order wins);" "elsewhere from the next step, which follows at the same instant if
+        # anything there reads it"
+        self.outcome.again = self.spread_writes()
 
         # "signals that were looked at in this step are dropped in the region where they were;" and "`again` =
         # some region still has a signal waiting behind one that was dropped."
@@ -449,11 +450,29 @@ class Reference:
         self.leave(self.root())
         self.spread_writes()  # of what was done on leaving
 
-    def spread_writes(self) -> None:
+    def spread_writes(self) -> bool:
+        """Let every region see what was written; whether that is news to one that reads it."""
+        before = {label: dict(region.variables) for label, region in self.regions.items()}
         for _, name, value in sorted(self.writes, key=lambda write: self.place(write[0])):
             for region in self.regions.values():
                 region.variables[name] = value
         self.writes = []
+        return any(
+            before[label][name] != region.variables[name]
+            for label, region in self.regions.items()
+            for name in self.variables_read_in(label)
+        )
+
+    def variables_read_in(self, region: str) -> set[str]:
+        """The variables that "a transition of an active state" of a region reads: in its condition."""
+        sources = [label for label in self.active if self.region_of(label) == region]
+        found: set[str] = set()
+        while sources:
+            for _, transition in self.plan.outgoing(sources.pop()):
+                found |= {part[1] for part in parts(transition.condition) if part[0] == "variable"}
+                if self.type_of(transition.target) == "CONDITION":
+                    sources.append(transition.target)
+        return found
 
     # ---- rounds -----------------------------------------------------------------------------
 
@@ -677,7 +696,7 @@ class Reference:
             for channel, host in signals_of(transition.condition, *transition.actions):
                 message = board.seen.get((channel, host))
                 if message is not None:
-                    board.drop(message)
+                    self.consume(message, board)
 
         # "then the target is entered, outermost first."
         path = [target, *self.around(target)]
@@ -714,14 +733,28 @@ class Reference:
         for channel, host in signals_of(transition.condition, *transition.actions):
             message = board.seen.get((channel, host))
             if message is not None:
-                board.drop(message)
+                self.consume(message, board)
 
     def spend(self, event: Term, source: str) -> None:
         match event:
             case ("received" | "lost", *_):
                 self.take_mail(self.waiting(event, source)[0])
             case ("raised", name):
-                self.spent.add((self.region_of(source), name))
+                # "a … raised event … is consumed at once, for its region and for every region around it"
+                self.spent |= {(region, name) for region in self.regions_around(source)}
+
+    def regions_around(self, label: str) -> list[str]:
+        """The region in which a state is, and those around it."""
+        return [state for state in [label, *self.around(label)] if self.is_region(state)]
+
+    def consume(self, message: Arrived, board: Region) -> None:
+        """ "A signal … is consumed at once, for its region and for every region around it." """
+        for label in self.regions_around(board.label):
+            around = self.regions[label]
+            ahead = message.identity in board.read_ahead and self.reads(label, message.channel)
+            if not around.drop(message) and ahead:
+                # … also where it would come only as an input of the next step
+                around.read_ahead.add(message.identity)
 
     def take_mail(self, mail: Mail) -> None:
         """ "An agent message waits … until exactly one transition or activity takes it" """
@@ -833,6 +866,8 @@ class Reference:
                         # "they start with a copy"
                         variables=dict(surrounding.variables),
                     )
+                    # "regions that are entered during the step do not see it"
+                    self.spent |= {(inner, name) for name in self.events}
                     self.enter(inner, path[1:] if path and path[0] == inner else None, again)
 
     def given(self, label: str) -> tuple[tuple[str, Any], ...] | None:

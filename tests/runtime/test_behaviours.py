@@ -175,6 +175,8 @@ def test_what_a_hook_raises_is_a_fault_and_nothing_else() -> None:
     )
     assert fault["at"] == "test.aseme:4:14"
     assert heard.lines == ["0 start Prepare", "100 end Prepare", "850 down"]
+    finish = played.records[-1]
+    assert [item["reason"] for item in finish.pop("faults")] == [fault["reason"]]
     assert [r for r in played.records if r["kind"] != "fault"] == play(made, until=3 * SECOND).records
 
 

@@ -238,29 +238,6 @@ def test_regions_share_by_publishing() -> None:
     assert run.received("me", "t.state.M") == ["10 from me n=3"]
 
 
-def test_what_is_not_declared_is_noted_once() -> None:
-    generated = generate("""
-    system S
-    message M { int n }
-    topic t { state M }
-    srm R { var x : int = 0  liveness { R = A } control R { leave A : [has(t.state.M) || x == 0] } }
-    """)
-
-    class A:
-        def execute(self, context: Context) -> None:
-            for n in range(3):
-                context.state("t.state.M")
-                context.publish("t.state.M", generated.message("M", n=n))
-                context.set("x", n)
-
-    run = play(generated, {"A": A})
-    assert sorted(fault["reason"] for fault in run.of("fault")) == [
-        "activity A reads t.state.M, which it does not declare",
-        "activity A writes t.state.M, which it does not declare",
-        "activity A writes variable x, which it does not declare",
-    ]
-
-
 def test_the_variables_of_a_participant_need_not_be_declared_by_who_plays_it() -> None:
     generated = generate("""
     system S

@@ -28,6 +28,18 @@ srm R {
   control R { enter B : hop / n = n + 1  leave B : hop }
 }
 """
+ENDLESS = """system S
+srm R {
+  var n : int = 0
+  var m : int = 0
+  liveness { R = a || b  a = Wait . Ping~  b = Pong~ }
+  control a {
+    enter (Ping~) : go
+    repeat Ping : when [n > m] / m = n
+  }
+  control b { repeat Pong : when [n == m] / n = n + 1 }
+}
+"""
 
 
 def chart(text: str, **options: bool) -> Any:
@@ -177,8 +189,19 @@ def test_what_is_queued_behind_a_step_that_raises_is_taken_in_its_order() -> Non
 
 def test_a_step_that_does_not_settle_is_an_error() -> None:
     text = "system S srm R { var b : bool = true liveness { R = A~ } control R { repeat A : when [b] } }"
-    with pytest.raises(Unsettled, match=r"does not settle after 1000 rounds, at 0\.2"):
+    with pytest.raises(Unsettled, match=r"does not settle after 1000 rounds, at A: .*\(test\.aseme:1:70\)$"):
         chart(text)().start()
+
+
+def test_regions_that_wake_each_other_for_ever_are_an_error_that_names_states_and_lines() -> None:
+    machine = Machine(chart(ENDLESS)())
+    machine.start()
+    with pytest.raises(Unsettled) as raised:
+        machine.send("go")
+    said = str(raised.value)
+    assert "1000 steps at one instant" in said and "at Ping, Pong" in said
+    assert "test.aseme:8:" in said and "test.aseme:10:" in said
+    assert "test.aseme:7:" not in said
 
 
 def test_a_step_that_raises_is_not_overtaken_by_the_next() -> None:

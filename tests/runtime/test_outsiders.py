@@ -142,7 +142,7 @@ MISTAKES = {
     ),
     "content is very deep": (
         {"performative": "request", "content": "[" * 100_000},
-        "the content is no JSON: maximum recursion depth exceeded",
+        "the content is no JSON: more than 100 lists and objects in each other",
     ),
     "content is no text": (
         {"performative": "request", "content": b"\xff"},

@@ -214,7 +214,7 @@ def test_process_activities_see_a_snapshot() -> None:
     srm R {
       var sum : int = 0
       liveness { R = A || B }
-      activities { A as process reads t.state.M writes sum  B writes t.state.M }
+      activities { A as process reads t.state.M, sum writes sum  B writes t.state.M }
     }
     """)
 
@@ -287,6 +287,59 @@ def test_steps_that_do_not_end_at_one_instant_are_an_error_that_names_the_cycle(
     failure = run.result.agents[0].failure or ""
     assert "1000 steps at 0 s" in failure and "activities A" in failure
     assert run.result.agents[0].at.startswith("test.aseme:1")
+
+
+WAKING = """
+system S
+srm R {
+  var n : int = 0
+  var m : int = 0
+  liveness { R = a || b  a = A~  b = B~ }
+  control a { repeat A : when [n > m] / m = n }
+  control b { repeat B : when [n == m] / n = n + 1 }
+  activities { A takes 1s  B takes 1s }
+}
+"""
+
+
+@pytest.mark.parametrize("clock", ["virtual", "real"])
+def test_regions_that_wake_each_other_for_ever_stop_their_agent(clock: str) -> None:
+    """ "steps that do not end at one instant of virtual time, are a reported error that names the cycle" """
+    run = play(WAKING, clock=clock)
+    failure = run.result.agents[0].failure or ""
+    assert "A -> A (test.aseme:7:" in failure and "B -> B (test.aseme:8:" in failure
+
+
+def test_a_step_that_does_not_settle_names_states_and_lines() -> None:
+    run = play(
+        "system S srm R { var n : int = 0 liveness { R = A~ } control R { repeat A : when [n == 0] } }"
+    )
+    assert "1000 rounds: A -> A (test.aseme:1:" in (run.result.agents[0].failure or "")
+
+
+QUEUED = """
+system S
+message M { int n }
+topic t { signal M queued }
+srm Reader {
+  var n : int = 0
+  var m : int = 0
+  liveness { Reader = a || b  a = Read~  b = Watch~ }
+  control a { repeat Read : when [m == n && t.signal.M.n > 0] / n = n + 1 }
+  control b { repeat Watch : when [n > m] / m = n }
+  activities { Read takes 1s  Watch takes 1s }
+}
+team T { bob : Reader }
+"""
+
+
+def test_a_long_queue_does_not_stop_who_reads_it() -> None:
+    """At one instant, far more than a thousand steps: each takes a signal or writes what the other reads."""
+    messages = [{"at": "1ms", "channel": "t.signal.M", "message": {"n": 1}} for _ in range(2000)]
+    run = play(QUEUED, script=messages, until=SECOND // 2)
+    result, chart = run.result.agents[0], run.team.agent("bob").chart
+    assert result.failure is None and result.steps > 1000
+    assert chart.variable("m") == chart.variable("n") > 400
 
 
 def test_a_run_ends_when_nothing_would_ever_happen() -> None:
@@ -425,3 +478,18 @@ def test_who_debugs_a_thread_sees_the_code_run_in_it() -> None:
     finally:
         sys.settrace(before)
     assert threads == [threading.current_thread()]
+
+
+@pytest.mark.parametrize(
+    ("repeat", "rounds"),
+    [("every 200ms :", 16), (": after(500ms)", 7), (": [expired(pace)] / start_timer(pace, 1s)", 4)],
+)
+def test_a_loop_that_does_nothing_rests_in_each_round_that_waits(repeat: str, rounds: int) -> None:
+    run = play(
+        "system S srm R { var n : int = 0 liveness { R = [A]~ } control R {"
+        " enter [A] : / start_timer(pace, 1s)"
+        f" enter A : [n < 0]  skip A : else  repeat [A] {repeat} }} }}",
+        until=3 * SECOND,
+    )
+    times = {step["time"] for step in run.of("step") if step["time"] <= 3 * SECOND}
+    assert (run.result.time, len(times)) == (3 * SECOND, rounds)

@@ -38,7 +38,7 @@ def format_source(source: Source) -> Formatted:
     from aseme_dsl.grammar.parse import parse_with_leaves
 
     tree, comments, diagnostics = parse_with_leaves(source)
-    if diagnostics:
+    if any(item.code != "E109" for item in diagnostics):  # holes are laid out as operators are
         return Formatted(source, source.text, diagnostics)
     text = write_blocks(read_blocks(source, tree, comments))
     if _ends_lines_as_windows(source.text):

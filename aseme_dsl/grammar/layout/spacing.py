@@ -11,7 +11,7 @@ LEVELS = 16
 """How many levels there are to a depth."""
 
 _POSTFIX = ("*", "+", "~", "ω", "^ω")
-_FORMULA = {"[>": 0, "||": 1, "|": 2, ".": 3}
+_FORMULA = {"[>": 0, "||": 1, "|": 2, "?": 3, ".": 4}
 
 _SLASH, _CONDITION, _EVENT, _COMMA = 0, 1, 2, 0
 _INFIX = (
@@ -63,7 +63,7 @@ def formula(tokens: Sequence[str], depth: int) -> list[Piece]:
                 index += 1
                 pieces.append(Piece(tokens[index], 0, GLUED, depth))
         else:
-            pieces.append(Piece(token, 1, level_of(depth, _FORMULA.get(token, 3)), depth))
+            pieces.append(Piece(token, 1, level_of(depth, _FORMULA.get(token, 4)), depth))
             operand_expected = True
             glued = False
         index += 1

@@ -81,6 +81,11 @@ class Link(Protocol):
         """So many bytes a payload may have; None: as many as it likes."""
         ...
 
+    @property
+    def lease(self) -> int | None:
+        """Who answers no PING for so many ns is gone; None: the link itself asks who is there."""
+        ...
+
     def open(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
         """Connect and say that these agents are here. Raises TransportError if that cannot be."""
         ...

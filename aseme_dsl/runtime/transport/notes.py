@@ -14,6 +14,7 @@ from dataclasses import fields
 from datetime import datetime
 from typing import Any
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.acl import JSON, AgentIdentifier, FipaMessage, fipa_name, performative_of
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
@@ -84,7 +85,7 @@ def letter(envelope: Envelope, stamp: Stamp, payload: bytes, sender: str, system
 def ours(headers: Headers) -> dict[str, Any]:
     """What the header `aseme` says. Raises EnvelopeError if it is no JSON object."""
     try:
-        found = json.loads(headers[OURS])
+        found = outside.loads(headers[OURS])
     except (ValueError, RecursionError) as problem:
         raise EnvelopeError(f"its header {OURS} is no JSON: {problem}") from None
     if not isinstance(found, dict):

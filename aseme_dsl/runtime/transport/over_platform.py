@@ -60,6 +60,7 @@ class PlatformLink:
 
     readable = True
     patience = PATIENCE
+    lease = None
 
     def __init__(self, platform: Platform, system: str, team: Sequence[str], lease: float = LEASE) -> None:
         """`team` are the names of all its agents."""

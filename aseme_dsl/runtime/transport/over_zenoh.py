@@ -1,20 +1,25 @@
 """The link over Eclipse Zenoh. Keys, each below `asemec/SYSTEM`:
 
 to/RECEIVER/SENDER/WAY     what goes from one agent to another; WAY is TOPIC/KIND/MESSAGE, or `mail`, …
-here/AGENT/INCARNATION     a liveliness token: this agent is there
+here/AGENT/INCARNATION     a liveliness token: this agent is there; with a secret, `-PROOF` follows
 WHAT/AGENT                 questions: `history` and `control`
 """
 
 from __future__ import annotations
 
 import contextlib
+import hmac
+import json
 import re
+import secrets
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import nullcontext
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
+from aseme_dsl.runtime.transport.meeting import Meeting, joining
 from aseme_dsl.runtime.transport.port import TransportError
 from aseme_dsl.runtime.transport.stream import PATIENCE
 
@@ -43,6 +48,13 @@ def import_zenoh() -> Any:
     return zenoh
 
 
+def meeting_settings(meeting: Meeting) -> Iterator[tuple[str, str]]:
+    """The entries of zenoh's configuration by which a process takes part in a meeting on one machine."""
+    yield "listen/endpoints", json.dumps([f"unixsock-stream/{meeting.own}"])
+    yield "connect/endpoints", json.dumps([f"unixsock-stream/{path}" for path in meeting.others])
+    yield "transport/link/protocols", '["unixsock-stream"]'
+
+
 class ZenohLink:
     """A Zenoh session of its own."""
 
@@ -53,6 +65,9 @@ class ZenohLink:
     def __init__(self, system: str, network: Network) -> None:
         """Raises TransportError if zenoh is not installed, or the settings do not fit."""
         self._zenoh = import_zenoh()
+        self._system = system
+        self._network = network
+        self.lease = network.lease_ms * 1_000_000
         self._root = f"asemec/{system}"
         self._config = self._zenoh.Config()
         for key, value in network.settings():
@@ -60,6 +75,8 @@ class ZenohLink:
                 self._config.insert_json5(key, value)
             except self._zenoh.ZError as problem:
                 raise TransportError(f"zenoh does not take {key} = {value}: {problem}") from problem
+        self._secret: bytes | None = None
+        """Who knows it is of the team; None where certificates say so."""
         self._session: Any = None
         self._kept: list[Any] = []
         """Tokens vanish when nobody refers to them."""
@@ -69,11 +86,7 @@ class ZenohLink:
     def open(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
         """Connect and say that these agents are here."""
         zenoh = self._zenoh
-        try:
-            session = zenoh.open(self._config)
-        except zenoh.ZError as problem:
-            raise TransportError(f"the network cannot be used: {_first_line(problem)}") from problem
-        self._session = session
+        session = self._session = self.connected(agents[0])
         # A process that ends with a subscriber in it waits for ever, unless this runs before its threads
         # are waited for; `atexit` is too late for that.
         register = getattr(threading, "_register_atexit", None)
@@ -89,6 +102,8 @@ class ZenohLink:
             data = b"" if attachment is None else attachment.to_bytes()
             payload = sample.payload.to_bytes()
             try:
+                if self._secret is not None:
+                    data = envelopes.unproven(data, payload, self._secret, f"{self._root} {to} {sender}")
                 envelope = envelopes.read(data, payload)
             except EnvelopeError as problem:
                 hears.unreadable(to, sender, str(problem))
@@ -97,8 +112,12 @@ class ZenohLink:
 
         def lives(sample: Any) -> None:
             *_, agent, life = str(sample.key_expr).split("/")
+            life, _, proof = life.partition("-")
             if not _LIFE.fullmatch(life):
                 agent, life = NOBODY, "0"
+            elif not hmac.compare_digest(proof.encode(), self._token_proof(agent, int(life, 16)).encode()):
+                hears.unreadable(agents[0], agent, "its token does not prove that it is of the team")
+                return
             (hears.appeared if sample.kind == put else hears.vanished)(agent, int(life, 16))
 
         def asked(query: Any) -> None:
@@ -106,8 +125,11 @@ class ZenohLink:
             if to not in agents or what not in QUESTIONS:
                 return  # a query for all that there is
             question = b"" if query.payload is None else query.payload.to_bytes()
+            nonce = "" if query.attachment is None else query.attachment.to_bytes().hex()
             for envelope, payload in hears.asked(to, what, question):
                 data = envelopes.written(envelope, payload)
+                if self._secret is not None:
+                    data = envelopes.proven(data, payload, self._secret, f"{self._root} {what} {to} {nonce}")
                 query.reply(f"{self._root}/{what}/{to}", payload, attachment=data)
 
         for agent in agents:
@@ -117,7 +139,34 @@ class ZenohLink:
         self._kept.append(liveliness.declare_subscriber(f"{self._root}/here/*/*", lives, history=True))
         # Last: who sees the token may send at once.
         for agent in agents:
-            self._kept.append(liveliness.declare_token(f"{self._root}/here/{agent}/{incarnation:x}"))
+            self._kept.append(liveliness.declare_token(self.token(agent, incarnation)))
+
+    def visit(self, name: str) -> None:
+        """Connect only to ask: nobody is told that somebody is here. Raises TransportError."""
+        self._session = self.connected(name)
+
+    def token(self, agent: str, incarnation: int) -> str:
+        """The key of the token that says that an agent is there."""
+        proof = self._token_proof(agent, incarnation)
+        return f"{self._root}/here/{agent}/{incarnation:x}{'-' if proof else ''}{proof}"
+
+    def _token_proof(self, agent: str, incarnation: int) -> str:
+        if self._secret is None:
+            return ""
+        return hmac.digest(self._secret, f"{self._root} {agent} {incarnation:x}".encode(), "sha256").hex()
+
+    def connected(self, name: str) -> Any:
+        """A session with the team; `name` says to people whose it is. Raises TransportError."""
+        zenoh = self._zenoh
+        with joining(self._system, name) if self._network.local else nullcontext() as meeting:
+            if meeting is not None:
+                self._secret = meeting.secret
+                for key, value in meeting_settings(meeting):
+                    self._config.insert_json5(key, value)
+            try:
+                return zenoh.open(self._config)
+            except zenoh.ZError as problem:
+                raise TransportError(f"the network cannot be used: {_first_line(problem)}") from problem
 
     def send(
         self, to: str, sender: str, way: str, envelope: Envelope, stamp: Stamp, payload: bytes, sure: bool
@@ -125,6 +174,8 @@ class ZenohLink:
         """Send something; it is dropped where the peer takes no more, and never waited for."""
         addressee, place, sample = stamp
         data = envelopes.written(envelope, payload, addressee=addressee, place=place, sample=sample)
+        if self._secret is not None:
+            data = envelopes.proven(data, payload, self._secret, f"{self._root} {to} {sender}")
         key = f"{self._root}/to/{to}/{sender}/{way}"
         publisher = self._publishers.get(key)
         if publisher is None:
@@ -158,9 +209,11 @@ class ZenohLink:
         session = self._session
         if session is None:
             return []
+        nonce = secrets.token_bytes(16)
         replies = session.get(
             f"{self._root}/{what}/{to}",
             payload=question,
+            attachment=nonce,
             timeout=timeout,
             # Otherwise of several answers on one key only the last one is kept.
             consolidation=zenoh.ConsolidationMode.NONE,
@@ -169,9 +222,15 @@ class ZenohLink:
         for reply in replies:
             if reply.ok is not None and reply.ok.attachment is not None:
                 payload = reply.ok.payload.to_bytes()
+                data = reply.ok.attachment.to_bytes()
                 try:
-                    found.append((envelopes.read(reply.ok.attachment.to_bytes(), payload), payload))
+                    if self._secret is not None:
+                        way = f"{self._root} {what} {to} {nonce.hex()}"
+                        data = envelopes.unproven(data, payload, self._secret, way)
+                    found.append((envelopes.read(data, payload), payload))
                 except EnvelopeError as problem:
+                    if self._secret is not None:
+                        continue  # somebody answers who was not asked
                     raise TransportError(f"the answer of {to} cannot be read: {problem}") from problem
         return found
 

@@ -14,8 +14,9 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.team import Team
     from aseme_dsl.runtime.wire import Schema
 
-Answer = Callable[[dict[str, Any]], dict[str, Any]]
-"""What answers a control request, given and returned as JSON objects. May be called from any thread."""
+Answer = Callable[[str, bytes], dict[str, Any]]
+"""What answers a control request to an agent, as it came; the answer is a JSON object. May be called from any
+thread, and never raises."""
 
 
 class TransportError(Exception):

@@ -28,6 +28,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.acl import JSON, AclMessage, AgentIdentifier, FipaMessage, name_of
 from aseme_dsl.runtime.clock import RealClock
 from aseme_dsl.runtime.inputs import Identity
@@ -59,6 +60,8 @@ QUESTIONS = 8
 """Of so many measurements of another clock the quickest counts."""
 ASK_AGAIN = 5_000_000_000
 """How often, in ns, another machine's clock is measured again."""
+PINGS = 4
+"""So many PINGs in each lease; who answers none of so many is gone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +98,10 @@ class _Way:
     """The number of the last sample that was sent."""
     samples: Samples = field(default_factory=Samples)
     """Those that came."""
+    pinged: int = 0
+    """The time of the newest PING that came, in the sender's clock."""
+    asked: deque[int] = field(default_factory=lambda: deque(maxlen=16))
+    """The times of our PINGs that have no answer yet."""
 
 
 @dataclass(slots=True)
@@ -106,6 +113,12 @@ class _Other:
     life: int | None = None
     present: set[int] = field(default_factory=set)
     """The lives that say that they are there; there may be two for a while."""
+    ended: set[int] = field(default_factory=set)
+    """The lives that were gone: where links have a lease, only the answer to a PING brings one back."""
+    unanswered: int = 0
+    """How many PINGs were sent since the last answer."""
+    answered_at: int = 0
+    """When that came, in ns."""
     gone_at: float = -math.inf
     """When it was told last that it is not there any more, in seconds."""
     clock: int | None = None
@@ -141,6 +154,7 @@ class Post(Transport):
         self._readable = link.readable
         self._delay = max(0, link.patience // 3 - SOON)
         """How long an acknowledgement waits for others, in ns."""
+        self._lease = link.lease
         self._schema = schema
         self._clock = clock_identity()
         self._team: Team
@@ -192,7 +206,7 @@ class Post(Transport):
             if self._delay:
                 for (mine, name), way in self._ways.items():
                     if way.out.flying and self._others[name].alive:  # the answer comes after acknowledgements
-                        self._say(mine, name, "ping", self._envelope(envelopes.PING))
+                        self._ping(mine, self._others[name])
         self._wait_for_last_words()
         with self._lock:
             self._closing = True
@@ -381,7 +395,7 @@ class Post(Transport):
     def ask(self, name: str, request: dict[str, Any], timeout: float = 1.0) -> dict[str, Any]:
         for _, payload in self._link.ask(name, "control", json.dumps(request).encode(), timeout):
             with contextlib.suppress(ValueError):
-                answer = json.loads(payload)
+                answer = outside.loads(payload)
                 if isinstance(answer, dict):
                     return answer
         raise TransportError(f"{name} does not answer")
@@ -482,8 +496,10 @@ class Post(Transport):
             self._rest.notify()
 
     def _beat(self) -> None:
-        with self._lock:
-            while not self._closing:
+        while True:
+            with self._lock:
+                if self._closing:
+                    return
                 try:
                     busy = self._look_after()
                 except Exception as problem:  # without this thread nothing would be sent again
@@ -495,12 +511,37 @@ class Post(Transport):
                     self._rest.wait(BEAT)
                 else:
                     self._resting = True
-                    self._rest.wait(1.0)
+                    self._rest.wait(1.0 if self._lease is None else min(1.0, self._lease / PINGS / 1e9))
                     if self._resting:
                         self._resting = False
                     else:
                         # What was just sent or came is looked after in a moment, not while it is answered.
                         self._rest.wait(BEAT)
+                silent = self._silent()
+            for name, life in silent:  # without the lock, since conversations are told
+                self.vanished(name, life)
+
+    def _silent(self) -> list[tuple[str, int]]:
+        """Who has not answered for a lease, though its token is there: anybody may hold a copy of that."""
+        if self._lease is None:
+            return []
+        before = time.monotonic_ns() - self._lease
+        return [
+            (other.name, other.life)
+            for other in self._others.values()
+            # Not by time alone: we may have been suspended ourselves.
+            if other.alive
+            and other.life is not None
+            and other.unanswered >= PINGS
+            and other.answered_at < before
+        ]
+
+    def _ping(self, mine: str, other: _Other) -> None:
+        """Called with the lock."""
+        envelope = self._envelope(envelopes.PING)
+        self._ways[mine, other.name].asked.append(envelope.time)
+        other.unanswered += 1
+        self._say(mine, other.name, "ping", envelope)
 
     def _look_after(self) -> bool:
         """Acknowledge, send again, measure clocks; whether that will soon be needed again."""
@@ -511,18 +552,25 @@ class Post(Transport):
             if way.owed and now - way.owed_since >= self._delay:
                 self._acknowledge(mine, name, way)
             busy = busy or way.owed > 0
+            few = other.alive and other.clock != self._clock and len(other.measured) < QUESTIONS
+            if now >= other.ask_at and self._is_asked(other):
+                pause = ASK_AGAIN if self._lease is None else min(ASK_AGAIN, self._lease // PINGS)
+                other.ask_at = now + (50_000_000 if few else pause)
+                self._ping(mine, other)
+            busy = busy or few
             if not other.alive:
                 continue
             for place, letter in way.out.overdue(now):
                 self._hand_over(other, letter.item, place=place)
             self._pump_quietly(way, other)
             busy = busy or way.out.flying > 0
-            if other.clock != self._clock and now >= other.ask_at:
-                few = len(other.measured) < QUESTIONS
-                other.ask_at = now + (50_000_000 if few else ASK_AGAIN)
-                self._say(mine, name, "ping", self._envelope(envelopes.PING))
-                busy = busy or few
         return busy
+
+    def _is_asked(self, other: _Other) -> bool:
+        """Whether another agent is sent PINGs: for its clock, or to prove that it is there."""
+        if self._lease is not None:
+            return other.life is not None and self._gate.is_set()
+        return other.alive and other.clock != self._clock
 
     def _pump_quietly(self, way: _Way, other: _Other) -> None:
         for place, letter in way.out.ready(time.monotonic_ns()):
@@ -549,16 +597,32 @@ class Post(Transport):
                 self._pump(way, other)
                 return
             if read.kind == envelopes.PING:
+                if read.time <= way.pinged:
+                    self._count(other, "doubled", "one came twice; the second was dropped")
+                    return
+                way.pinged = read.time
                 if way.owed:
                     self._acknowledge(to, sender, way)
                 self._say(to, sender, "pong", self._envelope(envelopes.PONG, asked=read.time, heard=came))
                 return
             if read.kind == envelopes.PONG:
+                if read.asked not in way.asked:
+                    self._count(other, "doubled", "one came twice; the second was dropped")
+                    return
+                way.asked.remove(read.asked)
+                other.unanswered, other.answered_at = 0, came
                 trip = (came - read.asked) - (read.time - read.heard)
                 other.measured.append((trip, ((read.asked - read.heard) + (came - read.time)) // 2))
-                return
-            # Not before its turn: what comes twice is looked into once.
-            ready = [self._decoded(other, *item) for item in self._sorted(to, other, way, read, payload)]
+                if other.alive or self._lease is None or self._closing:
+                    return
+                self._come_back(other)
+                ready = None
+            else:
+                # Not before its turn: what comes twice is looked into once.
+                ready = [self._decoded(other, *item) for item in self._sorted(to, other, way, read, payload)]
+        if ready is None:
+            self._team.conversations.appeared(sender)
+            return
         for item in ready:
             if item is not None:
                 self._hand_on(to, other, *item)
@@ -630,6 +694,8 @@ class Post(Transport):
 
         A robot whose clock was set back begins one with a lower number: it counts when the other has ended.
         """
+        if life in other.ended:
+            return False
         return other.life is None or life > other.life or (not other.alive and life in other.present)
 
     def _decoded(self, other: _Other, envelope: Envelope, payload: bytes) -> tuple[Envelope, Any] | None:
@@ -777,18 +843,28 @@ class Post(Transport):
             if incarnation != other.life and self._is_next(other, incarnation):
                 self._begin_life(other, incarnation)
             elif incarnation == other.life:
-                if not other.alive:
-                    other.alive = True
-                    self._tell(other, "back")
-                self._hurry([key for key in self._ways if key[1] == agent])
+                if other.alive:
+                    self._hurry([key for key in self._ways if key[1] == agent])
+                elif self._lease is None:
+                    self._come_back(other)
+                else:
+                    self._ping(next(iter(self._here)), other)
         if other.alive:
             self._team.conversations.appeared(agent)
+
+    def _come_back(self, other: _Other) -> None:
+        """An agent that was gone leads the same life still. Called with the lock."""
+        other.alive = True
+        self._tell(other, "back")
+        self._hurry([key for key in self._ways if key[1] == other.name])
 
     def _end_before(self, agent: str, life: int) -> None:
         """An agent leads one life: the one before has ended, also if it was not seen to. Called without the
         lock, since conversations are told."""
         other = self._others.get(agent)
-        if other is not None and other.alive and other.life is not None and life > other.life:
+        if other is None or not other.alive or other.life is None:
+            return
+        if life > other.life and life not in other.ended:
             self.vanished(agent, other.life)
 
     def _hurry(self, ways: Iterable[tuple[str, str]]) -> None:
@@ -806,15 +882,18 @@ class Post(Transport):
             if other is None or self._closing:
                 return
             other.present.discard(incarnation)
+            if self._lease is not None and other.life == incarnation:
+                other.ended.add(incarnation)
             if other.life != incarnation or not other.alive:
                 return
             other.alive, other.gone_at = False, time.monotonic()
             self._tell(other, "gone")
         self._team.conversations.vanished(agent)
         with self._lock:
-            if other.alive or not other.present:
+            others = other.present - other.ended
+            if other.alive or not others:
                 return
-            self._begin_life(other, max(other.present))
+            self._begin_life(other, max(others))
         self._team.conversations.appeared(agent)
 
     def _begin_life(self, other: _Other, life: int) -> None:
@@ -822,6 +901,7 @@ class Post(Transport):
         first = other.life is None
         other.life, other.alive, other.clock = life, True, None
         other.measured.clear()
+        other.unanswered, other.answered_at, other.ask_at = 0, time.monotonic_ns(), 0
         self._tell(other, "there" if first else "restarted")
         for (mine, name), way in self._ways.items():
             if name != other.name:
@@ -829,6 +909,8 @@ class Post(Transport):
             flying, waiting = way.out.restart()
             self._lose(name, flying, "it ended while this was on its way")
             way.into, way.samples, way.owed, way.sample = Incoming(), Samples(), 0, 0
+            way.pinged = 0
+            way.asked.clear()
             for kept in self._news_for(mine, name):
                 way.out.put(Letter(kept.sent, len(kept.sent.payload), kept.replaces))
             for letter in waiting:
@@ -878,19 +960,16 @@ class Post(Transport):
 
     def asked(self, to: str, what: str, question: bytes) -> Iterable[tuple[Envelope, bytes]]:
         """A question to one of our agents; the answers."""
+        if what == "control":
+            if self._answer is None:
+                return [self._json_answer({"error": f"{to} takes no control requests"})]
+            return [self._json_answer(self._answer(to, question))]
         try:
-            request = json.loads(question)
+            request = outside.loads(question)
             if not isinstance(request, dict):
                 raise ValueError("a JSON object is wanted")
         except ValueError as problem:
             return [self._json_answer({"error": f"the question cannot be read: {problem}"})]
-        if what == "control":
-            if self._answer is None:
-                return [self._json_answer({"error": f"{to} takes no control requests"})]
-            try:
-                return [self._json_answer(self._answer(request))]
-            except Exception as problem:  # whoever asks must get an answer
-                return [self._json_answer({"error": f"{type(problem).__name__}: {problem}"})]
         if what == "history":
             return self._history_of(to, request)
         return []

@@ -1,19 +1,21 @@
 """Which network a robot uses, who may use it with it, and how that is proven.
 
-Without a word about it nothing leaves the machine: a robot listens on a port of the loopback interface, and
-looks for its team there.
+Without a word about it nothing leaves the machine, and nothing listens on a port: the robots of one user meet
+in a folder (`meeting`). Whoever talks beyond this machine proves by a certificate who it is.
 """
 
 from __future__ import annotations
 
+import ipaddress
 import json
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from aseme_dsl.runtime.transport.access import access_rules
 from aseme_dsl.runtime.transport.port import TransportError
 
-LOOPBACK = "lo"
 LEASE_MS = 2000
 """How long, in ms, a peer may be silent before it counts as gone."""
 
@@ -42,23 +44,40 @@ class Access:
 class Network:
     """How a robot reaches its team.
 
-    `listen` and `connect` are endpoints, such as `tcp/192.168.1.10:7447`; a port 0 is any free one.
-    `interface` is where the team is looked for by multicast: its name or address, or None for no looking.
+    `listen` and `connect` are endpoints, such as `tls/192.168.1.10:7447`; a port 0 is any free one. Without
+    any, the team meets on this machine. `interface` is where the team is looked for by multicast: its name or
+    address, or None for no looking.
     """
 
-    listen: tuple[str, ...] = ("tcp/127.0.0.1:0",)
+    listen: tuple[str, ...] = ()
     connect: tuple[str, ...] = ()
-    interface: str | None = LOOPBACK
+    interface: str | None = None
     lease_ms: int = LEASE_MS
     tls: Tls | None = None
     access: Access | None = None
+    robot: str = ""
+    team: tuple[str, ...] = ()
+    """Of these names access rules are made, where there are certificates and no `access`."""
+    controlled: bool = False
+    """Whether the team has operators, who may ask for control and nothing else."""
+
+    @property
+    def local(self) -> bool:
+        """Whether the team meets on this machine, without ports."""
+        return not (self.listen or self.connect or self.interface)
 
     def settings(self) -> Iterator[tuple[str, str]]:
         """The entries of zenoh's configuration, as (key, JSON).
 
         Raises:
-            TransportError: a file cannot be read, or is not what it should be.
+            TransportError: a file cannot be read, or is not what it should be; or whoever is on the network
+                would be let in without a certificate.
         """
+        for end in (*self.listen, *self.connect):
+            if not _is_safe(end):
+                raise TransportError(f"{end} is beyond this machine, and only tls/ proves who is there")
+        if self.interface is not None and self.tls is None:
+            raise TransportError(f"the team cannot be looked for on {self.interface} without certificates")
         yield "mode", '"peer"'
         yield "listen/endpoints", json.dumps(self.listen)
         yield "connect/endpoints", json.dumps(self.connect)
@@ -68,6 +87,10 @@ class Network:
             yield "scouting/multicast/enabled", "false"
         else:
             yield "scouting/multicast/interface", json.dumps(self.interface)
+        # Nobody tells us to whom to connect, nor changes our settings.
+        yield "scouting/gossip/enabled", "false"
+        yield "adminspace/enabled", "false"
+        yield "transport/shared_memory/enabled", "false"
         yield "transport/link/tx/lease", json.dumps(self.lease_ms)
         if self.tls is not None:
             for path in (self.tls.authority, self.tls.certificate, self.tls.key):
@@ -85,6 +108,8 @@ class Network:
             except ValueError as problem:
                 raise TransportError(f"{self.access.file} is no JSON: {problem}") from problem
             yield "access_control", text
+        elif self.tls is not None and self.team:
+            yield "access_control", json.dumps(access_rules(self.robot, self.team, self.controlled))
 
 
 ROBOT = "ROBOT"
@@ -127,6 +152,20 @@ class Mango:
     """Where the agents of a team listen, by their names, as (host, port)."""
 
     hosts: Mapping[str, tuple[str, int]] = field(default_factory=dict)
+
+
+def _is_safe(endpoint: str) -> bool:
+    """Whether nobody beyond this machine can be at an endpoint without a certificate of the team."""
+    protocol, slash, address = endpoint.partition("/")
+    if not slash or protocol in ("tls", "quic", "unixsock-stream"):
+        return True
+    host = re.sub(r":\d+([#?].*)?$", "", address).strip("[]")
+    if host == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(host.partition("%")[0]).is_loopback
+    except ValueError:
+        return False
 
 
 def _readable(path: Path) -> str:

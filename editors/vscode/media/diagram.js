@@ -38,6 +38,9 @@ function mark(id) {
   const here = id === null ? null : element(id);
   if (!here) return;
   here.classList.add("here");
+  // A transition is drawn in several parts: t3, t3.turn, t3.rest.
+  const parts = id.startsWith("t") ? [...places].filter((place) => place.startsWith(`${id}.`)) : [];
+  for (const part of parts) element(part)?.classList.add("here");
   const box = here.getBoundingClientRect();
   const view = picture.getBoundingClientRect();
   const seen = box.top >= view.top && box.bottom <= view.bottom && box.left >= view.left && box.right <= view.right;

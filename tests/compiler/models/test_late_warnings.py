@@ -87,5 +87,6 @@ def test_a_condition_without_brackets_is_no_event() -> None:
     assert [(item.code, item.span.text) for item in found if item.span] == [
         ("E517", "near"),
         ("E517", "tired"),
+        ("W405", "enter D : bumped"),
     ]
     assert found[0].hint == "write `[near]`; a name without brackets is an event that an activity raises"

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from aseme_dsl.grammar.formula import BUILT_IN_TYPES, RESERVED
+from aseme_dsl.grammar.layout import format_source
 from aseme_dsl.grammar.layout.rules import EXPRESSIONS, FORMULAS
 from aseme_dsl.grammar.parse import parse_with_leaves
 from aseme_dsl.grammar.syntax.shape import Choice, Repeated, Series, Shape, Terminal, grammar
@@ -122,4 +123,40 @@ def words_as_names(count: int, seed: int) -> list[str]:
         changed = text[begin:place] + word + text[place + len(name) : end]
         if words_of_text(changed) is not None:
             found.append(changed)
+    return found
+
+
+TRICKY = """\
+// A brace in a comment: {
+system Tricky  /* and { in
+  a long one { */
+
+message M { string s }
+
+topic t { signal M  state M }
+
+srm r {
+  goal "a { brace in a \\\\" text"
+  liveness { r = (A . B) [> [C] }
+  control r {
+    enter B : [t.state.M.s == "{{"]
+              / t.signal.M.s = "}";
+                write_messages.t.signal.M
+    enter C : when [t.state.M.s == "{"]
+  }
+}
+"""
+"""A text in which braces are not what they seem to be."""
+
+
+def laid_out(folder: Path) -> dict[Path, str]:
+    """Copies of files that are laid out as `asemec fmt` does, each with its text."""
+    texts = {path.name: path.read_text("utf-8") for path in PROGRAMS}
+    texts["tricky.aseme"] = TRICKY
+    found: dict[Path, str] = {}
+    for name, text in texts.items():
+        copy = folder / name
+        canonical = format_source(Source(name, text)).text or text
+        copy.write_text(canonical, "utf-8")
+        found[copy] = canonical
     return found

@@ -13,7 +13,7 @@ import pytest
 from aseme_dsl.grammar.syntax.contexts import Kind
 from aseme_dsl.grammar.syntax.vim import camel
 from tests.grammar.syntax.kinds import differences, same
-from tests.grammar.syntax.programs import ACCEPTANCE, EVERYTHING, ROOT
+from tests.grammar.syntax.programs import ACCEPTANCE, EVERYTHING, ROOT, laid_out
 
 KINDS = {f"aseme{camel(kind)}": same(kind) for kind in Kind} | {"asemeComment": "comment"}
 PROGRAMS = [*ACCEPTANCE, EVERYTHING]
@@ -127,3 +127,31 @@ def test_the_end_of_a_long_file_is_shown_without_reading_all_of_it(editor: str, 
     long.write_text((text + "\n") * 30, "utf-8")
     found = run(editor, tmp_path, END, [long]).split()
     assert [group.partition("_")[0] for group in found] == ["asemeDeclaration", "asemeReference"]
+
+
+CANONICAL = """
+setlocal shiftwidth=2
+for s:number in range(1, argc())
+  execute 'argument' s:number
+  silent normal! gg=G
+  silent write
+endfor
+call writefile([], $VIM_RESULT)
+qall!
+"""
+
+
+def test_a_file_that_is_laid_out_stays_as_it_is(editor: str, tmp_path: Path) -> None:
+    """`gg=G` keeps what continued lines are aligned with, and sees braces in texts and comments as text."""
+    files = laid_out(tmp_path)
+    run(editor, tmp_path, CANONICAL, list(files))
+    assert [path.name for path, text in files.items() if path.read_text("utf-8") != text] == []
+
+
+def test_a_line_that_is_indented_too_far_is_mended(editor: str, tmp_path: Path) -> None:
+    file = tmp_path / "far.aseme"
+    file.write_text(
+        "srm a {\n      liveness {\n         a = B\n         b = C\n    }\n  }\n\n    srm c {\n}\n", "utf-8"
+    )
+    found = run(editor, tmp_path, INDENT, [file])
+    assert found == "srm a {\n  liveness {\n    a = B\n    b = C\n  }\n}\n\nsrm c {\n}\n"

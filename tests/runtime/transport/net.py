@@ -97,6 +97,7 @@ class Air:
 class _AirLink:
     readable = False
     patience = PATIENCE
+    lease = None
     largest = None
 
     def __init__(self, air: Air) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import threading
 import time
 from collections.abc import Iterator
@@ -359,7 +360,7 @@ def test_a_robot_whose_clock_was_set_back_is_known_again(talk: Generated, box: B
 def test_control_requests_come_through(talk: Generated, box: Box, links: Any) -> None:
     ann = part(talk, ["ann"], box.activities, links()).start()
     bob = part(talk, ["bob"], box.activities, links())
-    bob.team.transport.answer(lambda request: {"you asked": request["what"]})
+    bob.team.transport.answer(lambda agent, request: {"you asked": json.loads(request)["what"]})
     bob.start()
     wait_until(lambda: ann.team.transport.is_there("bob") and bob.team.transport.is_there("ann"))
     answer = ann.team.transport.ask("bob", {"what": "status"}, timeout=LONG)

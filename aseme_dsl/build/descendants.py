@@ -1,0 +1,81 @@
+"""Processes that a run leaves behind, such as what an activity has forked: they end with the run."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import signal
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+_SET_CHILD_SUBREAPER, _GET_CHILD_SUBREAPER = 36, 37  # <linux/prctl.h>
+_PATIENCE = 2.0
+"""Seconds within which everything that is left must be dead; a process that the kernel holds is given up."""
+
+
+@contextmanager
+def ending_descendants(tell: Callable[[str], None]) -> Iterator[None]:
+    """At the end, kill each process that was started meanwhile by this one or its children, and tell which.
+
+    It makes this process the parent of its orphaned descendants, which is how it finds them; what ran before
+    is left alone. It is for programs of our own, since whoever embeds a run may start processes meanwhile.
+    Systems other than Linux know no such parent: there nothing is killed.
+    """
+    if sys.platform != "linux":
+        yield
+        return
+    before = set(_children())
+    adopts = ctypes.c_int()
+    prctl = ctypes.CDLL(None, use_errno=True).prctl
+    prctl(_GET_CHILD_SUBREAPER, ctypes.byref(adopts), 0, 0, 0)
+    prctl(_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+    try:
+        yield
+    finally:
+        _kill(before, tell)
+        prctl(_SET_CHILD_SUBREAPER, adopts.value, 0, 0, 0)
+
+
+def _kill(spared: set[int], tell: Callable[[str], None]) -> None:
+    """Kill our children, and theirs as they become ours, until there is none."""
+    told: set[int] = set()
+    deadline = time.monotonic() + _PATIENCE
+    while left := [child for child in _children() if child not in spared]:
+        for child in left:
+            command = _command(child)
+            if command and child not in told:
+                tell(f"process {child} was left behind by the run and has been killed: {command}")
+            told.add(child)
+            with suppress(ProcessLookupError, PermissionError):
+                os.kill(child, signal.SIGKILL)
+            with suppress(ChildProcessError):
+                os.waitpid(child, os.WNOHANG)
+        if time.monotonic() > deadline:
+            return
+        time.sleep(0.002)
+
+
+def _children() -> Iterator[int]:
+    """The processes whose parent is this one, dead ones that nobody has asked about included."""
+    me = os.getpid()
+    for entry in Path("/proc").iterdir():
+        if not entry.name.isdigit():
+            continue
+        with suppress(OSError):
+            # The name in brackets may have any characters; state and parent follow its last bracket.
+            status = (entry / "stat").read_bytes().rpartition(b")")[2].split()
+            if int(status[1]) == me:
+                yield int(entry.name)
+
+
+def _command(process: int) -> str:
+    """What it was started as, on one line; empty if it is dead."""
+    try:
+        words = Path(f"/proc/{process}/cmdline").read_bytes().split(b"\0")
+    except OSError:
+        return ""
+    text = " ".join(b" ".join(words).decode("utf-8", "backslashreplace").split())
+    return text if len(text) <= 80 else text[:79] + "…"

@@ -1,0 +1,68 @@
+"""How commands reach robots: by the control sockets of this machine, or over the network with a key."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+import click
+
+from aseme_dsl.cli.shared import FilePath
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from aseme_dsl.build.remote import Robot
+
+CommandT = TypeVar("CommandT", bound="Callable[..., object]")
+
+
+def key_option(command: CommandT) -> CommandT:
+    """`--key`: reach the robots over their network."""
+    return click.option(
+        "--key",
+        type=FilePath(path_type=Path),
+        metavar="FILE",
+        help="Reach the robots over their network, with the last key of FILE.  [default: by the control"
+        " sockets of this machine]",
+    )(command)
+
+
+@contextmanager
+def reached(key: Path | None, output: Path, system: str | None = None) -> Iterator[Sequence[Robot] | None]:
+    """The robots of the build in an output folder; None without a key.
+
+    Raises:
+        click.ClickException: they cannot be reached.
+    """
+    if key is None:
+        yield None
+        return
+    from aseme_dsl.build.build import choose
+    from aseme_dsl.build.configuration import find_configuration
+    from aseme_dsl.build.play import PlayError, carried
+    from aseme_dsl.build.remote import RemoteError, robots_of
+    from aseme_dsl.diagnostics import has_errors
+
+    configuration, problems = find_configuration(output)
+    if has_errors(problems):
+        raise click.ClickException("\n".join(item.message for item in problems))
+    try:
+        systems = [
+            item
+            for item in carried(output, configuration, choose(configuration))
+            if item.team and system in (None, item.name)
+        ]
+    except PlayError as problem:
+        raise click.ClickException(str(problem)) from problem
+    if len(systems) != 1:
+        names = ", ".join(item.name for item in systems) or "none"
+        raise click.ClickException(f"{output} must have one system with a team; it has {names}")
+    team = [name for name, _ in systems[0].team]
+    try:
+        with robots_of(systems[0].name, team, configuration, key) as robots:
+            yield robots
+    except RemoteError as problem:
+        raise click.ClickException(str(problem)) from problem

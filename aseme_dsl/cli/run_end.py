@@ -1,0 +1,147 @@
+"""The end of a run on a terminal: deadlock, agents that wait, open conversations, unread messages, faults."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from aseme_dsl.cli.shared import CommandT, plural
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.ending import Awaited, FaultCount, Member, Unread, Waiting
+    from aseme_dsl.runtime.team import AgentResult, RunResult
+
+WAITING = "waiting"
+"""What `--allow` takes: agents that wait for ever are no failure of the run."""
+_MOST = 20
+"""So many lines of one sort are printed; of the others only the number."""
+_MOST_AWAITED = 4
+_LONG = 60
+"""A longer text of the source is cut."""
+
+
+def allow_option(command: CommandT) -> CommandT:
+    """`--allow waiting`."""
+    text = "Exit with 0 although agents wait for ever."
+    return click.option("--allow", "allowed", type=click.Choice([WAITING]), multiple=True, help=text)(command)
+
+
+def exit_code(result: RunResult, allowed: Iterable[str], interrupted: int) -> int:
+    """The exit code of a run: 1 if an agent has failed or waits for ever, or the trace is not whole."""
+    if result.reason == "interrupted":
+        return interrupted
+    stuck = result.stuck and WAITING not in allowed
+    return int(bool(result.failed or stuck or result.trace_error is not None))
+
+
+def end_data(result: RunResult) -> dict[str, Any]:
+    """What a run left open, and its faults, as JSON."""
+    from dataclasses import asdict
+
+    return {
+        "idle_since": result.idle_since,
+        "stuck": list(result.stuck),
+        "conversations": [asdict(item) for item in result.conversations],
+        "unread": [asdict(item) for item in result.unread],
+        "fault_kinds": [asdict(item) for item in result.faults],
+    }
+
+
+def end_lines(result: RunResult) -> Iterator[str]:
+    """What to say about the end of a run besides its time; nothing about one that left nothing open."""
+    if result.stuck and result.idle_since is not None:
+        names = _few(list(result.stuck), 8, ", ")
+        yield (
+            f"deadlock since {result.idle_since / 1e9:g} s: no input, timer or activity is pending that could"
+            f" wake {names}"
+        )
+    yield from _clipped(_waiting_lines(result.agents), "waiting state")
+    yield from _clipped(_conversation_lines(result), "line")
+    yield from _clipped([_unread_line(item) for item in result.unread], "unread message")
+    yield from fault_lines(result.faults)
+
+
+def fault_lines(faults: Iterable[FaultCount]) -> Iterator[str]:
+    """How many faults there were, and the first of each kind."""
+    found = list(faults)
+    if found:
+        yield f"{plural(sum(item.count for item in found), 'fault')}; the first of each kind:"
+        yield from _clipped([_fault_line(item) for item in found], "kind")
+
+
+def _waiting_lines(agents: Iterable[AgentResult]) -> list[str]:
+    return [
+        f"{agent.name} ({agent.role}) waits {_waits(item)}"
+        for agent in agents
+        if agent.stuck or not any(item.where == "in" for item in agent.waits)
+        for item in agent.waits
+        if item.conversation is None and not item.free
+    ]
+
+
+def _conversation_lines(result: RunResult) -> list[str]:
+    lines = []
+    for conversation in result.conversations:
+        lines.append(f"conversation {conversation.name} of {conversation.protocol} is open:")
+        lines += [f"  {line}" for member in conversation.members for line in _member_lines(member)]
+    return lines
+
+
+def _member_lines(member: Member) -> list[str]:
+    who = f"{member.agent} as {member.participant}"
+    if not member.here:
+        return [f"{who}, in another process"]
+    if not member.waits:
+        return [f"{who} has not joined"]
+    return [f"{who} waits {_waits(item)}" for item in member.waits]
+
+
+def _waits(item: Waiting) -> str:
+    """Where an agent waits and for what: `after Ask (a.aseme:4) for agree Offer from seller (a.aseme:9)`."""
+    awaited = _few([_awaited(found) for found in item.awaits], _MOST_AWAITED, " or ")
+    return f"{item.where} {_cut(item.name)}{_place(item.at)}" + (f" for {awaited}" if awaited else "")
+
+
+def _awaited(item: Awaited) -> str:
+    if item.kind == "activity":
+        return f"activity {item.what}"
+    return f"{_cut(item.what)}{_place(item.at)}"
+
+
+def _unread_line(item: Unread) -> str:
+    where = f" as {item.participant} in {item.conversation}" if item.conversation else ""
+    return f"unread: {item.performative} {item.message} from {item.sender} to {item.agent}{where}"
+
+
+def _fault_line(item: FaultCount) -> str:
+    times = f"{item.count} times, " if item.count > 1 else ""
+    who = f"{item.agent}, " if item.agent else ""
+    at = f" ({_short(item.at)})" if item.at else (f" (activity {item.activity})" if item.activity else "")
+    return f"  {times}{who}{item.time / 1e9:g} s: {item.reason}{at}"
+
+
+def _few(texts: list[str], most: int, between: str) -> str:
+    further = f"{between}{len(texts) - most} more" if len(texts) > most else ""
+    return between.join(texts[:most]) + further
+
+
+def _clipped(lines: list[str], noun: str) -> Iterator[str]:
+    yield from lines[:_MOST]
+    if len(lines) > _MOST:
+        yield f"... and {plural(len(lines) - _MOST, noun)} more; --json and the trace have them all"
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= _LONG else f"{text[:_LONG]} …"
+
+
+def _place(at: str) -> str:
+    return f" ({_short(at)})" if at else ""
+
+
+def _short(at: str) -> str:
+    """`file:line` of `file:line:column`."""
+    return re.sub(r"(:\d+):\d+$", r"\1", at)

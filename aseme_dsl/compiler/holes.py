@@ -1,0 +1,27 @@
+"""Holes: operators (`A ? B`) and conditions (`[?]`) that are still to be chosen (E109).
+
+A hole leaves nothing out of the tree, so it hides nothing that other declarations need. No chart is made of
+a formula or a control line with one, and no system of a file: what would be executed is not decided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from aseme_dsl.diagnostics import Diagnostic, Severity
+
+HOLE = "E109"
+
+
+def apart_from_holes(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """The diagnostics without those of holes."""
+    return tuple(item for item in diagnostics if item.code != HOLE)
+
+
+def as_notes(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """The diagnostics for somebody who generates nothing: there a hole is something still to be said."""
+    return tuple(replace(item, level=Severity.NOTE) if item.code == HOLE else item for item in diagnostics)
+
+
+__all__ = ["HOLE", "apart_from_holes", "as_notes"]

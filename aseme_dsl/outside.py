@@ -1,0 +1,120 @@
+"""What comes from outside is bounded: files must be regular files, and JSON has a largest size and depth.
+
+Whoever may write a file or send a request decides what is in it. A pipe would stop its reader for ever, and a
+hundred thousand nested brackets would end it.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+import stat
+from io import BufferedReader
+from pathlib import Path
+from typing import Any
+
+LARGEST = 256 << 20
+"""The largest file, in bytes, that is read as a whole, unless its reader says otherwise."""
+DEEPEST = 100
+"""So many lists and objects may stand in each other in JSON: far below what Python's own stack bears."""
+
+_AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+
+# A text is taken as a whole, closed or not: what follows an open one is no structure, and each character is
+# looked at once.
+_STRUCTURE = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"?|[\[\]{}]', re.DOTALL)
+
+
+def open_file(path: str | os.PathLike[str]) -> BufferedReader:
+    """A regular file, opened for reading; links are followed.
+
+    Raises:
+        OSError: it cannot be opened, or it is a folder, a pipe, a socket or a device. None of these is
+            waited for.
+    """
+    try:
+        _check_regular(Path(path).stat(), path)  # opening a device may already do something
+        descriptor = os.open(path, os.O_RDONLY | _AT_ONCE)
+    except ValueError as problem:  # a NUL in the name
+        raise OSError(errno.EINVAL, "not the name of a file", os.fspath(path)) from problem
+    file = os.fdopen(descriptor, "rb")
+    try:
+        _check_regular(os.fstat(descriptor), path)  # it may be another by now
+    except OSError:
+        file.close()
+        raise
+    return file
+
+
+def _check_regular(found: os.stat_result, path: str | os.PathLike[str]) -> None:
+    if stat.S_ISDIR(found.st_mode):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), os.fspath(path))
+    if not stat.S_ISREG(found.st_mode):
+        raise OSError(errno.EINVAL, "not a regular file", os.fspath(path))
+
+
+def read_bytes(path: str | os.PathLike[str], largest: int = LARGEST) -> bytes:
+    """All of a regular file.
+
+    Raises:
+        OSError: as `open_file`, or it has more than `largest` bytes.
+    """
+    with open_file(path) as file:
+        content = file.read(largest + 1)
+    if len(content) > largest:
+        reason = f"larger than {largest >> 20} MB" if largest >= 1 << 20 else f"larger than {largest} bytes"
+        raise OSError(errno.EFBIG, reason, os.fspath(path))
+    return content
+
+
+def read_text(path: str | os.PathLike[str], largest: int = LARGEST, encoding: str = "utf-8") -> str:
+    """The same as a text; line ends become `\\n`.
+
+    Raises:
+        OSError: as `read_bytes`.
+        UnicodeDecodeError: it is no text of this encoding.
+    """
+    text = read_bytes(path, largest).decode(encoding)
+    return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+
+
+def loads(data: str | bytes, largest: int = LARGEST, deepest: int = DEEPEST) -> Any:
+    """What a piece of JSON says (UTF-8, if bytes).
+
+    Raises:
+        ValueError: it is not JSON, too large, or too deep.
+    """
+    if len(data) > largest:
+        raise ValueError(f"larger than {largest} bytes")
+    text = data if isinstance(data, str) else data.decode("utf-8")
+    if text.count("[") + text.count("{") > deepest and depth(text) > deepest:
+        raise ValueError(f"more than {deepest} lists and objects in each other")
+    import json  # most commands read none
+
+    return json.loads(text)
+
+
+def depth(text: str) -> int:
+    """How many brackets of a piece of JSON are open at once at the most, those in its texts left out."""
+    now = most = 0
+    for found in _STRUCTURE.finditer(text):
+        match text[found.start()]:
+            case "[" | "{":
+                now += 1
+                most = max(most, now)
+            case "]" | "}":
+                now -= 1
+            case _:
+                pass
+    return most
+
+
+def loads_file(path: Path, largest: int = LARGEST) -> Any:
+    """What a file of JSON says.
+
+    Raises:
+        OSError: as `read_bytes`.
+        ValueError: as `loads`.
+    """
+    return loads(read_bytes(path, largest), largest)

@@ -1,0 +1,121 @@
+"""What activities start ends with the run: forks, programs, and what these have started in turn."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+import sys
+from pathlib import Path
+
+import psutil
+import pytest
+
+from aseme_dsl.build.descendants import ending_descendants
+from tests.cli.support import asemec
+from tests.support.waiting import wait_until
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="processes are adopted on Linux only")
+
+TEXT = """
+system Starter
+srm robot {
+  liveness { robot = Fork . Begin . Detach . Work . Stay }
+  activities { Work as process  Stay takes 100ms }
+}
+team Starters { one : robot }
+"""
+NOTE = """
+from pathlib import Path
+def note(number):
+    Path("pids").open("a").write(f"{number}\\n")
+"""
+ACTIVITIES = {
+    "fork": """
+import os, time
+from noted import note
+class Fork:
+    def execute(self, context):
+        child = os.fork()
+        if child == 0:
+            os.closerange(0, 100)  # whoever reads our output must not wait for this one
+            time.sleep(600)
+            os._exit(0)
+        note(child)
+""",
+    "begin": """
+import subprocess
+from noted import note
+class Begin:
+    def execute(self, context):
+        note(subprocess.Popen(["sleep", "601"], stdout=-3, stderr=-3).pid)
+""",
+    "detach": """
+import subprocess
+from noted import note
+class Detach:
+    def execute(self, context):
+        line = "setsid sleep 602 >/dev/null 2>&1 & echo $!"
+        done = subprocess.run(["sh", "-c", line], stdout=subprocess.PIPE)
+        note(int(done.stdout))
+""",
+    "work": """
+import subprocess
+from noted import note
+class Work:
+    def execute(self, context):
+        note(subprocess.Popen(["sleep", "603"], stdout=-3, stderr=-3, start_new_session=True).pid)
+""",
+    "stay": "class Stay:\n    def execute(self, context):\n        pass\n",
+}
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    (tmp_path / "starter.aseme").write_text(TEXT)
+    (tmp_path / "noted.py").write_text(NOTE)
+    (tmp_path / "activities").mkdir()
+    for name, code in ACTIVITIES.items():
+        (tmp_path / "activities" / f"{name}.py").write_text(code)
+    return tmp_path
+
+
+@pytest.mark.parametrize("ways", [(), ("--real",), ("--process-per-robot",)], ids=" ".join)
+def test_what_an_activity_started_ends_with_the_run(project: Path, ways: tuple[str, ...]) -> None:
+    bystander = subprocess.Popen(["sleep", "604"])
+    try:
+        done = asemec(
+            "run", "starter.aseme", "--activities", "activities", "--for", "5s", *ways, cwd=project,
+            PYTHONPATH=str(project),
+        )  # fmt: skip
+        started = [int(line) for line in (project / "pids").read_text().split()]
+        assert len(started) == 4, done
+        wait_until(lambda: not any(_lives(number) for number in started))
+        assert "was left behind by the run and has been killed: sleep 601" in done.err
+        assert bystander.poll() is None
+    finally:
+        bystander.kill()
+        bystander.wait()
+
+
+def _lives(number: int) -> bool:
+    try:
+        return psutil.Process(number).status() != psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return False
+
+
+def test_what_ran_before_goes_on_and_the_process_is_as_it_was() -> None:
+    adopts = ctypes.c_int(-1)
+    lines: list[str] = []
+    before = subprocess.Popen(["sleep", "605"])
+    try:
+        with ending_descendants(lines.append):
+            meanwhile = subprocess.Popen(["sleep", "606"])
+        meanwhile.wait()
+        assert _lives(before.pid)
+        assert lines == [f"process {meanwhile.pid} was left behind by the run and has been killed: sleep 606"]
+        ctypes.CDLL(None).prctl(37, ctypes.byref(adopts), 0, 0, 0)
+        assert adopts.value == 0
+    finally:
+        before.kill()
+        before.wait()

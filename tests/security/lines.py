@@ -1,0 +1,56 @@
+"""Lines of the tables in `docs/security.md`: each has a test, and each test of a line has its line.
+
+A test says which line it tests: `@line("another user of this machine", "connect to the bus")`, with the first
+two cells of the row as they stand in the page.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
+
+F = TypeVar("F", bound=Callable[..., object])
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "security.md"
+
+
+def line(who: str, what: str) -> Callable[[F], F]:
+    """Marks a test as that of a line."""
+
+    def mark(test: F) -> F:
+        return test
+
+    return mark
+
+
+def lines_of_the_page() -> list[tuple[str, str]]:
+    """The first two cells of each row of the tables with `who`, `what` as their first columns."""
+    found: list[tuple[str, str]] = []
+    inside = False
+    for text in PAGE.read_text("utf-8").splitlines():
+        cells = [cell.strip() for cell in text.strip().strip("|").split("|")]
+        if not text.startswith("|"):
+            inside = False
+        elif cells[:2] == ["who", "what"]:
+            inside = True
+        elif inside and not set(text) <= set("|- :"):
+            found.append((cells[0], cells[1]))
+    return found
+
+
+def lines_of_tests() -> dict[tuple[str, str], str]:
+    """Which line is tested by which test."""
+    found: dict[tuple[str, str], str] = {}
+    for path in sorted(Path(__file__).parent.glob("test_*.py")):
+        for node in ast.parse(path.read_text("utf-8")).body:
+            if not isinstance(node, ast.FunctionDef):
+                continue
+            for mark in node.decorator_list:
+                if isinstance(mark, ast.Call) and isinstance(mark.func, ast.Name) and mark.func.id == "line":
+                    who, what = (
+                        argument.value for argument in mark.args if isinstance(argument, ast.Constant)
+                    )
+                    found[str(who), str(what)] = f"{path.name}::{node.name}"
+    return found

@@ -1,0 +1,153 @@
+"""A running team of several processes, and a thousand generated requests for each of its sockets and keys."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import random
+import socket
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from aseme_dsl.runtime.control_socket import endpoints
+from aseme_dsl.runtime.transport import Network
+from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport import meeting as meetings
+from aseme_dsl.runtime.transport.envelope import Envelope
+from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
+from tests.faults.team import NAME, Started, project, signals_from, started
+from tests.security.conftest import AsOther
+from tests.security.lines import line
+from tests.support.waiting import LONG, wait_until
+
+zenoh = pytest.importorskip("zenoh")
+
+MANY = 1000
+ROBOTS = ("robot1", "robot2", "robot3")
+
+KNOCK = """
+import socket
+paths, refused = sys.argv[2:], 0
+for number in range(int(sys.argv[1])):
+    for path in paths:
+        try:
+            socket.socket(socket.AF_UNIX).connect(path)
+        except PermissionError:
+            refused += 1
+print(refused)
+"""
+
+
+def noise(chance: random.Random) -> bytes:
+    """Bytes of no sense, or JSON of a request's shape that no request has."""
+    shapes = (
+        lambda: chance.randbytes(chance.randrange(1, 200)),
+        lambda: b"[" * chance.randrange(1, 20_000),
+        lambda: json.dumps({"version": 1, "request": chance.choice(("swap", "select", "x"))}).encode(),
+        lambda: json.dumps({"version": chance.randrange(2, 9), "request": "stop"}).encode(),
+        lambda: json.dumps({"version": 1, "request": "stop", "x": chance.random()}).encode(),
+        lambda: json.dumps({"version": 1, "request": "swap", "folder": "/tmp"}).encode(),
+    )
+    return chance.choice(shapes)().replace(b"\n", b" ")
+
+
+def forged(chance: random.Random, robot: str) -> tuple[str, bytes]:
+    """A key to a robot with an envelope that another one might have sent, but for the proof."""
+    sender = chance.choice([name for name in ROBOTS if name != robot])
+    life = chance.choice((0, 1, 2**64 - 1, chance.getrandbits(64)))
+    data = envelopes.written(
+        Envelope(chance.randrange(5), chance.choice(("", "m")), life, channel="team.signal.Tick"), b""
+    )
+    if chance.random() < 0.5:
+        data = envelopes.proven(data, b"", chance.randbytes(32), f"asemec/{NAME} {robot} {sender}")
+    way = chance.choice(("ping", "pong", "ack", "mail", "team/signal/Tick"))
+    return f"asemec/{NAME}/to/{robot}/{sender}/{way}", data[: chance.randrange(1, 200)]
+
+
+def goes_on(run: Started) -> None:
+    """Each robot hears each other one say more."""
+    before = {
+        (mine, other): len(signals_from(run.trace(mine), other))
+        for mine in ROBOTS
+        for other in ROBOTS
+        if mine != other
+    }
+    run.wait_for(lambda: all(len(signals_from(run.trace(m), o)) > n for (m, o), n in before.items()))
+
+
+def nobody_was_ended_or_late(run: Started) -> bool:
+    news = {entry.split()[1] for robot in ROBOTS for entry in run.news(robot)}
+    return not news & {"gone", "restarted", "replaced", "late", "back"} and not run.said("is started again")
+
+
+def refusals(run: Started, robot: str) -> Counter[str]:
+    """How many control requests were refused, by origin, floods summed up."""
+    found: Counter[str] = Counter()
+    for record in run.trace(robot):
+        if record["kind"] == "control":
+            assert record["what"] == "refused", record
+            found[record["origin"]] += record.get("count", 1)
+    return found
+
+
+@pytest.fixture
+def run(tmp_path: Path) -> Iterator[Started]:
+    with started(project(tmp_path)) as found:
+        found.wait_for_talk()
+        yield found
+
+
+def sockets(run: Started) -> tuple[list[Path], list[Path]]:
+    """Those of the bus, and those for control."""
+    return sorted(meetings.meeting_place(NAME).glob("*.sock")), endpoints(run.folder / "out")
+
+
+@line("another user of this machine", "open any socket of a running team, 1 000 times")
+def test_another_user_opens_nothing(run: Started, as_other: AsOther) -> None:
+    bus, control = sockets(run)
+    assert len(bus) == 3 and len(control) >= 3
+    found = [str(path) for path in (*bus, *control)]
+    done = as_other(KNOCK, str(MANY), *found, modules=("socket",))
+    assert done.stdout.strip() == str(MANY * len(found)), done.stderr
+    goes_on(run)
+    assert nobody_was_ended_or_late(run)
+    assert run.end() == 130
+
+
+@line("a process without the secret", "send 1 000 generated requests to the sockets and keys of a team")
+def test_a_flood_from_the_same_user_changes_nothing_and_is_traced(run: Started) -> None:
+    chance = random.Random(1)
+    bus, control = sockets(run)
+    for path in bus:
+        for _ in range(MANY):
+            with socket.socket(socket.AF_UNIX) as raw:
+                raw.connect(str(path))
+                with contextlib.suppress(ConnectionError):  # the robot has hung up already
+                    raw.sendall(noise(chance)[:500])
+    for path in control:
+        with socket.socket(socket.AF_UNIX) as asking:
+            asking.settimeout(LONG)
+            asking.connect(str(path))
+            replies = asking.makefile("rb")
+            for _ in range(MANY):
+                asking.sendall(noise(chance) + b"\n")
+                assert json.loads(replies.readline())["ok"] is False
+    with ZenohLink(NAME, Network()).connected("mallory") as session:
+        wait_until(lambda: len(list(session.info.peers_zid())) == len(bus))
+        for robot in ROBOTS:
+            for _ in range(MANY):
+                key, data = forged(chance, robot)
+                session.put(key, b"", attachment=data, congestion_control=zenoh.CongestionControl.BLOCK)
+                asked = session.get(f"asemec/{NAME}/control/{robot}", payload=noise(chance), timeout=LONG)
+                assert all(b"off" in reply.ok.payload.to_bytes() for reply in asked if reply.ok)
+    goes_on(run)
+    assert nobody_was_ended_or_late(run)
+    assert run.end() == 130
+    for robot in ROBOTS:
+        assert refusals(run, robot) == {"bus": MANY, "socket": MANY}
+        counts = [r["counts"] for r in run.trace(robot) if r["kind"] == "peer" and r["what"] == "count"]
+        assert sum(count.get("unreadable", 0) for count in counts) == MANY
+        assert len([r for r in run.trace(robot) if r["kind"] == "control"]) < 2 * MANY
