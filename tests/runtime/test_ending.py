@@ -236,12 +236,13 @@ def test_what_ends_a_run_from_outside_leaves_nobody_stuck(end: str) -> None:
 
 def test_in_real_time_nobody_is_stuck_but_all_that_is_open_is_listed() -> None:
     text = TRADE.format(tell="[has(t.signal.Go)]", s="seller").replace("takes 1s", "takes 1ms")
-    run = play(text, clock="real", until=300 * MS)
-    assert (run.result.stuck, run.result.idle_since) == ((), None)
-    assert waits(run) == [
-        "bob after Ask for agree Offer from seller",
-        "sue after Answer for [has(t.signal.Go)]",
-    ]
+    wanted = ["bob after Ask for agree Offer from seller", "sue after Answer for [has(t.signal.Go)]"]
+    for until in (300 * MS, 3 * SECOND, 30 * SECOND):  # a loaded machine needs longer to come so far
+        run = play(text, clock="real", until=until)
+        assert (run.result.stuck, run.result.idle_since) == ((), None)
+        if waits(run) == wanted:
+            break
+    assert waits(run) == wanted
     assert [item.name for item in run.result.conversations] == ["trade-bob-1"]
 
 

@@ -143,9 +143,9 @@ def test_a_recording_counts_for_nothing_and_a_copied_token_hides_no_end(
     for _ in range(3):
         copy.undeclare()
         copy = session.liveliness().declare_token(tokens[0])
+    doubled = bob.team.peers()["ann"].doubled
     for key, payload, data in tape:
         session.put(key, payload, attachment=data)
-    doubled = bob.team.peers()["ann"].doubled
     wait_until(lambda: bob.team.peers()["ann"].doubled >= doubled + len(tape))
     there = bob.team.transport.is_there("ann")
     session.close()
