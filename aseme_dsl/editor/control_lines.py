@@ -6,6 +6,7 @@ from collections.abc import Container, Iterator, Sequence
 
 from aseme_dsl.amola.liveness import Operator, ungrouped
 from aseme_dsl.compiler.formula_to_statechart import Way
+from aseme_dsl.compiler.holes import HOLE
 from aseme_dsl.compiler.staying import STAYING
 from aseme_dsl.compiler.terms import Terms, way, ways
 from aseme_dsl.diagnostics import Edit
@@ -29,9 +30,9 @@ from aseme_dsl.grammar import tree
 def missing_lines(view: View, offset: int) -> tuple[Edit, ...]:
     """The edits that write a line for every way of a formula that has no line yet.
 
-    Such a line says what holds without it: that the transition waits for completion; in a choice or a loop
-    that the first alternative is taken, which the author is asked to decide. The formula is the one whose
-    name, or whose control block's name, stands at `offset`.
+    Such a line says what holds without it: that the transition waits for completion. Where transitions
+    compete, in a choice or a loop, the condition is a hole (`[?]`). The formula is the one whose name, or
+    whose control block's name, stands at `offset`.
 
     Raises:
         Refused: There is no such formula, or all its transitions have lines.
@@ -67,7 +68,7 @@ def missing_lines(view: View, offset: int) -> tuple[Edit, ...]:
     return result
 
 
-_ALLOWED = frozenset(("W403", "W410", "W411", "W412", "W420", "N712"))
+_ALLOWED = frozenset((HOLE, "W403", "W410", "W411", "W412", "W420", "N712"))
 """What may be said of conditions that are still to be written."""
 
 
@@ -100,7 +101,7 @@ def _undecided(terms: Terms, lined: Container[Way | None], otherwise: set[Way]) 
         silent = [item for item in group if item not in lined]
         has_else = any(item in otherwise for item in group)
         for item in silent:
-            found[item] = "else" if item is silent[-1] and not has_else else "[true]  // when?"
+            found[item] = "else" if item is silent[-1] and not has_else else "[?]"
     return found
 
 

@@ -193,16 +193,16 @@ def test_lines_in_a_block_of_their_own() -> None:
         "    enter  (B | C)  :\n"
         "    leave  (B | C)+ :\n"
         "    start  (B | C)+ :\n"
-        "    repeat (B | C)  : [true]  // when?\n"
+        "    repeat (B | C)  : [?]\n"
         "    leave  (B | C)  : else\n"
         "    start  (B | C)  :\n"
-        "    enter  B        : [true]  // when?\n"
+        "    enter  B        : [?]\n"
         "    leave  B        :\n"
         "    enter  C        : else\n"
         "    leave  C        :\n"
         "  }\n}\n"
     )
-    assert [code for code in codes(changed) if code[0] == "E"] == []
+    assert {code for code in codes(changed) if code[0] == "E"} == {"E109"}
 
 
 @pytest.mark.parametrize("kept", ["enter A : [near]", "enter B : [far]", "enter C : else"])
@@ -217,7 +217,7 @@ def test_lines_where_some_are_missing_now(kept: str) -> None:
     )
     assert "E404" in codes(text.replace("‸", ""))
     changed = done(text, "Write a control line")
-    assert [code for code in codes(changed) if code[0] == "E"] == []
+    assert {code for code in codes(changed) if code[0] == "E"} <= {"E109"}
     for line in lines:
         verb, term = line.split()[:2]
         assert len(re.findall(rf"^ +{verb} +{term} +:", changed, re.MULTILINE)) == 1
