@@ -11,7 +11,8 @@ import click
 from aseme_dsl.cli.shared import CommandT, plural
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.ending import Awaited, FaultCount, Member, Unread, Waiting
+    from aseme_dsl.runtime.ending import Awaited, Member, Unread, Waiting
+    from aseme_dsl.runtime.fault_counts import FaultCount
     from aseme_dsl.runtime.team import AgentResult, RunResult
 
 WAITING = "waiting"

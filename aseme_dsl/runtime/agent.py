@@ -6,7 +6,7 @@ import itertools
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from aseme_dsl.runtime import context as c
 from aseme_dsl.runtime import directory as d
@@ -21,7 +21,8 @@ from aseme_dsl.runtime.carry import Carried
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.conversation import Conversations
 from aseme_dsl.runtime.convert import Messages, arrived, converted, like, mailed
-from aseme_dsl.runtime.execution import Execution, Executions, frames_of, reason_of
+from aseme_dsl.runtime.execution import Execution
+from aseme_dsl.runtime.executions import Executions
 from aseme_dsl.runtime.inputs import (
     Arrived,
     Cancel,
@@ -44,16 +45,14 @@ from aseme_dsl.runtime.inputs import (
     Start,
     Written,
 )
-from aseme_dsl.runtime.intake import Errand, Intake, Posted
+from aseme_dsl.runtime.intake import Errand, Intake, Posted, Writer
 from aseme_dsl.runtime.modules import Modules
 from aseme_dsl.runtime.overload import Overload
 from aseme_dsl.runtime.plan import BranchInfo, Plan, Variable
+from aseme_dsl.runtime.ports import Driver
+from aseme_dsl.runtime.returning import frames_of, reason_of
 from aseme_dsl.runtime.timers import Timer
 from aseme_dsl.runtime.trace import Trace
-
-if TYPE_CHECKING:
-    from aseme_dsl.runtime.driver import Driver
-
 
 FOLLOWING = 900
 """After so many steps in a row for which only variables ask, an agent's regions wake each other for ever."""
@@ -74,7 +73,7 @@ class Agent:
         name: str,
         chart: Chart,
         find: ActivityFinder,
-        driver: Driver,
+        driver: Driver[Execution],
         bus: Bus,
         conversations: Conversations,
         trace: Trace,
@@ -101,17 +100,17 @@ class Agent:
         self.chosen: Callable[[Agent, str, str], None] = _not_here
         """Is told of a message that says which plan is to run, and by whom it is."""
         self.executions = Executions(self, find)
-        self.modules = Modules(self, find)
+        self.modules = Modules(self, self.executions, find)
         self.intake = Intake(_queued(self.plan), not driver.clock.virtual, queue)
         self.overload = Overload(self, queue)
         self._queue = chart.queue = queue
-        self.steps = 0
+        self.steps: int = 0
         self.recent: deque[tuple[int, ...]] = deque(maxlen=8)
         """The transitions taken last, for messages about what does not end."""
         self.stopped = False
-        self.down = False
+        self.down: bool = False
         """Whether it has crashed and not started again (in a simulation with faults)."""
-        self.failed_at = ""
+        self.failed_at: str = ""
         """The place in the source where the agent failed."""
         self._sequence = itertools.count(behind + 1)
         self._wanted = True  # the first step enters the root
@@ -159,7 +158,7 @@ class Agent:
         self,
         identity: Identity,
         item: Input,
-        execution: Execution | None = None,
+        execution: Writer | None = None,
         conversation: str | None = None,
     ) -> None:
         """Give the agent an input for its next step (for this one, from an errand that precedes it)."""

@@ -12,16 +12,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 from aseme_dsl.runtime.activities import ActivityError, ActivityFinder
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.directory import Service
+from aseme_dsl.runtime.execution import Host
 from aseme_dsl.runtime.following import Following, Shape
 from aseme_dsl.runtime.inputs import Outcome
-
-if TYPE_CHECKING:
-    from aseme_dsl.runtime.agent import Agent
+from aseme_dsl.runtime.returning import frames_of, reason_of
 
 START, CHOICE, END = "START", "CHOICE", "END"
 """The points of a behaviour: where it begins, where it chooses, where it is done."""
@@ -286,7 +285,7 @@ class JadeLikeAgent:
             step.AGENT = cls
             cls._shape = Shape(step.PLAN)
 
-    def __init__(self, shell: Agent) -> None:
+    def __init__(self, shell: Host) -> None:
         self._shell = shell
         self.plan = shell.plan
         self.behaviours: tuple[Behaviour, ...] = ()
@@ -507,8 +506,6 @@ class JadeLikeAgent:
         try:
             return call()
         except Exception as error:
-            from aseme_dsl.runtime.execution import frames_of, reason_of
-
             frames = frames_of(error)
             place = f" ({frames[-1]['file']}:{frames[-1]['line']})" if frames else ""
             text = f"{what} of {name} raised {reason_of(error)}{place}"

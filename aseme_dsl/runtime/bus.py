@@ -23,23 +23,17 @@ import threading
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.inputs import Arrived, Happened, Identity
 from aseme_dsl.runtime.persist import Kept
 from aseme_dsl.runtime.plan import ChannelInfo, Plan, Term
-from aseme_dsl.runtime.timers import Timer
+from aseme_dsl.runtime.ports import Links, Receiver, Speaker
+from aseme_dsl.runtime.timers import Scheduler, Timer
 from aseme_dsl.runtime.trace import Trace
 from aseme_dsl.runtime.transport.port import LOCAL, Transport
-
-if TYPE_CHECKING:
-    from aseme_dsl.runtime.agent import Agent
-    from aseme_dsl.runtime.driver import Driver
-    from aseme_dsl.runtime.faults import Links
-    from aseme_dsl.runtime.radio import Radio
-
 
 SELECT = "runtime.signal.SelectPlan"
 """The channel on which a message says which plan its receiver, or else its sender, is to run."""
@@ -61,7 +55,7 @@ class _Held:
 class _Route:
     """Who gets what an agent publishes on a channel: agents here, agents elsewhere, the names of all."""
 
-    here: tuple[Agent, ...]
+    here: tuple[Receiver, ...]
     elsewhere: tuple[str, ...]
     names: tuple[str, ...]
 
@@ -74,7 +68,7 @@ class Bus:
 
     def __init__(
         self,
-        driver: Driver,
+        driver: Scheduler,
         trace: Trace,
         state_directory: Path | None = None,
         transport: Transport = LOCAL,
@@ -85,8 +79,8 @@ class Bus:
         self._transport = transport
         self._queue = queue
         self._driver = driver
-        self._agents: dict[str, Agent] = {}
-        self._radios: dict[str, Radio] = {}
+        self._agents: dict[str, Receiver] = {}
+        self._radios: dict[str, Speaker] = {}
         self._rules: dict[str, ChannelInfo] = {}
         self._reads: dict[str, dict[str, frozenset[str | None]]] = {}
         self._writes: dict[str, frozenset[str]] = {}
@@ -101,7 +95,7 @@ class Bus:
         """The simulated links between the agents, if they are not perfect."""
         self._kept = Kept(state_directory) if state_directory is not None else None
 
-    def join(self, agent: Agent, radio: Radio | None = None) -> None:
+    def join(self, agent: Receiver, radio: Speaker | None = None) -> None:
         """An agent comes on the bus; the order in which they come is the team's."""
         self._agents[agent.name] = agent
         if radio is not None:
@@ -130,7 +124,7 @@ class Bus:
 
     def publish(
         self,
-        agent: Agent,
+        agent: Receiver,
         channel: str,
         message: Any,
         host: str | None = None,
@@ -157,7 +151,7 @@ class Bus:
 
     def _in_time(
         self,
-        agent: Agent,
+        agent: Receiver,
         rules: ChannelInfo,
         message: Any,
         host: str | None,
@@ -193,7 +187,7 @@ class Bus:
         if held.timer is None:
             held.timer = self._driver.at(due, lambda: self._release(agent, rules, host, held))
 
-    def _release(self, agent: Agent, rules: ChannelInfo, host: str | None, held: _Held) -> None:
+    def _release(self, agent: Receiver, rules: ChannelInfo, host: str | None, held: _Held) -> None:
         """Send what was held back."""
         assert rules.every is not None
         with self._driver.holding(), self._lock:
@@ -209,7 +203,7 @@ class Bus:
 
     def _send(
         self,
-        agent: Agent,
+        agent: Receiver,
         channel: str,
         message: Any,
         host: str | None,
@@ -251,7 +245,7 @@ class Bus:
                 self.trace.fault(now, agent.name, error)
 
     def _deliver(
-        self, receivers: Iterable[Agent], agent: Agent | None, item: Arrived, region: str | None
+        self, receivers: Iterable[Receiver], agent: Receiver | None, item: Arrived, region: str | None
     ) -> None:
         own = item
         if region is not None:
@@ -297,7 +291,7 @@ class Bus:
 
     # ---- from outside ------------------------------------------------------------------------
 
-    def give(self, agent: Agent, channel: str, message: Any, sender: str = "input") -> None:
+    def give(self, agent: Receiver, channel: str, message: Any, sender: str = "input") -> None:
         """Give an agent a message that nobody of the team has published (a script, a test)."""
         with self._driver.holding(), self._lock:
             identity = self._outside()
@@ -307,7 +301,7 @@ class Bus:
             )
             agent.post(identity, Arrived(channel, message, sender, now, identity))
 
-    def give_event(self, agent: Agent, event: str) -> None:
+    def give_event(self, agent: Receiver, event: str) -> None:
         """Give an agent an event that none of its activities has raised."""
         with self._driver.holding(), self._lock:
             name, number = identity = self._outside()
@@ -319,7 +313,7 @@ class Bus:
         self._given += 1
         return "input", self._given
 
-    def heard(self, agent: Agent, channel: str, message: Any, sender: str) -> None:
+    def heard(self, agent: Receiver, channel: str, message: Any, sender: str) -> None:
         """An agent has heard a message by radio."""
         with self._driver.holding(), self._lock:
             identity = agent.identity()
@@ -338,7 +332,7 @@ class Bus:
 
     def arrived(
         self,
-        agent: Agent,
+        agent: Receiver,
         channel: str,
         message: Any,
         sender: str,
@@ -370,7 +364,7 @@ class Bus:
                 agent.post(identity, Arrived(channel, message, sender, moment, identity))
         return None
 
-    def _objection(self, agent: Agent, channel: str, sender: str, host: str | None) -> str | None:
+    def _objection(self, agent: Receiver, channel: str, sender: str, host: str | None) -> str | None:
         """Why a message from elsewhere is not for this agent, or None."""
         if host is None and agent.name not in self._receivers(sender, channel).names:
             return f"{channel} of {sender} does not concern {agent.name}"
@@ -431,7 +425,7 @@ class Bus:
         self.trace.fault(self._driver.clock.now(), name, error)
 
     def _refused(
-        self, kind: str, agent: Agent, channel: str, message: Any, reason: str, until: int | None = None
+        self, kind: str, agent: Receiver, channel: str, message: Any, reason: str, until: int | None = None
     ) -> None:
         if self.trace.active:
             self.trace.write(
@@ -445,7 +439,7 @@ class Bus:
             )
 
 
-def _giving(agent: Agent, item: Arrived) -> Callable[[], None]:
+def _giving(agent: Receiver, item: Arrived) -> Callable[[], None]:
     return lambda: agent.post(item.identity, item)
 
 

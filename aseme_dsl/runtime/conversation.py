@@ -19,7 +19,7 @@ import threading
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from aseme_dsl.runtime import outsiders
 from aseme_dsl.runtime.acl import (
@@ -39,13 +39,10 @@ from aseme_dsl.runtime.invitations import Part
 from aseme_dsl.runtime.management import Management
 from aseme_dsl.runtime.participation import REMEMBERED, Conversation, Desk, Participation
 from aseme_dsl.runtime.plan import BranchInfo, Plan
+from aseme_dsl.runtime.ports import Links, Receiver
+from aseme_dsl.runtime.timers import Scheduler
 from aseme_dsl.runtime.trace import Trace
 from aseme_dsl.runtime.transport.port import LOCAL, Transport
-
-if TYPE_CHECKING:
-    from aseme_dsl.runtime.agent import Agent
-    from aseme_dsl.runtime.driver import Driver
-    from aseme_dsl.runtime.faults import Links
 
 WAITING = 1000
 """So many messages wait at the most, at one agent, for a participant to be entered."""
@@ -59,7 +56,7 @@ class Conversations:
 
     def __init__(
         self,
-        driver: Driver,
+        driver: Scheduler,
         trace: Trace,
         transport: Transport = LOCAL,
         queue: int = QUEUE,
@@ -71,7 +68,7 @@ class Conversations:
         self._told = ConversationTrace(driver, trace)
         self._transport = transport
         self._queue = queue
-        self._agents: dict[str, Agent] = {}
+        self._agents: dict[str, Receiver] = {}
         self._plans: dict[str, Plan] = {}
         """Of everybody, also of agents in other processes, in the team's order."""
         self._over: dict[str, set[tuple[str, str]]] = {}
@@ -92,7 +89,7 @@ class Conversations:
         self._opened: dict[tuple[str, str], int] = {}
         self._lock = threading.RLock()
 
-    def join(self, agent: Agent) -> None:
+    def join(self, agent: Receiver) -> None:
         """An agent can be talked to; the order in which they come is the team's."""
         self._agents[agent.name] = agent
         self._desks[agent.name] = Desk()
@@ -119,7 +116,7 @@ class Conversations:
 
     # ---- sending -----------------------------------------------------------------------------
 
-    def check_receiver(self, agent: Agent, branch: str, to: str) -> None:
+    def check_receiver(self, agent: Receiver, branch: str, to: str) -> None:
         """Raises LookupError if `to` is neither a participant of the branch's protocol nor an agent."""
         protocol = agent.branch_info(branch).protocol
         if to in self._plans or self._players(protocol, to):
@@ -132,7 +129,7 @@ class Conversations:
 
     def send(
         self,
-        agent: Agent,
+        agent: Receiver,
         branch: str,
         performative: str,
         message: str,
@@ -157,7 +154,7 @@ class Conversations:
                 self._send(agent, place, performative, message, content, receivers, part, reply_by)
 
     def send_to_agent(
-        self, agent: Agent, branch: str, performative: str, message: str, content: Any, to: str
+        self, agent: Receiver, branch: str, performative: str, message: str, content: Any, to: str
     ) -> None:
         """Send to one agent, as the participant that it plays and that receives such a message."""
         with self._driver.holding(), self._lock:
@@ -179,7 +176,7 @@ class Conversations:
             else:
                 self._send(agent, place, performative, message, content, (to,), part)
 
-    def _part_of(self, agent: Agent, branch: str, performative: str, message: str, to: str) -> str | None:
+    def _part_of(self, agent: Receiver, branch: str, performative: str, message: str, to: str) -> str | None:
         """As which participant an agent gets a message: the one that it is in this conversation, if any."""
         protocol = agent.branch_info(branch).protocol
         plan = self._plans.get(to)
@@ -192,7 +189,7 @@ class Conversations:
         return next((part for part in parts if to in members.get(part, ())), next(iter(parts), None))
 
     def _place_of(
-        self, agent: Agent, branch: str, performative: str, message: str, content: Any
+        self, agent: Receiver, branch: str, performative: str, message: str, content: Any
     ) -> Participation | None:
         """The branch in a conversation, which is opened if there is none; None, told, if it was left."""
         place = self._desks[agent.name].branches.get(branch)
@@ -206,7 +203,7 @@ class Conversations:
 
     def _send(
         self,
-        agent: Agent,
+        agent: Receiver,
         place: Participation,
         performative: str,
         message: str,
@@ -273,7 +270,7 @@ class Conversations:
                 text = f"{message.performative} cannot be sent: there is no way to {receiver.name}"
                 self._told.fault(sender, text)
 
-    def _open(self, agent: Agent, place: Participation) -> None:
+    def _open(self, agent: Receiver, place: Participation) -> None:
         protocol = place.info.protocol
         while True:
             number = self._opened[protocol, agent.name] = self._opened.get((protocol, agent.name), 0) + 1
@@ -283,7 +280,7 @@ class Conversations:
         self._conversations[name] = Conversation(protocol)
         self._take_part(agent, place, name, "open")
 
-    def _take_part(self, agent: Agent, place: Participation, name: str, what: str) -> None:
+    def _take_part(self, agent: Receiver, place: Participation, name: str, what: str) -> None:
         place.conversation = name
         part = place.part
         self._desks[agent.name].free.get(part, {}).pop(place.info.label, None)
@@ -295,7 +292,7 @@ class Conversations:
         self._told.takes_part(what, agent.name, place, name)
 
     def _receivers(
-        self, agent: Agent, place: Participation, to: str, performative: str, message: str
+        self, agent: Receiver, place: Participation, to: str, performative: str, message: str
     ) -> tuple[tuple[str, ...], str, str]:
         """Who is addressed, as which participant and, where it cannot be sent, why."""
         assert place.conversation is not None
@@ -346,7 +343,7 @@ class Conversations:
 
     # ---- delivering --------------------------------------------------------------------------
 
-    def arrived(self, agent: Agent, acl: AclMessage, members: Mapping[str, Sequence[str]]) -> None:
+    def arrived(self, agent: Receiver, acl: AclMessage, members: Mapping[str, Sequence[str]]) -> None:
         """The transport has brought a message for an agent, with what its sender knows of who takes part."""
         with self._driver.holding(), self._lock:
             if self._desks[agent.name].was_heard(acl.identity):
@@ -392,7 +389,7 @@ class Conversations:
             else:
                 self._hear(agent, message, sender, identity)
 
-    def _hear(self, agent: Agent, message: FipaMessage, sender: str, identity: Identity) -> None:
+    def _hear(self, agent: Receiver, message: FipaMessage, sender: str, identity: Identity) -> None:
         """Hand on what an outsider says, if it is understood."""
         name = message.conversation or self._asked.get(message.in_reply_to) or f"{sender}-{identity[1]}"
         conversation = self._conversations.get(name)
@@ -451,7 +448,7 @@ class Conversations:
             self._deliver(agent, acl)
         self._close(name)
 
-    def _deadline(self, agent: Agent, message: FipaMessage, sender: str) -> int | None:
+    def _deadline(self, agent: Receiver, message: FipaMessage, sender: str) -> int | None:
         """Until when an outsider wants an answer; None, and told, if what it says of that cannot be read."""
         try:
             return outsiders.deadline(message, self._driver.clock)
@@ -523,7 +520,7 @@ class Conversations:
                 if elsewhere and parts and not awaited:
                     self._told.takes_part("gone", agent.name, place, place.conversation or "", peer=name)
 
-    def _deliver(self, agent: Agent, acl: AclMessage) -> None:
+    def _deliver(self, agent: Receiver, acl: AclMessage) -> None:
         conversation = self._conversations.get(acl.conversation)
         place = conversation.places.get((agent.name, acl.to)) if conversation is not None else None
         if place is not None:
@@ -570,7 +567,7 @@ class Conversations:
     def _receives(self, info: BranchInfo, acl: AclMessage) -> bool:
         return (acl.performative, acl.message) in info.receives
 
-    def _post(self, agent: Agent, place: Participation, acl: AclMessage) -> None:
+    def _post(self, agent: Receiver, place: Participation, acl: AclMessage) -> None:
         mail = Mail(
             place.info.label,
             acl.performative,
@@ -585,7 +582,7 @@ class Conversations:
         place.waiting[acl.identity] = mail
         agent.post(acl.identity, mail, conversation=acl.conversation)
 
-    def _refuse(self, agent: Agent, place: Participation, acl: AclMessage) -> None:
+    def _refuse(self, agent: Receiver, place: Participation, acl: AclMessage) -> None:
         """Too many messages wait already that the participant does not take."""
         if not place.was_full:
             place.was_full = True
@@ -593,13 +590,13 @@ class Conversations:
             self._told.fault(agent.name, f"{text}: what comes now is refused")
         self._unexpected(agent, acl, f"{self._queue} messages wait already for {acl.to}")
 
-    def _unexpected(self, agent: Agent, acl: AclMessage, reason: str) -> None:
+    def _unexpected(self, agent: Receiver, acl: AclMessage, reason: str) -> None:
         """Tell of a message that nobody expects, and answer it, but never an answer to that."""
         self._told.unexpected(agent.name, acl, reason)
         if acl.performative != NOT_UNDERSTOOD:
             self._answer(agent, acl, reason)
 
-    def _answer(self, agent: Agent, acl: AclMessage, reason: str) -> None:
+    def _answer(self, agent: Receiver, acl: AclMessage, reason: str) -> None:
         """Answer a message that nobody expects."""
         identity = agent.identity()
         answer = AclMessage(
@@ -629,7 +626,7 @@ class Conversations:
 
     # ---- what the charts do ------------------------------------------------------------------
 
-    def joined(self, agent: Agent, branch: str) -> None:
+    def joined(self, agent: Receiver, branch: str) -> None:
         """A branch was entered: it is free, and takes the conversation that waits longest."""
         with self._driver.holding(), self._lock:
             place = Participation(agent.branch_info(branch))
@@ -648,7 +645,7 @@ class Conversations:
                 else:
                     self._unexpected(agent, acl, f"{acl.to} does not receive it")
 
-    def left(self, agent: Agent, branch: str) -> None:
+    def left(self, agent: Receiver, branch: str) -> None:
         """A branch was left: its part in the conversation is over, and what it did not take is given up."""
         with self._driver.holding(), self._lock:
             desk = self._desks[agent.name]
@@ -676,7 +673,7 @@ class Conversations:
             if len(self._over) > REMEMBERED:
                 del self._over[next(iter(self._over))]
 
-    def taken(self, agent: Agent, branch: str, identity: Identity) -> None:
+    def taken(self, agent: Receiver, branch: str, identity: Identity) -> None:
         """A transition or an activity took a message."""
         with self._lock:
             place = self._desks[agent.name].branches.get(branch)
@@ -689,14 +686,14 @@ class Conversations:
                 place.taken[kind] = mail
                 place.answered[mail.sender] = mail
 
-    def taken_by(self, agent: Agent, branch: str) -> tuple[Mail, ...]:
+    def taken_by(self, agent: Receiver, branch: str) -> tuple[Mail, ...]:
         """What a participation has taken: the last of each kind and sender, the newest at the end."""
         with self._lock:
             place = self._desks[agent.name].branches.get(branch)
             taken = () if place is None else place.taken.values()
             return tuple(mail for mail in taken if mail.performative != LOST)
 
-    def arrives(self, agent: Agent, mail: Mail, conversation: str | None) -> bool:
+    def arrives(self, agent: Receiver, mail: Mail, conversation: str | None) -> bool:
         """Whether mail that was under way still finds its participant; tells and answers if it does not."""
         with self._driver.holding(), self._lock:
             place = self._desks[agent.name].branches.get(mail.branch)
@@ -723,12 +720,12 @@ class Conversations:
             self._unexpected(agent, acl, "its part in the conversation is over")
             return False
 
-    def lost(self, agent: Agent) -> None:
+    def lost(self, agent: Receiver) -> None:
         """An agent leaves everything though its part is not done: others may wait to hear of it."""
         with self._driver.holding(), self._lock:
             self._tell_gone(agent.name, elsewhere=False)
 
-    def gone(self, agent: Agent, reason: str = "") -> None:
+    def gone(self, agent: Receiver, reason: str = "") -> None:
         """An agent has ended or left its plan: it takes part in nothing, and what waited is answered."""
         with self._driver.holding(), self._lock:
             desk = self._desks[agent.name]
@@ -757,13 +754,13 @@ class Conversations:
         with self._driver.holding(), self._lock:
             yield
 
-    def inside(self, agent: Agent) -> list[tuple[BranchInfo, str]]:
+    def inside(self, agent: Receiver) -> list[tuple[BranchInfo, str]]:
         """The conversations that an agent takes part in, each with the branch that does."""
         with self._lock:
             places = self._desks[agent.name].branches.values()
             return [(place.info, place.conversation) for place in places if place.conversation is not None]
 
-    def place(self, agent: Agent, branch: str) -> tuple[str | None, bool]:
+    def place(self, agent: Receiver, branch: str) -> tuple[str | None, bool]:
         """The conversation of an entered branch, if it is in one; and whether the branch is entered."""
         with self._lock:
             place = self._desks[agent.name].branches.get(branch)
@@ -816,7 +813,7 @@ class Conversations:
                 ]
             return found
 
-    def carry(self, agent: Agent, labels: Mapping[str, str], messages: Messages) -> None:
+    def carry(self, agent: Receiver, labels: Mapping[str, str], messages: Messages) -> None:
         """The agent goes on under its new plan, in which the states have these labels.
 
         What it was invited to and now plays in another way is answered `not_understood`.

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from aseme_dsl.runtime.acl import AclMessage, FipaMessage, performative_of
 from aseme_dsl.runtime.as_json import to_json
 from aseme_dsl.runtime.inputs import Identity
 from aseme_dsl.runtime.participation import Participation
 from aseme_dsl.runtime.plan import BranchInfo
+from aseme_dsl.runtime.timers import Scheduler
 from aseme_dsl.runtime.trace import Trace
-
-if TYPE_CHECKING:
-    from aseme_dsl.runtime.driver import Driver
 
 LONGEST = 2000
 """So many characters of a content that means nothing are told."""
@@ -23,7 +21,7 @@ LONGEST = 2000
 class ConversationTrace:
     """Writes the lines of conversations; all with the time of the run."""
 
-    def __init__(self, driver: Driver, trace: Trace) -> None:
+    def __init__(self, driver: Scheduler, trace: Trace) -> None:
         self._driver = driver
         self._trace = trace
 

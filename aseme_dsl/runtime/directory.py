@@ -16,16 +16,13 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 from aseme_dsl.runtime.acl import JSON, AgentIdentifier
 from aseme_dsl.runtime.clock import nanoseconds
 from aseme_dsl.runtime.plan import Plan
-from aseme_dsl.runtime.timers import Timer
+from aseme_dsl.runtime.timers import Scheduler, Timer
 from aseme_dsl.runtime.trace import Trace
-
-if TYPE_CHECKING:
-    from aseme_dsl.runtime.driver import Driver
 
 REMEMBERED = 4096
 """So many changes are kept for those who look at them now and then."""
@@ -170,7 +167,7 @@ class _Lease:
 class Directory:
     """The directory of a process. May be used from any thread."""
 
-    def __init__(self, driver: Driver, trace: Trace) -> None:
+    def __init__(self, driver: Scheduler, trace: Trace) -> None:
         self._driver = driver
         self._trace = trace
         self._team: dict[str, Entry] = {}

@@ -22,10 +22,10 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.clock import MILLISECOND
 from aseme_dsl.runtime.inputs import Identity
+from aseme_dsl.runtime.timers import Scheduler
 from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing, Samples
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.driver import Driver
     from aseme_dsl.runtime.trace import Trace
 
 _BEAT = 20 * MILLISECOND
@@ -91,7 +91,7 @@ class _Way:
 class Links:
     """The links between the agents of a team in virtual time."""
 
-    def __init__(self, faults: Faults, driver: Driver, trace: Trace) -> None:
+    def __init__(self, faults: Faults, driver: Scheduler, trace: Trace) -> None:
         self.faults = faults
         self._driver = driver
         self._trace = trace

@@ -16,13 +16,10 @@ import threading
 from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from aseme_dsl.runtime.board import QUEUE
 from aseme_dsl.runtime.inputs import Arrived, Happened, Identity, Input, Written
-
-if TYPE_CHECKING:
-    from aseme_dsl.runtime.execution import Execution
 
 CROWD = 1000
 """When so many inputs wait, of those that replace one another only the newest are kept."""
@@ -30,6 +27,16 @@ CROWD = 1000
 Errand = Callable[[], None]
 _Key = tuple[object, str, object]
 """What a newer input replaces: what is said, about what, and by whom."""
+
+
+class Writer(Protocol):
+    """The start of an activity that an input comes from."""
+
+    dropped: int
+    """How many of its inputs did not count."""
+
+    @property
+    def cancelled(self) -> bool: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +49,7 @@ class Posted:
 
     identity: Identity
     input: Input
-    execution: Execution | None = None
+    execution: Writer | None = None
     conversation: str | None = None
 
 

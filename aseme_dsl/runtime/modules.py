@@ -14,18 +14,17 @@ from collections.abc import Generator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from aseme_dsl.runtime import context as c
 from aseme_dsl.runtime.activities import ActivityError, ActivityFinder, has_code, kind_of
 from aseme_dsl.runtime.clock import SECOND, shown
-from aseme_dsl.runtime.execution import Execution, frames_of, is_cancellation, reason_of
+from aseme_dsl.runtime.execution import Execution, Host
+from aseme_dsl.runtime.executions import Executions
 from aseme_dsl.runtime.inputs import Start
 from aseme_dsl.runtime.plan import ModuleInfo
+from aseme_dsl.runtime.returning import frames_of, is_cancellation, reason_of
 from aseme_dsl.runtime.timers import Timer
-
-if TYPE_CHECKING:
-    from aseme_dsl.runtime.agent import Agent
 
 LONGEST_PAUSE = SECOND
 """How long a module that fails again and again pauses, if its period is not longer."""
@@ -98,8 +97,9 @@ class _Module:
 class Modules:
     """The modules of one agent. Called only while the agent is guarded, but for `check`."""
 
-    def __init__(self, agent: Agent, find: ActivityFinder) -> None:
+    def __init__(self, agent: Host, executions: Executions, find: ActivityFinder) -> None:
         self.agent = agent
+        self._executions = executions
         self.has_begun = False
         self._find = find
         self._modules: dict[str, _Module] = {}
@@ -247,7 +247,11 @@ class Modules:
 
     def check(self, execution: Execution, doing: c.Doing) -> None:
         """Refuse at once what means nothing; see `Executions.check`."""
-        self.agent.executions.check(execution, doing)
+        self._executions.check(execution, doing)
+
+    def frozen(self, execution: Execution) -> c.Port:
+        """The port of a context that goes on with what its module sees just now."""
+        return self._executions.frozen(execution)
 
     def returned(self, execution: Execution, error: BaseException | None) -> None:
         """A beat has come to its end."""

@@ -6,14 +6,11 @@ Each sort is told the first time by a fault; how much it is, by a `crowd` line a
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.clock import SECOND
+from aseme_dsl.runtime.execution import Host
 from aseme_dsl.runtime.intake import CROWD, Intake
 from aseme_dsl.runtime.plan import State
-
-if TYPE_CHECKING:
-    from aseme_dsl.runtime.agent import Agent
 
 
 @dataclass(slots=True)
@@ -28,7 +25,7 @@ class _Sort:
 class Overload:
     """What one agent leaves out. Called while it is guarded."""
 
-    def __init__(self, agent: Agent, queue: int) -> None:
+    def __init__(self, agent: Host, queue: int) -> None:
         """`queue` signals of a queued channel may wait."""
         self._agent = agent
         self._queue = queue

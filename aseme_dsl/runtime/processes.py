@@ -20,7 +20,7 @@ from queue import SimpleQueue
 from typing import IO, TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.context import Cancelled
-from aseme_dsl.runtime.execution import reason_of
+from aseme_dsl.runtime.returning import reason_of
 from aseme_dsl.runtime.snapshot import Snapshot, snapshot_of, tell
 from aseme_dsl.runtime.versions import VersionFiles, version_of_module
 

@@ -16,6 +16,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.clock import SECOND, RealClock, shown
+from aseme_dsl.runtime.ports import Stepping
 from aseme_dsl.runtime.real_time import RealTime
 from aseme_dsl.runtime.stacks import place_of
 from aseme_dsl.runtime.threads import Threads
@@ -25,7 +26,6 @@ from aseme_dsl.runtime.timers import Timer
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from aseme_dsl.runtime.agent import Agent
     from aseme_dsl.runtime.execution import Execution
     from aseme_dsl.runtime.processes import Processes
     from aseme_dsl.runtime.real_loop import RealLoop
@@ -46,7 +46,7 @@ class _Depth(threading.local):
 
     def __init__(self) -> None:
         self.depth = 0
-        self.woken: list[Agent] = []
+        self.woken: list[Stepping] = []
 
 
 class RealDriver:
@@ -65,7 +65,7 @@ class RealDriver:
         the build itself; `origin` is the clock's."""
         self.clock = RealClock(origin)
         self.options = options or RealTime()
-        self.agents: Sequence[Agent] = ()
+        self.agents: Sequence[Stepping] = ()
         self.until: int | None = None
         """The moment after which nothing is done any more."""
         self.advance: Callable[[int], None] = lambda moment: None
@@ -104,7 +104,7 @@ class RealDriver:
 
     # ---- the driver's interface --------------------------------------------------------------
 
-    def bring(self, agents: Sequence[Agent]) -> None:
+    def bring(self, agents: Sequence[Stepping]) -> None:
         """Take these agents, in the team's order."""
         self.agents = agents
         self._locks = {agent.name: threading.Lock() for agent in agents}
@@ -117,11 +117,11 @@ class RealDriver:
         """Make a call at a moment, in the thread of the timers; at once, if that has passed."""
         return self._timekeeper.at(moment, call, background)
 
-    def owns(self, agent: Agent) -> bool:
+    def owns(self, agent: Stepping) -> bool:
         """Whether this thread is the one that steps the agent just now."""
         return self._owners.get(agent.name) == threading.get_ident()
 
-    def wake(self, agent: Agent) -> None:
+    def wake(self, agent: Stepping) -> None:
         """Step the agent, unless another thread does; then that one takes what has come in."""
         mine = self._depth
         if not mine.depth:  # as `holding` does, without its price: this is what each message goes through
@@ -148,7 +148,7 @@ class RealDriver:
         finally:
             mine.depth -= 1
 
-    def _step(self, agent: Agent) -> None:
+    def _step(self, agent: Stepping) -> None:
         lock = self._locks[agent.name]
         while agent.intake and lock.acquire(blocking=False):
             self._owners[agent.name] = threading.get_ident()
@@ -168,7 +168,7 @@ class RealDriver:
                     self._condition.notify()
 
     @contextmanager
-    def guard(self, agent: Agent) -> Iterator[None]:
+    def guard(self, agent: Stepping) -> Iterator[None]:
         """Nobody steps the agent inside; what comes in meanwhile is taken at the end."""
         if self.owns(agent):
             yield
@@ -417,14 +417,14 @@ class RealDriver:
         for pool in pools:
             pool.join(lambda: rest(GRACE + LEAVE))
 
-    def _stop_agent(self, agent: Agent, rest: Callable[[float], float]) -> bool:
+    def _stop_agent(self, agent: Stepping, rest: Callable[[float], float]) -> bool:
         """Stop an agent, unless it is stuck in a step."""
         if not self.look(agent, agent.stop, rest(GRACE / 2)):
             return False
         self.wake(agent)
         return True
 
-    def look(self, agent: Agent, call: Callable[[], None], seconds: float = PAUSE) -> bool:
+    def look(self, agent: Stepping, call: Callable[[], None], seconds: float = PAUSE) -> bool:
         """Make a call while nobody steps the agent; False if it is in a step for so many seconds."""
         lock = self._locks[agent.name]
         if not lock.acquire(timeout=max(0.001, seconds)):

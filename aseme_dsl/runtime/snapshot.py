@@ -14,6 +14,7 @@ from aseme_dsl.runtime.context import Context, Doing, Port, Publish, SetVariable
 from aseme_dsl.runtime.directory import Directory
 from aseme_dsl.runtime.inputs import Arrived, Identity, Mail
 from aseme_dsl.runtime.plan import ActivityInfo, Variable
+from aseme_dsl.runtime.returning import as_outcome
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.execution import Execution
@@ -275,8 +276,6 @@ def tell(execution: Execution, told: Told) -> None:
 
 def run_snapshot(execution: Execution) -> None:
     """Run a `process` activity in this thread, on a snapshot as if it were in another process."""
-    from aseme_dsl.runtime.execution import as_outcome  # which needs this module
-
     error: BaseException | None = None
     try:
         execution.context.check()

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from aseme_dsl.runtime.activities import ActivityError, ActivityFinder, has_code, kind_of
 from aseme_dsl.runtime.behaviours import agent_class
@@ -30,7 +30,10 @@ from aseme_dsl.runtime.wire import Schema
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.agent import Agent
-    from aseme_dsl.runtime.team import Team
+    from aseme_dsl.runtime.conversation import Conversations
+    from aseme_dsl.runtime.execution import Execution
+    from aseme_dsl.runtime.ports import Driver
+    from aseme_dsl.runtime.trace import Trace
 
 WITHIN = 10 * SECOND
 """How long a swap waits for conversations to end, if nothing else is said."""
@@ -78,6 +81,25 @@ def version_of(loaded: Loaded, find: ActivityFinder) -> Version:
     )
 
 
+class Swappable(Protocol):
+    """A team as a swap sees it."""
+
+    @property
+    def agents(self) -> tuple[Agent, ...]: ...
+    @property
+    def driver(self) -> Driver[Execution]: ...
+    @property
+    def trace(self) -> Trace: ...
+    @property
+    def conversations(self) -> Conversations: ...
+    @property
+    def version(self) -> Version: ...
+    def agent(self, name: str) -> Agent: ...
+    def tell_apart(self) -> None: ...
+    def renew(self, agent: Agent, version: Version) -> None: ...
+    def adopt(self, version: Version) -> None: ...
+
+
 class Swap:
     """One swap of a team. `state` is waiting, prepared, done, refused or rolled back.
 
@@ -85,7 +107,7 @@ class Swap:
     the one that prepares it also ends it.
     """
 
-    def __init__(self, team: Team, version: Version, agents: Iterable[str] | None = None) -> None:
+    def __init__(self, team: Swappable, version: Version, agents: Iterable[str] | None = None) -> None:
         """For these agents, or for the whole team. Raises LookupError for an agent that there is not."""
         self.team = team
         self.version = version

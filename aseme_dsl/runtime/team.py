@@ -24,7 +24,6 @@ from aseme_dsl.runtime.clock import shown
 from aseme_dsl.runtime.conversation import Conversations
 from aseme_dsl.runtime.ending import (
     NOTHING,
-    FaultCount,
     OpenConversation,
     Unread,
     Waiting,
@@ -32,6 +31,7 @@ from aseme_dsl.runtime.ending import (
     picture,
     waits_of,
 )
+from aseme_dsl.runtime.fault_counts import FaultCount
 from aseme_dsl.runtime.faults import Faults, Links
 from aseme_dsl.runtime.loading import Loaded, importing, other_names, put_in_place, standing_in
 from aseme_dsl.runtime.plan import Plan

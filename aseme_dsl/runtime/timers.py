@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from heapq import heapify, heappop, heappush
+from typing import Protocol
+
+from aseme_dsl.runtime.clock import Clock
 
 _FEW = 64
 """So many cancelled timers may always wait for their moment."""
@@ -76,3 +80,20 @@ class Timers:
     def only_background(self) -> bool:
         """Whether no timer waits but those of the background."""
         return all(timer.background or timer.call is None for _, _, timer in self._heap)
+
+
+class Scheduler(Protocol):
+    """The time of a run, and calls at moments of it, for all who need no more of a driver."""
+
+    @property
+    def clock(self) -> Clock:
+        """The time of the run."""
+        ...
+
+    def at(self, moment: int, call: Callable[[], None], background: bool = False) -> Timer:
+        """Make a call at a moment; at once, if that has passed."""
+        ...
+
+    def holding(self) -> AbstractContextManager[object]:
+        """Agents that are woken meanwhile step only afterwards: for who holds a lock."""
+        ...

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from aseme_dsl.runtime.as_json import to_json
-from aseme_dsl.runtime.ending import Faults
+from aseme_dsl.runtime.fault_counts import FaultCounts
 from aseme_dsl.runtime.inputs import (
     Arrived,
     Cancel,
@@ -33,7 +33,8 @@ from aseme_dsl.runtime.inputs import (
     Start,
 )
 from aseme_dsl.runtime.plan import Plan
-from aseme_dsl.runtime.trace_files import Background, Direct, Output, format_for, part_of, reason_of
+from aseme_dsl.runtime.trace_files import Background, Direct, Output, part_of, reason_of
+from aseme_dsl.runtime.trace_formats import format_for
 from aseme_dsl.runtime.wire import Schema
 
 FORMAT = 1
@@ -51,13 +52,6 @@ _NUMBERS = frozenset({"sequence"})
 _TOO_SLOW = "the disk is slower than the run"
 _MOST_REMARKS = 1000
 """After so many different ones it is forgotten which were told: some texts are different for ever."""
-
-
-def schema() -> dict[str, Any]:
-    """The JSON Schema of one line."""
-    path = Path(__file__).parent / "schemas" / "trace.schema.json"
-    found: dict[str, Any] = json.loads(path.read_text("utf-8"))
-    return found
 
 
 class Trace:
@@ -83,7 +77,7 @@ class Trace:
         self._listening: dict[tuple[str, str | None], tuple[Listener, ...]] = {}
         self._ways: dict[tuple[str, str, tuple[int, ...]], str] = {}
         self._remarks: set[str] = set()
-        self.faults = Faults()
+        self.faults = FaultCounts()
         """The faults so far; counted also where nobody reads the trace."""
         self._lock = threading.Lock()
         self._output: Output | None = None

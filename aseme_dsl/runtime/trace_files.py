@@ -107,20 +107,6 @@ def part_of(path: Path) -> Path:
     return path.with_name(path.name + PART)
 
 
-def format_for(path: Path, part: Path) -> Format:
-    """A new file at `part`, of the kind that the name `path` says.
-
-    Raises:
-        OSError: there cannot be a file.
-        TraceError: the kind needs a package that is not installed.
-    """
-    if path.suffix == MCAP_SUFFIX:
-        from aseme_dsl.runtime.trace_mcap import McapFile
-
-        return McapFile(part)
-    return JsonLines(part)
-
-
 class Output(Protocol):
     """Where a trace's lines go."""
 

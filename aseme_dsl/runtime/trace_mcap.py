@@ -21,6 +21,7 @@ from typing import IO, Any
 
 from aseme_dsl.runtime.naming import snake_case
 from aseme_dsl.runtime.trace_files import TraceError, to_disk
+from aseme_dsl.runtime.trace_schema import line_schema
 
 MAGIC = b"\x89MCAP0\r\n"
 PREFIX = "trace/"
@@ -268,28 +269,6 @@ def _scalar(field: Any, value: Any) -> Any:
     if field.type in (field.TYPE_DOUBLE, field.TYPE_FLOAT):
         return float(value)  # "NaN" and "Infinity", too
     return value
-
-
-def line_schema(kind: str) -> dict[str, Any]:
-    """The JSON Schema of one kind of line, complete in itself; of any object, for an unknown kind."""
-    from aseme_dsl.runtime.trace import schema
-
-    whole = schema()
-    definitions = whole["$defs"]
-    found = next(
-        (line for line in whole["oneOf"] if line["title"] == kind), {"title": kind, "type": "object"}
-    )
-
-    def complete(part: Any) -> Any:
-        if isinstance(part, dict):
-            if "$ref" in part:
-                name = part["$ref"].rpartition("/")[2]
-                return {**complete(definitions[name]), **{k: v for k, v in part.items() if k != "$ref"}}
-            return {key: complete(value) for key, value in part.items()}
-        return [complete(item) for item in part] if isinstance(part, list) else part
-
-    result: dict[str, Any] = complete(found)
-    return result
 
 
 # ---- reading -----------------------------------------------------------------------------------

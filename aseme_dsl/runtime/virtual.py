@@ -26,6 +26,7 @@ from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.clock import VirtualClock, shown
 from aseme_dsl.runtime.context import Cancelled
+from aseme_dsl.runtime.ports import Stepping
 from aseme_dsl.runtime.snapshot import run_snapshot
 from aseme_dsl.runtime.stacks import activity_of, place_of
 from aseme_dsl.runtime.timers import Timer, Timers
@@ -33,7 +34,6 @@ from aseme_dsl.runtime.timers import Timer, Timers
 if TYPE_CHECKING:
     import asyncio
 
-    from aseme_dsl.runtime.agent import Agent
     from aseme_dsl.runtime.execution import Execution
     from aseme_dsl.runtime.virtual_loop import VirtualLoop
 
@@ -71,7 +71,7 @@ class VirtualDriver:
 
     def __init__(self) -> None:
         self.clock = VirtualClock()
-        self.agents: Sequence[Agent] = ()
+        self.agents: Sequence[Stepping] = ()
         self.until: int | None = None
         """The moment after which nothing is done any more."""
         self.advance: Callable[[int], None] = _nothing
@@ -92,7 +92,7 @@ class VirtualDriver:
         """What did not return when the run was to end, if something did not."""
         self._timers = Timers()
         self._jobs: deque[Callable[[], None]] = deque()
-        self._wave: deque[tuple[Agent, list[Any]]] = deque()
+        self._wave: deque[tuple[Stepping, list[Any]]] = deque()
         self._steps: dict[str, int] = {}
         self._drained = 0
         self._woken = False
@@ -116,7 +116,7 @@ class VirtualDriver:
 
     # ---- the driver's interface --------------------------------------------------------------
 
-    def bring(self, agents: Sequence[Agent]) -> None:
+    def bring(self, agents: Sequence[Stepping]) -> None:
         """Take these agents, in the team's order."""
         self.agents = agents
 
@@ -124,11 +124,11 @@ class VirtualDriver:
         """Make a call at a moment; at once, if that has passed."""
         return self._timers.add(max(moment, self.clock.now()), call, background)
 
-    def owns(self, agent: Agent) -> bool:
+    def owns(self, agent: Stepping) -> bool:
         """Always: only one thread runs."""
         return True
 
-    def wake(self, agent: Agent) -> None:
+    def wake(self, agent: Stepping) -> None:
         """The agent's intake is not empty: it is part of the next wave."""
         self._woken = True
 
@@ -136,11 +136,11 @@ class VirtualDriver:
         """Nothing to hold: woken agents step only when the loop comes to them."""
         return _FREE
 
-    def guard(self, agent: Agent) -> AbstractContextManager[object]:
+    def guard(self, agent: Stepping) -> AbstractContextManager[object]:
         """Nothing to guard: only one thread runs."""
         return _FREE
 
-    def look(self, agent: Agent, call: Callable[[], None]) -> bool:
+    def look(self, agent: Stepping, call: Callable[[], None]) -> bool:
         """Make a call while nobody steps the agent: at once."""
         call()
         return True
@@ -382,7 +382,7 @@ class VirtualDriver:
         from aseme_dsl.runtime.virtual_loop import VirtualLoop, run_async
 
         if self._loop is None:
-            self._loop = VirtualLoop(self)
+            self._loop = VirtualLoop(self, self.soon, lambda text: self.complain(text))
         task = execution.handle = self._loop.create_task(run_async(execution))
         task.add_done_callback(lambda done: _end_task(execution, done))
 

@@ -9,11 +9,11 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.clock import nanoseconds
-from aseme_dsl.runtime.execution import as_outcome
+from aseme_dsl.runtime.returning import as_outcome
+from aseme_dsl.runtime.timers import Scheduler
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.execution import Execution
-    from aseme_dsl.runtime.virtual import VirtualDriver
 
 
 async def run_async(execution: Execution) -> None:
@@ -39,8 +39,16 @@ class VirtualLoop:
     Of `asyncio.AbstractEventLoop` it has what `asyncio` itself uses for those.
     """
 
-    def __init__(self, driver: VirtualDriver) -> None:
-        self._driver = driver
+    def __init__(
+        self,
+        scheduler: Scheduler,
+        soon: Callable[[Callable[[], None]], None],
+        complain: Callable[[str], None],
+    ) -> None:
+        """`soon` has a call made at this instant; `complain` is told what goes wrong in the loop."""
+        self._scheduler = scheduler
+        self._soon = soon
+        self._complain = complain
         self._ready: deque[asyncio.Handle] = deque()
         self._pumping = False
         self._tasks: list[asyncio.Task[Any]] = []
@@ -50,7 +58,7 @@ class VirtualLoop:
         raise AttributeError(f"virtual time has no event loop with {name}: nothing comes from outside")
 
     def time(self) -> float:
-        return self._driver.clock.now() / 1e9
+        return self._scheduler.clock.now() / 1e9
 
     def call_soon(
         self, callback: Callable[..., object], *args: Any, context: contextvars.Context | None = None
@@ -68,9 +76,9 @@ class VirtualLoop:
         *args: Any,
         context: contextvars.Context | None = None,
     ) -> asyncio.TimerHandle:
-        moment = self._driver.clock.now() + nanoseconds(max(delay, 0.0))
+        moment = self._scheduler.clock.now() + nanoseconds(max(delay, 0.0))
         handle = asyncio.TimerHandle(moment / 1e9, callback, args, self._self, context)
-        self._driver.at(moment, lambda: self._make_ready(handle))
+        self._scheduler.at(moment, lambda: self._make_ready(handle))
         return handle
 
     def call_at(
@@ -114,7 +122,7 @@ class VirtualLoop:
 
     def call_exception_handler(self, context: dict[str, Any]) -> None:
         error = context.get("exception")
-        self._driver.complain(f"{context.get('message')}{f': {error!r}' if error is not None else ''}")
+        self._complain(f"{context.get('message')}{f': {error!r}' if error is not None else ''}")
 
     def shut(self) -> None:
         """Give up the tasks that have not ended."""
@@ -125,7 +133,7 @@ class VirtualLoop:
         if not handle.cancelled():
             self._ready.append(handle)
             if len(self._ready) == 1 and not self._pumping:
-                self._driver.soon(self._pump)
+                self._soon(self._pump)
 
     def _pump(self) -> None:
         """Run what is ready, until nothing is."""

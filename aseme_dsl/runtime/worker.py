@@ -19,9 +19,9 @@ from typing import IO, Any
 
 from aseme_dsl.runtime.clock import SECOND
 from aseme_dsl.runtime.context import Cancelled, Context
-from aseme_dsl.runtime.execution import as_outcome, frames_of, reason_of
 from aseme_dsl.runtime.loading import know_as
 from aseme_dsl.runtime.processes import get, put
+from aseme_dsl.runtime.returning import as_outcome, frames_of, reason_of
 from aseme_dsl.runtime.snapshot import Snapshot, SnapshotPort, Told
 from aseme_dsl.runtime.versions import VersionFiles, read_version, serve
 

@@ -19,7 +19,8 @@ from hypothesis import strategies as st
 
 from aseme_dsl.runtime import Context, trace_files, trace_mcap
 from aseme_dsl.runtime.trace import Trace
-from aseme_dsl.runtime.trace_files import TraceError, format_for
+from aseme_dsl.runtime.trace_files import TraceError
+from aseme_dsl.runtime.trace_formats import format_for
 from aseme_dsl.runtime.trace_reading import TraceReader
 from tests.runtime.playing import SECOND, check_line, lines_of, play
 from tests.support.generated import Generated, generate

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from aseme_dsl.runtime.inputs import Identity
+from aseme_dsl.runtime.timers import Scheduler
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.acl import AclMessage, AgentIdentifier, FipaMessage
-    from aseme_dsl.runtime.plan import ChannelInfo
-    from aseme_dsl.runtime.team import Team
+    from aseme_dsl.runtime.plan import ChannelInfo, Plan
+    from aseme_dsl.runtime.ports import Receiver
+    from aseme_dsl.runtime.trace import Trace
     from aseme_dsl.runtime.wire import Schema
 
 Answer = Callable[[str, bytes], dict[str, Any]]
@@ -50,6 +52,55 @@ class Peer:
     """By how many ns its times may be wrong here; 0 on one machine, None while its clock is not known."""
 
 
+class MailPort(Protocol):
+    """The conversations of a team, as its transport sees them."""
+
+    def arrived(self, agent: Receiver, acl: AclMessage, members: Mapping[str, Sequence[str]]) -> None: ...
+    def arrived_from_outside(self, to: str, message: FipaMessage) -> None: ...
+    def appeared(self, name: str) -> None: ...
+    def vanished(self, name: str) -> None: ...
+
+
+class BusPort(Protocol):
+    """The bus of a team, as its transport sees it."""
+
+    def arrived(
+        self,
+        agent: Receiver,
+        channel: str,
+        message: Any,
+        sender: str,
+        identity: Identity,
+        moment: int,
+        host: str | None = None,
+    ) -> str | None: ...
+
+
+class DriverPort(Scheduler, Protocol):
+    """The driver of a team, as its transport sees it."""
+
+    def stop(self, reason: str) -> None: ...
+
+
+class Connected(Protocol):
+    """A team as its transport sees it: those of its agents that are here, and those that are elsewhere."""
+
+    @property
+    def agents(self) -> Sequence[Receiver]: ...
+    @property
+    def elsewhere(self) -> Mapping[str, Plan]: ...
+    @property
+    def system(self) -> str: ...
+    @property
+    def driver(self) -> DriverPort: ...
+    @property
+    def trace(self) -> Trace: ...
+    @property
+    def bus(self) -> BusPort: ...
+    @property
+    def conversations(self) -> MailPort: ...
+
+
 class Transport:
     """What the bus, the conversations and the team need; this one, of a team that is all in one process.
 
@@ -63,7 +114,7 @@ class Transport:
     behind = 0
     """Behind this number the identities of agents begin: those of an earlier life are not used again."""
 
-    def begin(self, team: Team) -> None:
+    def begin(self, team: Connected) -> None:
         """Connect. What comes waits for `go`. Raises TransportError if that cannot be."""
 
     def go(self) -> None:

@@ -35,14 +35,13 @@ from aseme_dsl.runtime.inputs import Identity
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.link import Link, Stamp
-from aseme_dsl.runtime.transport.port import Answer, Peer, Transport, TransportError
+from aseme_dsl.runtime.transport.port import Answer, Connected, Peer, Transport, TransportError
 from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing, Samples
 from aseme_dsl.runtime.wire import Schema, WireError
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.agent import Agent
     from aseme_dsl.runtime.plan import ChannelInfo
-    from aseme_dsl.runtime.team import Team
+    from aseme_dsl.runtime.ports import Receiver
 
 BEAT = 0.02
 """How often, in seconds, acknowledgements are sent and what is overdue is looked for."""
@@ -157,8 +156,8 @@ class Post(Transport):
         self._lease = link.lease
         self._schema = schema
         self._clock = clock_identity()
-        self._team: Team
-        self._here: dict[str, Agent] = {}
+        self._team: Connected
+        self._here: dict[str, Receiver] = {}
         self._others: dict[str, _Other] = {}
         self._ways: dict[tuple[str, str], _Way] = {}
         self._states: dict[tuple[str, str, str], _Kept] = {}
@@ -176,7 +175,7 @@ class Post(Transport):
 
     # ---- the transport -----------------------------------------------------------------------
 
-    def begin(self, team: Team) -> None:
+    def begin(self, team: Connected) -> None:
         self._team = team
         self._here = {agent.name: agent for agent in team.agents}
         self._others = {name: _Other(name) for name in team.elsewhere}

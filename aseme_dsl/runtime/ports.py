@@ -1,0 +1,108 @@
+"""Ports: what the rooms of the runtime know of each other, so that none needs the inside of another.
+
+A receiver is an agent as the bus, the conversations and the transport see it; what steps is one as a driver
+sees it. What only one room asks of another is said in that room.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sized
+from contextlib import AbstractContextManager
+from typing import Any, Protocol, TypeVar
+
+from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.convert import Messages
+from aseme_dsl.runtime.inputs import Identity, Input
+from aseme_dsl.runtime.intake import Errand, Posted, Writer
+from aseme_dsl.runtime.plan import BranchInfo, Plan
+from aseme_dsl.runtime.timers import Scheduler
+
+RunningT = TypeVar("RunningT", contravariant=True)
+
+
+class Receiver(Protocol):
+    """An agent that inputs are given to."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def role(self) -> str: ...
+    @property
+    def plan(self) -> Plan: ...
+    @property
+    def over(self) -> bool: ...
+    @property
+    def kinds(self) -> Messages: ...
+    def identity(self) -> Identity: ...
+    def post(
+        self,
+        identity: Identity,
+        item: Input,
+        execution: Writer | None = None,
+        conversation: str | None = None,
+    ) -> None: ...
+    def understood(self, content: Any) -> Any: ...
+    def branch_info(self, label: str) -> BranchInfo: ...
+
+
+class Stepping(Receiver, Protocol):
+    """An agent that a driver steps."""
+
+    @property
+    def chart(self) -> Chart: ...
+    @property
+    def intake(self) -> Sized: ...
+    @property
+    def steps(self) -> int: ...
+    def take(self) -> list[Posted | Errand]: ...
+    def process(self, items: Iterable[Posted | Errand]) -> None: ...
+    def in_threads(self) -> int: ...
+    def cycle(self) -> str: ...
+    def fail(self, reason: str) -> None: ...
+    def stop(self) -> None: ...
+
+
+class Driver(Scheduler, Protocol[RunningT]):
+    """What makes agents step and activities run; one for virtual and one for real time."""
+
+    def owns(self, agent: Stepping) -> bool:
+        """Whether this thread is the one that processes the agent just now."""
+        ...
+
+    def wake(self, agent: Stepping) -> None:
+        """The agent's intake is not empty: let it step."""
+        ...
+
+    def guard(self, agent: Stepping) -> AbstractContextManager[object]:
+        """Nobody else touches the agent's chart meanwhile."""
+        ...
+
+    def launch(self, execution: RunningT) -> None:
+        """Run the code of an activity; `execution.returned` is called at its end."""
+        ...
+
+    def cancel(self, execution: RunningT) -> None:
+        """Tell an activity whose code runs that it is cancelled."""
+        ...
+
+    def wait(self, execution: RunningT, duration: int) -> None:
+        """Let time pass in the code of an activity. Raises Cancelled when it is cancelled."""
+        ...
+
+
+class Links(Protocol):
+    """Simulated links between the agents of a team."""
+
+    def carry(
+        self, sender: str, receiver: str, kind: str, what: str, identity: Identity, give: Callable[[], None]
+    ) -> None:
+        """Carry a message of a kind (signal, state, data, mail); `give` gives it to its receiver."""
+        ...
+
+
+class Speaker(Protocol):
+    """A robot's end of the radio, as who publishes sees it."""
+
+    def send(self, channel: str, message: Any, host: str | None, identity: Identity) -> None:
+        """Say a message, now or as soon as the radio takes it."""
+        ...
