@@ -1931,7 +1931,7 @@ class _Generator(Face):
             for inner in self.flat.regions_of(leaf.label):
                 lines += self._leave_region(inner.number)
         for node in (leaf, *self.flat.around(leaf.label)):
-            if len(node.label) > len(scope) and node.type in (NodeType.BASIC, NodeType.OR):
+            if len(node.label) > len(scope) and node.type in _LEFT:
                 lines += self._left(region, node)
         return lines
 
@@ -2284,6 +2284,10 @@ def _paths(way: Way) -> Iterator[tuple[int, ...]]:
 def _may_do(tests: Iterable[str]) -> bool:
     """Whether to test does anything: it may be told that a condition has failed, or chance goes on."""
     return any("self._holds_" in test or "self.random()" in test for test in tests)
+
+
+_LEFT = (NodeType.BASIC, NodeType.OR, NodeType.AND)
+"""What may have an `exit`."""
 
 
 def _written_by(expression: TransitionExpression) -> set[str]:

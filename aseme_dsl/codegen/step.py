@@ -848,7 +848,7 @@ class _Generator(Face):
         elif leaf.type is NodeType.AND:
             for inner in self.flat.regions_of(leaf.label):
                 method.add(depth, f"self._leave_{inner.number}()")
-        if leaf.type is NodeType.BASIC:
+        if leaf.type in (NodeType.BASIC, NodeType.AND):
             method.add(depth, *self._left(leaf))
         for around in self.flat.around(leaf.label):
             if len(around.label) > len(scope):
@@ -874,6 +874,7 @@ class _Generator(Face):
             method.add(2, f"if r == {self.flat.leaf[node.label]}:")
             for inner in self.flat.regions_of(node.label):
                 method.add(3, f"self._leave_{inner.number}()")
+            method.add(3, *self._left(node))
         if not method.lines:
             method.add(2, "return")
         label = self.flat.regions[region].label

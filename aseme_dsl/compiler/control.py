@@ -45,11 +45,12 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class LabelledLine:
-    """`0.2.3 -> 0.2.4 : …`"""
+    """`0.2.3 -> 0.2.4 : …`; of a `statechart` also `on 0.2.3 : …`, whose source is its target, too."""
 
     source: tree.Name
     target: tree.Name
     line: Line
+    kind: TransitionKind = TransitionKind.WAY
 
 
 @dataclass(frozen=True, slots=True)

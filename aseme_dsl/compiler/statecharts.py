@@ -14,6 +14,7 @@ from aseme_dsl.amola.statechart import (
     OriginKind,
     Statechart,
     Transition,
+    TransitionKind,
     Variable,
     label_key,
 )
@@ -30,6 +31,7 @@ from aseme_dsl.compiler.control import LabelledLine, Line, prioritised, structur
 from aseme_dsl.compiler.damage import Damaged
 from aseme_dsl.compiler.regions import regions_of
 from aseme_dsl.compiler.scopes import TypedRole
+from aseme_dsl.compiler.staying import STAYING, check_staying
 from aseme_dsl.compiler.typecheck import type_expression
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar import tree
@@ -85,6 +87,19 @@ def read_statechart(
     for position, entry in enumerate(written.transitions):
         expression, problems = type_expression(entry.expression, typed.scope)
         found += problems
+        line = Line(entry.expression, expression, position, entry.span)
+        if isinstance(entry, tree.StandingWay):
+            found += check_staying(entry)
+            if entry.state.text in nodes:
+                problem = _no_place_to_stay(nodes[entry.state.text], entry)
+                if problem is not None:
+                    found.append(problem)
+                else:
+                    kind = STAYING[entry.verb.text]
+                    lines.append(LabelledLine(entry.state, entry.state, line, kind))
+            elif not damaged:
+                found.append(_unknown(entry.state, nodes))
+            continue
         missing = [name for name in (entry.source, entry.target) if name.text not in nodes]
         if missing:
             if not damaged:
@@ -95,7 +110,6 @@ def read_statechart(
         if problem is not None:
             found.append(problem)
             continue
-        line = Line(entry.expression, expression, position, entry.span)
         lines.append(LabelledLine(entry.source, entry.target, line))
     if not damaged:
         found += _decisions(written, nodes, lines)
@@ -105,7 +119,7 @@ def read_statechart(
     return GivenChart(written, typed, tuple(ordered), tuple(lines), is_sound), tuple(found)
 
 
-_UNSOUND = {"E409", "E410", "E600", "E601", "E602", "E603", "E604", "E605", "E606", "E607", "E608"}
+_UNSOUND = {"E409", "E410", "E600", "E601", "E602", "E603", "E604", "E605", "E606", "E607", "E608", "E612"}
 
 
 def build_statechart(given: GivenChart, world: World) -> Statechart | None:
@@ -116,13 +130,14 @@ def build_statechart(given: GivenChart, world: World) -> Statechart | None:
     origin = Origin(OriginKind.STATECHART, given.name, "")
     drafts = [
         Transition(
-            f"{names[item.source.text]}TO{names[item.target.text]}",
+            _transition_name(item, names),
             item.source.text,
             item.target.text,
             item.line.expression,
             0,
             origin,
             item.line.span,
+            kind=item.kind,
         )
         for item in given.lines
     ]
@@ -133,6 +148,27 @@ def build_statechart(given: GivenChart, world: World) -> Statechart | None:
     span = given.written.name.span
     return Statechart(
         given.name, world.system, "IAC", given.nodes, transitions, variables, regions, span, modules
+    )
+
+
+def _transition_name(item: LabelledLine, names: Mapping[str, str]) -> str:
+    if item.kind is not TransitionKind.WAY:
+        return f"{names[item.source.text]}{item.kind.name}"
+    return f"{names[item.source.text]}TO{names[item.target.text]}"
+
+
+def _no_place_to_stay(node: Node, line: tree.StandingWay) -> Diagnostic | None:
+    """E612 for a state in which an agent does not stay, E409 for the root."""
+    if node.parent is None:
+        return Diagnostic("E409", "the root has no transitions: nothing is around it", line.state.span)
+    if node.type in (*_COMPOSITE, NodeType.BASIC):
+        return None
+    return Diagnostic(
+        "E612",
+        f"{node.label} is {node.type}: an agent does not stay in it",
+        line.state.span,
+        (Related(node.span, node.label),),
+        hint=f"write `{line.verb}` for a BASIC, OR or AND state",
     )
 
 
@@ -290,6 +326,9 @@ def _decisions(
     """
     by_source: dict[str, list[Alternative]] = {}
     for item in lines:
+        if item.kind is not TransitionKind.WAY:
+            yield from always_false((item.line,))
+            continue
         name = f"{item.source} -> {item.target}"
         alternative = Alternative(name, (item.line,), item.source.span.to(item.target.span))
         by_source.setdefault(item.source.text, []).append(alternative)

@@ -1,4 +1,4 @@
-"""Staying: `on T` and `exit T`, the lines of control that do something without leading anywhere."""
+"""Staying: `on T` and `exit T`, the lines of control and of charts that lead nowhere."""
 
 from __future__ import annotations
 
@@ -13,14 +13,15 @@ STAYING: Mapping[str, TransitionKind] = {"on": TransitionKind.ON, "exit": Transi
 """The verbs of these lines, with what they mean."""
 
 
-def check_staying(line: tree.Way) -> Iterator[Diagnostic]:
+def check_staying(line: tree.Way | tree.StandingWay) -> Iterator[Diagnostic]:
     """What an `on` (E422) or `exit` (E424) line cannot wait for; that it does something (E423)."""
-    written, name = line.expression, f"{line.verb} {line.term.span.text}"
+    state = (line.term if isinstance(line, tree.Way) else line.state).span.text
+    written, name = line.expression, f"{line.verb} {state}"
     if line.verb.text == "exit":
         if written.events or written.condition is not None or written.when or written.otherwise:
             yield Diagnostic(
                 "E424",
-                f"`{name}` waits for nothing: it is done whenever `{line.term.span.text}` is left",
+                f"`{name}` waits for nothing: it is done whenever `{state}` is left",
                 _before_actions(written),
                 hint=f"write `{name} : / …`; for a condition of leaving, write it on the way out",
             )
@@ -38,7 +39,7 @@ def check_staying(line: tree.Way) -> Iterator[Diagnostic]:
                     "E422",
                     f"`{name}` cannot take an `error`: what has failed stays failed until it is left",
                     event.span,
-                    hint="take it on a way out: `enter …`, `leave …` or `repeat …` with `error`",
+                    hint="take it on a way out: " + _WAYS_OUT[type(line)],
                 )
     if not written.actions:
         when = "" if line.verb.text == "exit" else "… "
@@ -48,6 +49,12 @@ def check_staying(line: tree.Way) -> Iterator[Diagnostic]:
             line.span,
             hint=f"write what is done: `{name} : {when}/ light = true`",
         )
+
+
+_WAYS_OUT: Mapping[type, str] = {
+    tree.Way: "`enter …`, `leave …` or `repeat …` with `error`",
+    tree.StandingWay: "`0.2 -> 0.3 : error`",
+}
 
 
 def _before_actions(written: tree.TransitionExpression) -> Span:

@@ -211,6 +211,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E606": ("error", "a state that cannot have children has some"),
     "E607": ("error", "a label used twice"),
     "E608": ("error", "an activity that is missing or out of place"),
+    "E612": ("error", "`on` or `exit` of a state in which no agent stays"),
     "E610": ("error", "a variable that is set twice in an agent"),
     "E611": ("error", "an unknown variable that is set in an agent"),
     "W600": ("warning", "a state that cannot be reached"),

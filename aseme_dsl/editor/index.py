@@ -325,6 +325,7 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.Control, "name"): (Use.READ, _controlled),
     (tree.LabelledWay, "source"): (Use.READ, _is(Kind.STATE, _owner)),
     (tree.LabelledWay, "target"): (Use.READ, _is(Kind.STATE, _owner)),
+    (tree.StandingWay, "state"): (Use.READ, _is(Kind.STATE, _owner)),
     (tree.Received, "performative"): (Use.READ, _is(Kind.PERFORMATIVE)),
     (tree.Received, "message"): (Use.READ, _is(Kind.MESSAGE)),
     (tree.Received, "participant"): (Use.READ, _party),
@@ -367,6 +368,7 @@ UNNAMED: frozenset[tuple[type, str]] = frozenset(
         (tree.Way, "verb"),  # a word of the language
         (tree.Roles, "type"),
         (tree.Activity, "kind"),
+        (tree.StandingWay, "verb"),
         (tree.ChartNode, "type"),
         (tree.Scenario, "statements"),  # tokens, taken apart in `_tokens`
         (tree.Property, "tokens"),

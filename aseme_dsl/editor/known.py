@@ -119,7 +119,7 @@ class Known:
 
 def _events_in(item: tree.Declaration) -> frozenset[str]:
     """The events that transitions of a declaration wait for."""
-    entries: list[tree.Way | tree.LabelledWay] = []
+    entries: list[tree.Way | tree.LabelledWay | tree.StandingWay] = []
     if isinstance(item, (tree.Srm, tree.Aip)):
         entries += (entry for control in item.controls for entry in control.entries)
     elif isinstance(item, tree.Statechart):

@@ -498,6 +498,7 @@ PLACES: Mapping[tuple[str, str], Provider] = {
     ("Control", "name"): _controls,
     ("LabelledWay", "source"): _labels,
     ("LabelledWay", "target"): _labels,
+    ("StandingWay", "state"): _labels,
     ("ChartNode", "name"): _activities,
     ("ChartNode", "activity"): _activities,
     ("Agents", "role"): _roles,

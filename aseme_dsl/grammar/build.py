@@ -576,11 +576,21 @@ class _Builder:
             self.all(lambda entry: self.var(entry, words), kinds["Var"]),
             self.all(lambda entry: self.let(entry, words), kinds["Let"]),
             self.all(self.chart_node, kinds["ChartNode"]),
-            self.all(self.labelled_way, kinds["LabelledWay"]),
+            self.all(
+                self.chart_way, (entry for entry in node.entries if type(entry).__name__ in _CHART_WAYS)
+            ),
             self.all(self.activity, (item for entry in kinds["Activities"] for item in entry.activities)),
             self.all(self.module, (item for entry in kinds["Modules"] for item in entry.modules)),
             self.span(node),
         )
+
+    def chart_way(self, node: Any) -> tree.LabelledWay | tree.StandingWay | None:
+        if type(node).__name__ == "LabelledWay":
+            return self.labelled_way(node)
+        expression = self.transition(node)
+        if expression is None:
+            return None
+        return tree.StandingWay(self.name(node.verb), self.name(node.state), expression, self.span(node))
 
     def chart_node(self, node: Any) -> tree.ChartNode:
         name: tree.Name | tree.Text | None = None
@@ -673,6 +683,10 @@ class _Once:
 class _Kinds(dict[str, list[Any]]):
     def __missing__(self, kind: str) -> list[Any]:
         return []
+
+
+_CHART_WAYS = ("LabelledWay", "StandingWay")
+"""The transitions of a `statechart`; their order counts."""
 
 
 def _by_kind(entries: Iterable[Any]) -> _Kinds:

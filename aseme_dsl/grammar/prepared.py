@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 197874926
+CHECKSUM = 3091160662
 
 RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'File': (
@@ -679,7 +679,7 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'ExpressionToken': (
         'match',
         {},
-        ('pattern', '(?x)\n  (?! (?: outcome|engage|scenario|property|import )\\s*"\n    | (?: liveness|activities|modules|sag|suc )\\s*\\{\n    | abstract\\s+srm\\s\n    | (?: let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality\n        | system|import|enum|message|topic|function|aip|srm|statechart|team )\\s+\n      (?! (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability\n            | liveness|activities|modules|functionality|state )\\b ) [A-Za-z_]\n    | clause\\s*\\(\n    | (?:state|language)\\s+[0-9]\n    | [A-Za-z_][A-Za-z0-9_]*\\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=)\n    | [0-9]+(?:\\.[0-9]+)*\\s*-> )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | [^\\s{}"\\w:] )\n'),
+        ('pattern', '(?x)\n  (?! (?: outcome|engage|scenario|property|import )\\s*"\n    | (?: liveness|activities|modules|sag|suc )\\s*\\{\n    | abstract\\s+srm\\s\n    | (?: let|var|control|participant|clause|sends|receives|includes|plays|capability|functionality\n        | system|import|enum|message|topic|function|aip|srm|statechart|team )\\s+\n      (?! (?: and|or|let|var|control|participant|outcome|clause|engage|sends|receives|process|includes|plays|capability\n            | liveness|activities|modules|functionality|state )\\b ) [A-Za-z_]\n    | clause\\s*\\(\n    | (?:state|language|on|exit)\\s+[0-9]\n    | [A-Za-z_][A-Za-z0-9_]*\\s*(?:\\([\\w\\s,:]*\\)\\s*)?=(?!=)\n    | [0-9]+(?:\\.[0-9]+)*\\s*-> )\n  (?: "(?:[^"\\\\\\n]|\\\\.)*"\n    | [0-9]+(?:\\.[0-9]+)*[A-Za-z]*\\b\n    | [A-Za-z_][A-Za-z0-9_]*(?:\\s*\\.\\s*[A-Za-z_][A-Za-z0-9_]*)*\n      \\b (?! \\s*\\{ | \\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{ )\n    | && | \\|\\| | [<>=!]= | -> | \\?\\w*\\?\n    | [^\\s{}"\\w:] )\n'),
     ),
     'Srm': (
         'common',
@@ -965,7 +965,17 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'ChartEntry': (
         'abstract',
         {},
-        ('choice', 'ChartNode', 'LabelledWay', 'Var', 'Let', 'Activities', 'Modules', 'JunkChart'),
+        (
+            'choice',
+            'ChartNode',
+            'LabelledWay',
+            'StandingWay',
+            'Var',
+            'Let',
+            'Activities',
+            'Modules',
+            'JunkChart',
+        ),
     ),
     'ChartNode': (
         'common',
@@ -979,6 +989,22 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
             ('?', ('series', ('word', 'activity'), ('=', 'activity', 'Name'))),
         ),
     ),
+    'StandingWay': (
+        'common',
+        {'verb': 'one', 'state': 'one', 'tokens': 'many'},
+        (
+            'series',
+            ('=', 'verb', 'StandingVerb'),
+            ('=', 'state', 'Label'),
+            ('sign', ':'),
+            ('*=', 'tokens', 'ControlToken'),
+        ),
+    ),
+    'StandingVerb': (
+        'match',
+        {},
+        ('pattern', '(?:on|exit)\\b'),
+    ),
     'NodeType': (
         'match',
         {},
@@ -987,7 +1013,7 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'NodeName': (
         'match',
         {},
-        ('pattern', '(?!(?:state|activity|activities|modules|var|let)\\b)[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*\\{|\\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{)'),
+        ('pattern', '(?!(?:state|activity|activities|modules|var|let)\\b|(?:on|exit)\\s+[0-9])[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*\\{|\\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{)'),
     ),
     'JunkChart': (
         'match',

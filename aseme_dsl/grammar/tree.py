@@ -309,6 +309,16 @@ class LabelledWay:
 
 
 @dataclass(frozen=True, slots=True)
+class StandingWay:
+    """`on 0.2 : … / …` and `exit 0.2 : / …` of a `statechart`."""
+
+    verb: Name
+    state: Name
+    expression: TransitionExpression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Control:
     """`control NAME { … }`: of a formula, or (in an aip) of a participant or one of its helper formulas.
 
@@ -684,7 +694,7 @@ class Statechart:
     variables: tuple[Var, ...]
     lets: tuple[Let, ...]
     nodes: tuple[ChartNode, ...]
-    transitions: tuple[LabelledWay, ...]
+    transitions: tuple[LabelledWay | StandingWay, ...]
     activities: tuple[Activity, ...]
     modules: tuple[Module, ...]
     span: Span

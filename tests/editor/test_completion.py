@@ -511,3 +511,10 @@ def test_of_too_many_those_that_go_with_what_is_typed_are_offered() -> None:
     assert {f"Go29{digit}" for digit in range(10)} <= set(found)
     assert "Go001" not in found
     assert len(labels(f"{text}{CURSOR} :\n  }}\n}}\n")) == 200
+
+
+def test_a_line_that_stays_in_a_state_of_a_chart_offers_the_states() -> None:
+    text = "system T statechart r { state 0 OR state 0.1 START state 0.2 BASIC A 0.1 -> 0.2 : on ‸ }"
+    assert {"0", "0.1", "0.2"} <= set(labels(text))
+    beginning = text.replace("on ‸", "\n‸")
+    assert {"on", "exit", "state"} <= set(labels(beginning))

@@ -828,6 +828,10 @@ def _statechart(words: Words) -> list[str]:
             text, is_else = words.transition(decided=node.kind == "CONDITION", otherwise=otherwise)
             otherwise = otherwise and not is_else
             texts.append(f"  {node.label} -> {choices.one_of(targets).label} : {text}")
+    for node in nodes:
+        if node.kind in ("BASIC", "OR", "AND") and choices.one_in(6):
+            verb = choices.one_of(("on", "exit")) if node.region else "exit"
+            texts.append(f"  {verb} {node.label} : {words.staying(verb)}")
     return texts
 
 

@@ -158,6 +158,7 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "Var": Line({":": 1, "=": 2}),
         # statecharts.tx
         "Statechart": Braces(),
+        "StandingWay": Line({"state": 1, ":": 2}),
         "ChartNode": Line({"type": 1, "name": 2, "activity": 3}),
         # deployment.tx
         "Team": Braces(),
