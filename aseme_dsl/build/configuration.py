@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl import outside
 from aseme_dsl.build.deployment import Deployment, TlsFiles, network_mistakes
 from aseme_dsl.build.duration import duration
-from aseme_dsl.build.platforms import PLATFORMS, MangoConfiguration, SpadeConfiguration
+from aseme_dsl.build.platform_settings import PLATFORMS, MangoConfiguration, SpadeConfiguration
 from aseme_dsl.diagnostics import CODES, NO_POLICY, Diagnostic, Policy, Setting, Severity, closest
 from aseme_dsl.source import Source, Span
 

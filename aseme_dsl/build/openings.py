@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from aseme_dsl.build.configuration import Configuration
 from aseme_dsl.build.deployment import network_mistakes, network_of
-from aseme_dsl.build.platforms import IN_PROCESS, MANGO, SPADE, ZENOH
+from aseme_dsl.build.platform_settings import IN_PROCESS, MANGO, SPADE, ZENOH
 
 MULTICAST = "224.0.0.224:7446"
 

@@ -10,11 +10,16 @@ import contextlib
 import os
 import sys
 import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.build.platform_settings import (
+    MANGO,
+    SPADE,
+    ZENOH,
+    SpadeConfiguration,
+)
 
 if TYPE_CHECKING:
     import subprocess
@@ -24,7 +29,6 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.transport.link import Link
     from aseme_dsl.runtime.transport.settings import Xmpp
 
-IN_PROCESS, ZENOH, SPADE, MANGO = PLATFORMS = ("in_process", "zenoh", "spade", "mango")
 GIVEN = "ASEMEC_PLATFORM"
 """The environment variable that tells robots what their supervisor has started for them, as JSON."""
 XMPP_PORT = 5222
@@ -32,29 +36,6 @@ START = 60.0
 """How long, in seconds, the embedded server may take to be there."""
 
 Say = Callable[[str], None]
-
-
-@dataclass(frozen=True, slots=True)
-class SpadeConfiguration:
-    """What `[tool.asemec.spade]` says of the XMPP server; without a `host` it is the embedded one."""
-
-    host: str | None = None
-    port: int | None = None
-    domain: str | None = None
-    """The part of the addresses after the @, if it is not the host."""
-    account: str | None = None
-    password: Path | None = None
-    """A file with the password in its first line; ROBOT in its name stands for the agent's name."""
-    register: bool = False
-    verify: bool = True
-    authority: Path | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class MangoConfiguration:
-    """What `[tool.asemec.mango]` says: where each robot listens."""
-
-    hosts: Mapping[str, str] = field(default_factory=dict)
 
 
 class PlatformError(Exception):

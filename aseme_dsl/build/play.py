@@ -211,7 +211,8 @@ def play(
     Raises:
         PlayError: it cannot be run like that; or the project's own functions fail.
     """
-    from aseme_dsl.build.platforms import IN_PROCESS, PlatformError, check_installed, provided
+    from aseme_dsl.build.platform_settings import IN_PROCESS
+    from aseme_dsl.build.platforms import PlatformError, check_installed, provided
     from aseme_dsl.runtime.transport import TransportError
 
     if request.robot is not None:
@@ -306,7 +307,8 @@ def _play_here(
 
 def _whole_team_over(request: Request, loaded: Loaded, configuration: Configuration) -> dict[str, Any]:
     """The transport of a team that is all in this process, where agents of others may talk with it."""
-    from aseme_dsl.build.platforms import IN_PROCESS, link_of
+    from aseme_dsl.build.platform_settings import IN_PROCESS
+    from aseme_dsl.build.platforms import link_of
     from aseme_dsl.runtime.transport.post import Post
 
     if request.platform in (None, IN_PROCESS):
@@ -328,7 +330,8 @@ def _play_robot(
     """Run one robot of the team in this process."""
     from aseme_dsl.build.deployment import misfits
     from aseme_dsl.build.operable import operable, others
-    from aseme_dsl.build.platforms import ZENOH, PlatformError, link_of
+    from aseme_dsl.build.platform_settings import ZENOH
+    from aseme_dsl.build.platforms import PlatformError, link_of
     from aseme_dsl.runtime.activities import ActivityError
     from aseme_dsl.runtime.body import BodyLost
     from aseme_dsl.runtime.loading import activities_in, activities_of, importing
@@ -405,7 +408,7 @@ def _keys_of(robot: str, platform: str, deployment: Deployment | None) -> Path |
         PlayError: it cannot be used.
     """
     from aseme_dsl.build.deployment import keys_of
-    from aseme_dsl.build.platforms import ZENOH
+    from aseme_dsl.build.platform_settings import ZENOH
     from aseme_dsl.runtime.operator_key import KeyFileError, read_keys
 
     keys = keys_of(deployment, robot)

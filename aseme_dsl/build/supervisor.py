@@ -121,7 +121,8 @@ def supervise(
     Raises:
         PlayError: it cannot be begun: no team, no transport, a robot or the world that does not start.
     """
-    from aseme_dsl.build.platforms import ZENOH, PlatformError, check_installed, provided
+    from aseme_dsl.build.platform_settings import ZENOH
+    from aseme_dsl.build.platforms import PlatformError, check_installed, provided
     from aseme_dsl.runtime.transport import TransportError
 
     platform = request.platform or ZENOH

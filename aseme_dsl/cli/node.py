@@ -117,7 +117,7 @@ def command(
     from aseme_dsl.build.build import activities_folder, choose
     from aseme_dsl.build.configuration import find_configuration, read_configuration
     from aseme_dsl.build.deployment import Deployment
-    from aseme_dsl.build.platforms import IN_PROCESS
+    from aseme_dsl.build.platform_settings import IN_PROCESS
     from aseme_dsl.build.play import (
         NoSuchPlan,
         PlayError,

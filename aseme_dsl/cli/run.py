@@ -134,7 +134,7 @@ def command(
     """Play; 1 if the file has errors, it cannot be played, or an agent fails or waits for ever."""
     from aseme_dsl.build.build import activities_folder, choose
     from aseme_dsl.build.configuration import find_configuration
-    from aseme_dsl.build.platforms import IN_PROCESS, ZENOH
+    from aseme_dsl.build.platform_settings import IN_PROCESS, ZENOH
     from aseme_dsl.build.play import NoSuchPlan, PlayError, Request, carried, is_output, load, play, select
     from aseme_dsl.cli.telling import Telling
 

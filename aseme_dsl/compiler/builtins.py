@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, Comm, Function, Type
-from aseme_dsl.grammar.formula import RESERVED
+from aseme_dsl.grammar.words import RESERVED
 from aseme_dsl.source import Source, Span
 
 NOWHERE = Span(Source("<built in>", ""), 0, 0)

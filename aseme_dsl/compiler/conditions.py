@@ -24,7 +24,6 @@ from aseme_dsl.proofs.choice import (
     Overlap,
     Situation,
     Unsure,
-    findings_of,
     situations,
 )
 from aseme_dsl.proofs.prover import Prover
@@ -72,7 +71,9 @@ def _situations(chart: Statechart, vocabulary: Vocabulary) -> tuple[tuple[object
 
 
 def _said(situation: Situation, prover: Prover) -> tuple[Diagnostic, ...]:
-    return tuple(_diagnostic(situation.chart, finding) for finding in findings_of(situation, prover))
+    from aseme_dsl.proofs.findings import findings  # costs time, and z3
+
+    return tuple(_diagnostic(situation.chart, finding) for finding in findings(situation, prover))
 
 
 def _diagnostic(chart: Statechart, finding: Finding) -> Diagnostic:

@@ -14,7 +14,6 @@ from aseme_dsl.amola.srm import Activity, Module, Plays, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
-from aseme_dsl.compiler import Analysis, Options
 from aseme_dsl.compiler.activities import by_name, merge_activity, type_activity
 from aseme_dsl.compiler.activity_use import (
     all_activities,
@@ -26,6 +25,7 @@ from aseme_dsl.compiler.activity_use import (
 )
 from aseme_dsl.compiler.aip_to_eac import Protocol, aip_to_eac, read_protocol
 from aseme_dsl.compiler.allow import allow
+from aseme_dsl.compiler.analysis import Analysis, Options
 from aseme_dsl.compiler.blocks import Blocks, blocks_of
 from aseme_dsl.compiler.chart import World
 from aseme_dsl.compiler.conditions import FROM_CONDITIONS, check_conditions, contradiction, vocabulary_of

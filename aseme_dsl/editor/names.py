@@ -20,7 +20,7 @@ from aseme_dsl.editor.items import Item, ItemKind
 from aseme_dsl.editor.known import Known, used_names
 from aseme_dsl.editor.values import members, topics
 from aseme_dsl.grammar import tree
-from aseme_dsl.grammar.formula import BUILT_IN_TYPES, RESERVED
+from aseme_dsl.grammar.words import BUILT_IN_TYPES, RESERVED
 from aseme_dsl.standard_library import standard_library
 
 Provider = Callable[[Ask], Iterable[Item]]

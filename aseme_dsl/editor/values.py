@@ -14,8 +14,8 @@ from aseme_dsl.editor.items import Item, ItemKind, escaped
 from aseme_dsl.editor.known import Known
 from aseme_dsl.editor.slots import Call, Slot, SlotKind, joined
 from aseme_dsl.grammar.expression import read_expression
-from aseme_dsl.grammar.formula import Malformed
 from aseme_dsl.grammar.token import Token
+from aseme_dsl.grammar.words import Malformed
 from aseme_dsl.source import Source
 
 ACTION_FORMS = ("start_timer",)

@@ -16,10 +16,11 @@ from aseme_dsl.grammar.expression import (
     read_text,
     read_transition,
 )
-from aseme_dsl.grammar.formula import BUILT_IN_TYPES, RESERVED, read_formula
+from aseme_dsl.grammar.formula import read_formula
 from aseme_dsl.grammar.lexer import HOLE, PLACEHOLDER, shown
 from aseme_dsl.grammar.recovery import BLOCKS
 from aseme_dsl.grammar.token import Token
+from aseme_dsl.grammar.words import BUILT_IN_TYPES, RESERVED
 from aseme_dsl.source import Source, Span
 
 _T = TypeVar("_T")

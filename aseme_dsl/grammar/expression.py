@@ -18,10 +18,10 @@ from aseme_dsl.amola.messages import BUILT_IN, DOUBLE, DURATION, INT, STRING
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.filling import apart
-from aseme_dsl.grammar.formula import RESERVED, Malformed, is_hyphen
 from aseme_dsl.grammar.lexer import HOLE, UNITS, shown
 from aseme_dsl.grammar.recovery import BLOCKS
 from aseme_dsl.grammar.token import Token, token
+from aseme_dsl.grammar.words import RESERVED, Malformed, is_hyphen
 from aseme_dsl.source import Source, Span
 
 DEEPEST = 100

@@ -7,8 +7,10 @@ from dataclasses import dataclass, field
 
 from aseme_dsl.amola.liveness import Formula, Operator
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
+from aseme_dsl.grammar.expression import read_arguments
 from aseme_dsl.grammar.lexer import shown
 from aseme_dsl.grammar.token import Token
+from aseme_dsl.grammar.words import BUILT_IN_TYPES, RESERVED, Malformed, is_hyphen, is_name
 from aseme_dsl.source import Source, Span
 
 DEEPEST = 1000
@@ -30,10 +32,6 @@ _INFIX = {
 }
 _CLOSES = {"(": ")", "[": "]", "|": "|"}
 
-RESERVED = ("else", "when", "and", "or", "not", "true", "false")
-BUILT_IN_TYPES = ("bool", "int", "double", "string", "bytes", "duration")
-"""Words that cannot be names anywhere."""
-
 _OPERATORS = "'.' is one after the other, '|' one of both, '||' both at once"
 _MEANT = {
     "&&": "write '||' for both at once",
@@ -52,14 +50,6 @@ _FORMULA_ONLY = ("|", "||", "~", "ω", "^ω", "[", "]", "[>", ";", "->")
 
 _WRITTEN = {"&&": "||", "&": "||", ",": ".", ";": ".", "->": ".", "/": "|"}
 """What the operators of other languages are here."""
-
-
-class Malformed(Exception):
-    """Carries the one diagnostic of a formula or expression."""
-
-    def __init__(self, diagnostic: Diagnostic) -> None:
-        super().__init__(diagnostic.message)
-        self.diagnostic = diagnostic
 
 
 @dataclass
@@ -104,7 +94,7 @@ class _Reader:
                         raise self._too_deep(token)
                     group = _Group(token)
                     self.groups.append(group)
-                elif _is_name(token):
+                elif is_name(token):
                     if token in RESERVED or token in BUILT_IN_TYPES:
                         raise self._error("E106", f"{shown(token)} cannot be an activity or formula", token)
                     closing_at = self._end_of_arguments(index)
@@ -166,7 +156,7 @@ class _Reader:
             depth += (token == "(") - (token == ")")
             if depth == 0:
                 return place
-            if (token == "[" and _is_name(before)) or (token == "]" and elements):
+            if (token == "[" and is_name(before)) or (token == "]" and elements):
                 elements += 1 if token == "[" else -1
                 continue
             if token in _FORMULA_ONLY or (before == "." and token == "(") or (before == ")" and token == "."):
@@ -179,8 +169,6 @@ class _Reader:
         token = self.tokens[index]
         if closing == index:
             return Formula(Operator.NAME, (), self._span(token), name=str(token))
-        from aseme_dsl.grammar.expression import read_arguments
-
         if closing == index + 2:
             span = self._to(token.end, self.tokens[closing])
             hint = f"without arguments it is written `{token}`"
@@ -344,7 +332,7 @@ class _Reader:
             hint = "one that cuts the other short is written with '[>', without a blank"
             raise Malformed(Diagnostic("E101", message, both, (), hint, "[>"))
         if token == "[":
-            before = str(previous) if _is_name(previous) else "A"
+            before = str(previous) if is_name(previous) else "A"
             return self._error(
                 "E101",
                 f"an operator is missing between {shown(previous)} and '['",
@@ -353,9 +341,9 @@ class _Reader:
                 f"'{before}[3]' for three instances",
                 fix=". [",
             )
-        if _is_name(token) or token == "(":
+        if is_name(token) or token == "(":
             hint = _OPERATORS
-            if "\n" in self.source.text[previous.end : token.start] and _is_name(token):
+            if "\n" in self.source.text[previous.end : token.start] and is_name(token):
                 hint += f"; a formula begins with 'NAME =': is '=' missing after {shown(token)}?"
             return self._error(
                 "E101", f"an operator is missing between {shown(previous)} and {shown(token)}", token, hint
@@ -419,12 +407,3 @@ class _Reader:
             last,
             related=(Related(self._span(opener), f"this '{opener}' is still open"),),
         )
-
-
-def is_hyphen(before: Token, hyphen: Token, after: Token) -> bool:
-    """Whether `-` joins two names without blanks, as in the papers' `center-for`."""
-    return before.end == hyphen.start and hyphen.end == after.start and _is_name(before) and _is_name(after)
-
-
-def _is_name(token: str) -> bool:
-    return (token[0].isalpha() and token != "ω") or token[0] == "_"

@@ -23,7 +23,6 @@ from typing import TYPE_CHECKING
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import Kind
 from aseme_dsl.amola.statechart import Statechart, Transition
-from aseme_dsl.proofs.prover import Prover
 from aseme_dsl.proofs.unknowns import (
     Vocabulary,
     identity,
@@ -96,13 +95,6 @@ def situations(chart: Statechart, vocabulary: Vocabulary) -> tuple[Situation, ..
         for fork in forks(chart)
         if _is_worth_it(fork, vocabulary)
     )
-
-
-def findings_of(situation: Situation, prover: Prover) -> tuple[Finding, ...]:
-    """What there is to say of a fork. Raises ImportError without z3."""
-    from aseme_dsl.proofs.findings import findings  # costs time, and z3
-
-    return tuple(findings(situation, prover))
 
 
 # ---- the situation -----------------------------------------------------------------------------
@@ -276,6 +268,5 @@ __all__ = [
     "Unsure",
     "asks",
     "ends_open",
-    "findings_of",
     "situations",
 ]

@@ -10,14 +10,8 @@ from types import ModuleType
 import pytest
 
 from aseme_dsl.build.configuration import Configuration, read_configuration
-from aseme_dsl.build.platforms import (
-    GIVEN,
-    MangoConfiguration,
-    PlatformError,
-    SpadeConfiguration,
-    _mango_hosts,
-    _xmpp,
-)
+from aseme_dsl.build.platform_settings import MangoConfiguration, SpadeConfiguration
+from aseme_dsl.build.platforms import GIVEN, PlatformError, _mango_hosts, _xmpp
 from aseme_dsl.runtime.transport import TransportError
 from aseme_dsl.runtime.transport.settings import Xmpp
 from tests.cli.support import Here, asemec

@@ -17,7 +17,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum, auto
 
-from aseme_dsl.grammar.formula import BUILT_IN_TYPES
 from aseme_dsl.grammar.layout.rules import EXPRESSIONS, FORMULAS
 from aseme_dsl.grammar.syntax.shape import (
     Choice,
@@ -29,6 +28,7 @@ from aseme_dsl.grammar.syntax.shape import (
     grammar,
     may_be_empty,
 )
+from aseme_dsl.grammar.words import BUILT_IN_TYPES
 
 
 class Kind(Enum):
