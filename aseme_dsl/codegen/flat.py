@@ -17,8 +17,11 @@ from aseme_dsl.amola.expression import (
     Arithmetic,
     Assign,
     At,
+    Call,
     Compare,
     Expired,
+    Has,
+    Holds,
     Literal,
     Mean,
     Member,
@@ -451,6 +454,29 @@ class FlatChart:
                     woken.setdefault(name, {})[region] = tuple(sources)
         return woken
 
+    @cached_property
+    def missed(self) -> dict[str, dict[int, tuple[str, ...]]]:
+        """Of each signal: the regions with a condition that may hold because the signal is gone, with the
+        sources of these transitions.
+
+        In three-valued logic an absent value makes nothing true that was not true before. Only what is
+        two-valued, and what raises with the signal, tells that it is gone.
+        """
+        found: dict[str, dict[int, dict[str, None]]] = {}
+        for source in self.sources:
+            for transition in self.segments(source):
+                condition = transition.expression.condition
+                parts = list(walk(condition)) if condition is not None else []
+                if not any(_tells_absence(part) for part in parts):
+                    continue
+                for channel, _ in signals(parts):
+                    readers = found.setdefault(channel, {})
+                    readers.setdefault(self.region_number[source], {}).setdefault(source)
+        return {
+            channel: {region: tuple(sources) for region, sources in readers.items()}
+            for channel, readers in found.items()
+        }
+
     def _is_entered_again(self, region: int) -> bool:
         """Whether a region may be entered after it was left: its AND can be reached from itself."""
         and_state = self.chart.node(self.regions[region].label).parent
@@ -588,6 +614,18 @@ def _plain(value: Value) -> Value:
     while isinstance(value, Named):
         value = value.expression
     return value
+
+
+def _tells_absence(value: Value) -> bool:
+    """Whether a value is two-valued whatever is absent, or may raise."""
+    match value:
+        case Has() | Holds():
+            return True
+        case Call(function=function):
+            return not function.target.startswith("builtin:")
+        case Arithmetic(operator=operator):
+            return operator in ("*", "/", "%")
+    return False
 
 
 def signals(values: Iterable[Value]) -> tuple[tuple[str, str | None], ...]:

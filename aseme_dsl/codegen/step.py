@@ -258,6 +258,7 @@ class _Generator(Face):
             f"    TIMES: ClassVar[Mapping[str, str]] = {times!r}",
             *self._deadlines(),
             *self._wakes(),
+            *self._missed(),
             *self._marks(),
             *self._memories(),
             *self._counts(),
@@ -288,6 +289,16 @@ class _Generator(Face):
             )
         kind = "tuple[tuple[str, str, tuple[tuple[int, int], ...]], ...]"
         return [f"    WAKES: ClassVar[Mapping[str, {kind}]] = {found!r}"] if found else []
+
+    def _missed(self) -> list[str]:
+        """Of signals whose absence may enable something: the regions, and the leaves at which it may."""
+        found: dict[str, tuple[tuple[int, str, tuple[tuple[int, int], ...]], ...]] = {}
+        for channel, readers in self.flat.missed.items():
+            found[channel] = tuple(
+                (region, f"r{region}", self._leaves_at(sources)) for region, sources in readers.items()
+            )
+        kind = "tuple[tuple[int, str, tuple[tuple[int, int], ...]], ...]"
+        return [f"    MISSED: ClassVar[Mapping[str, {kind}]] = {found!r}"] if found else []
 
     def _leaves_at(self, sources: Iterable[str]) -> tuple[tuple[int, int], ...]:
         """The first and last numbers of the leaves at which one of these states is active."""

@@ -136,6 +136,10 @@ class Board:
         """How many signals of a channel wait."""
         return len(self._signals.get(channel, ()))
 
+    def waiting(self) -> int:
+        """How many signals wait, of all channels."""
+        return sum(map(len, self._signals.values()))
+
     # ---- signals ---------------------------------------------------------------------------
 
     def ask(self, channel: str, host: str | None = None) -> None:
@@ -173,14 +177,12 @@ class Board:
                 return True
         return False
 
-    def end_step(self) -> bool:
-        """Drop the signals that were looked at; whether another waits behind one of them."""
-        if not self.asked:
-            return False
-        dropped = [item.channel for item in self.asked if self._drop(item)]
+    def end_step(self) -> tuple[str, ...]:
+        """Drop the signals that were looked at; the channels of those that were still there."""
+        dropped = tuple(item.channel for item in self.asked if self._drop(item))
         self.asked.clear()
         self._seen.clear()
-        return any(self._signals[channel] for channel in dropped)
+        return dropped
 
     # ---- drafts ----------------------------------------------------------------------------
 

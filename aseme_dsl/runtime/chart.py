@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from random import Random
 from typing import Any, ClassVar
 
-from aseme_dsl.runtime.board import QUEUE, Board, built
+from aseme_dsl.runtime.board import NEVER, QUEUE, Board, built
 from aseme_dsl.runtime.clock import shown
 from aseme_dsl.runtime.functions import checked, find_function, results_of
 from aseme_dsl.runtime.inputs import (
@@ -36,7 +36,7 @@ from aseme_dsl.runtime.inputs import (
 from aseme_dsl.runtime.plan import Plan
 
 ROUNDS = 1000
-"""A step that has not settled after so many rounds never will."""
+"""A step that does not settle in so many rounds never will, unless they have made what waits become less."""
 
 ABSENT = "absent value"
 """Why an action was not done that needs a message which is not there."""
@@ -102,6 +102,9 @@ class Chart:
     """Of each variable that wakes another region than the one that writes it: the copy that is read there,
     the slot of that region's leaf, and the first and last numbers of the leaves at which a condition reads
     it."""
+    MISSED: ClassVar[Mapping[str, tuple[tuple[int, str, tuple[tuple[int, int], ...]], ...]]] = {}
+    """Of each signal that a condition may miss: the number of a region, the slot of its leaf, and the first
+    and last numbers of the leaves at which such a condition reads it."""
     WITHIN: ClassVar[Mapping[str, int]] = {}
     """The deadlines of BASIC states: how long their activities have from the entry, in ns."""
     KEPT: ClassVar[Mapping[str, str]] = {}
@@ -219,11 +222,15 @@ class Chart:
             self.started = True
             self.enter()
         rounds = 0
+        bound, waiting = ROUNDS, NEVER if self.READERS or self.mail else 0
         while self.round():
             rounds += 1
-            if rounds == ROUNDS:
-                self._stop(self._unsettled())
-                break
+            if rounds == bound:
+                left = self._waiting()
+                if left >= waiting:
+                    self._stop(self._unsettled(rounds))
+                    break
+                bound, waiting = bound + ROUNDS, left  # a queue that becomes shorter comes to an end
         self._end_step(outcome)
         return outcome
 
@@ -297,8 +304,8 @@ class Chart:
             self.woken = outcome.again = True
         if self.READERS:
             for board in self.boards():
-                if board is not None and board.asked and board.end_step():
-                    self.drains = outcome.again = True
+                if board is not None and board.asked:
+                    self._end_signals(board, outcome)
         if self.failed and self.failure is None:
             label, reason = next(iter(self.failed.items()))
             name = self.PLAN.by_label[label].name
@@ -310,6 +317,23 @@ class Chart:
             self._faults.clear()
         self.finished = outcome.finished = self.is_finished()
         outcome.failure = self.failure
+
+    def _end_signals(self, board: Board, outcome: Outcome) -> None:
+        """Drop the signals that a region has looked at. Another step follows if others wait behind them, or
+        if a transition of an active state there may miss them."""
+        for channel in board.end_step():
+            if board.waits(channel):
+                self.drains = outcome.again = True
+            for region, slot, leaves in self.MISSED.get(channel, ()):
+                if self.boards()[region] is board and _is_at(getattr(self, slot), leaves):
+                    outcome.again = True
+
+    def _waiting(self) -> int:
+        """How many signals and agent messages wait."""
+        mail = sum(map(len, self.mail.values())) if self.mail else 0
+        if not self.READERS:
+            return mail
+        return mail + sum(board.waiting() for board in self.boards() if board is not None)
 
     def _spread_writes(self) -> bool:
         """Let all regions see what was written; whether that wakes one of them."""
@@ -324,17 +348,16 @@ class Chart:
     def _reads_anew(self, copy: tuple[str, str, tuple[tuple[int, int], ...]], value: Any) -> bool:
         """Whether a transition of an active state reads a copy of a variable that has another value yet."""
         slot, region, leaves = copy
-        leaf = getattr(self, region)
-        return getattr(self, slot) != value and any(first <= leaf <= last for first, last in leaves)
+        return getattr(self, slot) != value and _is_at(getattr(self, region), leaves)
 
     def _stop(self, reason: str) -> None:
         self.failure = reason
         self.leave()
         self._spread_writes()
 
-    def _unsettled(self) -> str:
+    def _unsettled(self, rounds: int) -> str:
         ways = dict.fromkeys(self.PLAN.way(taken) for taken in self.taken[-8:])
-        return f"the step does not settle after {ROUNDS} rounds: {', '.join(ways)}"
+        return f"the step does not settle after {rounds} rounds: {', '.join(ways)}"
 
     # ---- what generated code calls ---------------------------------------------------------
 
@@ -491,3 +514,8 @@ class Chart:
             ):
                 board.ahead.add(item.identity)
                 self._put(region, board, item)
+
+
+def _is_at(leaf: int, leaves: Iterable[tuple[int, int]]) -> bool:
+    """Whether the number of an active leaf is one of these."""
+    return any(first <= leaf <= last for first, last in leaves)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tests.behaviour.conftest import Play
+from tests.behaviour.running import Run
 from tests.oracle.interpreter import Reference
 from tests.support.plain_engine import PlainEngine
 
@@ -272,3 +273,82 @@ def test_the_earliest_of_several_moments_counts(play: Play) -> None:
     assert run.due == 20
     run.step(run.event("nothing"), ms=10)
     assert run.due == 10
+
+
+def queue(run: Run, count: int) -> Run:
+    """A step with so many signals of a queued channel, numbered from 1."""
+    return run.step(*(run.heard("q.signal.M", x=number) for number in range(1, count + 1)))
+
+
+def test_a_long_queue_is_taken_in_one_step(play: Play) -> None:
+    """A finite queue of inputs is no cycle, however many rounds it takes."""
+    run = play("""
+        srm R {
+          var sum : int = 0
+          liveness { R = A~ }
+          control R { repeat A : when [q.signal.M.x > 0] / sum = sum + 1 }
+        }
+    """).step()
+    queue(run, 3500)
+    assert (run.last.failure, run.variable("sum")) == (None, 3500)
+
+
+def test_a_queue_may_take_several_rounds_for_each_signal(play: Play) -> None:
+    run = play("""
+        srm R {
+          var sum : int = 0
+          liveness { R = (A . B . C)~ }
+          control R {
+            enter B : when [q.signal.M.x > 0] / sum = sum + 1
+            enter C : when [sum > 0]
+            repeat (A . B . C) : when [in(C)]
+          }
+        }
+    """).step()
+    queue(run, 2500)
+    assert (run.last.failure, run.variable("sum")) == (None, 2500)
+
+
+def test_agent_messages_that_wait_are_no_cycle(play: Play) -> None:
+    run = play("""
+        aip p {
+          participant a {
+            engage "Always."  receives inform Note  sends cfp Note  process = X~
+          }
+          participant b { engage "Always."  sends inform Note  receives cfp Note  process = Y }
+          outcome "Done."
+          control a { repeat X : inform Note from b  start a : / send cfp Note to b }
+        }
+        srm R { plays p.a  liveness { R = a } }
+    """).step()
+    run.step(*(run.mail("inform", "Note", text="x") for _ in range(1500)))
+    assert run.last.failure is None
+    assert run.started.count("X") == 1500
+
+
+def test_a_loop_that_refills_its_own_queue_is_a_cycle(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = A~ }
+          control R { repeat A : when [q.signal.M.x > 0] / write_messages.q.signal.M { x = 1 } }
+        }
+    """).step()
+    queue(run, 10)
+    assert run.last.failure is not None
+    assert len(run.taken) <= 2000
+
+
+def test_a_cycle_beside_a_queue_is_found_when_the_queue_is_empty(play: Play) -> None:
+    run = play("""
+        srm R {
+          var n : int = 0
+          liveness { R = v || w  v = A~  w = B . (P . Q)~ }
+          control v { repeat A : when [q.signal.M.x > 0] }
+          control w { enter Q : when [n == 0]  repeat (P . Q) : when [n == 0] }
+        }
+    """).step()
+    run.step(*(run.heard("q.signal.M", x=1) for _ in range(1500)), run.done("B"))
+    assert run.last.failure is not None
+    assert len(run.taken) > 1500
+    if not isinstance(run.chart, Reference):  # which knows no places
+        assert "P -> Q (test.aseme:21:" in run.last.failure

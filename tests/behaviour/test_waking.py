@@ -219,3 +219,73 @@ def test_of_two_failures_the_inner_error_transition_comes_first(play: Play) -> N
     """).step()
     run.step(run.crashed("S"), run.crashed("P"))
     assert run.did == ["start Mend", "cancel Mend", "start Rescue"]
+
+
+def test_a_signal_that_goes_unused_may_be_what_another_transition_waits_for(play: Play) -> None:
+    """ "The engine sleeps when nothing is enabled." After the step the signal is absent."""
+    run = play("""
+        srm R {
+          liveness { R = A . B }
+          control R { enter B : when [has(t.state.M) && !has(t.signal.M)] }
+        }
+    """).step()
+    run.step(run.heard("t.signal.M"), run.heard("t.state.M"))
+    assert run.active == ["A"]
+    assert settled(run).active == ["B"]
+
+
+def test_a_choice_is_reconsidered_when_a_signal_has_gone(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = A | B }
+          control R reactive { enter A : [has(t.signal.M)]  enter B : [!has(t.signal.M)] }
+        }
+    """).step()
+    assert run.active == ["B"]
+    run.step(run.heard("t.signal.M"))
+    assert settled(run).active == ["B"]
+    assert run.taken[-1].endswith("-> 0.2.3") or "B" in run.started
+
+
+def test_a_function_that_raises_for_a_signal_is_asked_again_without_it(play: Play) -> None:
+    run = play("""
+        srm R {
+          var ready : bool = true
+          liveness { R = A . B }
+          control R { enter B : when [inverse(t.signal.M.x) > 9.0 || (ready && has(t.state.M))] }
+        }
+    """).step()
+    run.step(run.heard("t.signal.M", x=0), run.heard("t.state.M"))
+    assert run.active == ["A"]
+    assert settled(run).active == ["B"]
+
+
+def test_a_signal_that_nobody_misses_wakes_nobody(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = A . B }
+          control R { enter B : when [t.signal.M.x > 3] }
+        }
+    """).step()
+    run.step(run.heard("t.signal.M", x=1))
+    assert not run.last.again
+    run = play("""
+        srm R {
+          liveness { R = A . B . C }
+          control R { enter B : when [t.signal.M.x > 3]  enter C : when [!has(t.signal.M)] }
+        }
+    """).step()
+    run.step(run.heard("t.signal.M", x=1))
+    assert not run.last.again
+
+
+def test_a_signal_is_missed_only_in_the_region_that_asked_for_it(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = v || w  v = A . B  w = P . Q }
+          control v { enter B : when [has(t.state.M) && !has(t.signal.M)] }
+          control w { enter Q : when [t.signal.M.x > 3] }
+        }
+    """).step()
+    run.step(run.heard("t.signal.M", x=1), run.heard("t.state.M"))
+    assert settled(run).active == ["B", "P"]

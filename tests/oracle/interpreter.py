@@ -279,13 +279,19 @@ class Reference:
             self.take_in(item)
         self.look_at_deadlines()
 
-        # "2. Rounds until one moves nothing (bound: 1000 rounds, then the agent stops and the last
-        # transitions are named)."
+        # "A step that does not settle within a bound" is an error "that names the cycle". Rounds that take
+        # what waits are no cycle as long as it becomes less: it is looked at after each 1000 rounds. (Where
+        # something can wait, the first thousand rounds tell nothing: less than before them may wait.)
         rounds = 0
+        can_wait = any(region.reads for region in self.plan.regions) or self.mailbox
+        waited = None if can_wait else 0
         while self.failure is None and self.visit(self.root()):
             rounds += 1
-            if rounds == ROUNDS:
-                self.stop("the step does not settle: " + self.last_transitions())
+            if rounds % ROUNDS == 0:
+                waits = self.how_much_waits()
+                if waited is not None and waits >= waited:
+                    self.stop("the step does not settle: " + self.last_transitions())
+                waited = waits
 
         # "3. At the end: variable writes of the step become visible everywhere (of two writers the region
         # later in document order wins);" "elsewhere from the next step, which follows at the same instant if
@@ -297,6 +303,9 @@ class Reference:
         for region in self.regions.values():
             dropped = [message.channel for message in region.asked if region.drop(message)]
             if any(region.signals[channel] for channel in dropped):
+                self.outcome.again = True
+            # "The engine sleeps when nothing is enabled": a condition may hold because a signal is gone.
+            if not self.missed_in(region.label).isdisjoint(dropped):
                 self.outcome.again = True
             region.asked = []
             region.seen = {}
@@ -465,14 +474,37 @@ class Reference:
 
     def variables_read_in(self, region: str) -> set[str]:
         """The variables that "a transition of an active state" of a region reads: in its condition."""
+        conditions = self.conditions_in(region)
+        return {part[1] for condition in conditions for part in parts(condition) if part[0] == "variable"}
+
+    def missed_in(self, region: str) -> set[str]:
+        """The signals of which an active state's condition may hold because they are not there.
+
+        "`&&`, `||`, `!` follow Kleene's three-valued logic, comparisons and functions of an absent value are
+        absent": so none, but for those with a part that "is always two-valued" or that may raise.
+        """
+        return {
+            channel
+            for condition in self.conditions_in(region)
+            if any(part[0] in ("has", "holds", "call", "*", "/", "%") for part in parts(condition))
+            for channel, _ in signals_of(condition)
+        }
+
+    def conditions_in(self, region: str) -> list[Term | None]:
+        """The conditions of all transitions of a region's active states, with those of their branches."""
         sources = [label for label in self.active if self.region_of(label) == region]
-        found: set[str] = set()
+        found: list[Term | None] = []
         while sources:
             for _, transition in self.plan.outgoing(sources.pop()):
-                found |= {part[1] for part in parts(transition.condition) if part[0] == "variable"}
+                found.append(transition.condition)
                 if self.type_of(transition.target) == "CONDITION":
                     sources.append(transition.target)
         return found
+
+    def how_much_waits(self) -> int:
+        """How many signals wait in the regions, and agent messages in the conversations."""
+        signals = [waiting for region in self.regions.values() for waiting in region.signals.values()]
+        return sum(len(waiting) for waiting in [*signals, *self.mailbox.values()])
 
     # ---- rounds -----------------------------------------------------------------------------
 

@@ -472,8 +472,9 @@ def test_a_failure_bubbles_to_the_nearest_error_transition() -> None:
 
 
 def test_a_step_that_does_not_settle_is_reported() -> None:
-    """ "Rounds until one moves nothing (bound: 1000 rounds, then the agent stops and the last transitions are
-    named)." """
+    """ "A step that does not settle within a bound [is] a reported error": where
+    something can wait, 1000 rounds
+    in which it has not become less, after the first 1000."""
     true = ("const", True)
     run = Run(
         plan(
@@ -484,7 +485,7 @@ def test_a_step_that_does_not_settle_is_reported() -> None:
         )
     )
     outcome = run.step()
-    assert len(outcome.taken) == 1000
+    assert len(outcome.taken) == 2000
     assert outcome.failure is not None and "0.3 -> 0.2" in outcome.failure
     assert run.chart.failure == outcome.failure
 
