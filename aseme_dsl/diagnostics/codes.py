@@ -54,6 +54,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E113": ("error", "too many mistakes to list"),
     "E114": ("error", "something is said twice"),
     "E115": ("error", "a range without numbers in it"),
+    "E116": ("error", "a declaration not read in time"),
     # Names and declarations (E2xx)
     "E200": ("error", "an unknown name"),
     "E201": ("error", "a name is declared twice"),

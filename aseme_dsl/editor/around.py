@@ -17,8 +17,10 @@ from aseme_dsl.compiler.scopes import protocol_scopes, role_scope
 from aseme_dsl.compiler.terms import Terms, terms_of, way
 from aseme_dsl.editor.known import Known, nodes, used_names
 from aseme_dsl.editor.place import Place, end_of_declaration
+from aseme_dsl.editor.reading import at_once
 from aseme_dsl.grammar import parse, tree
 from aseme_dsl.grammar.expected import Expected
+from aseme_dsl.grammar.parts import TooSlow
 from aseme_dsl.source import Source
 
 
@@ -175,7 +177,10 @@ def _end_of_entry(place: Place, begin: int) -> int:
 
 @lru_cache(maxsize=4)
 def _around(text: str, known: Known) -> Around:
-    file = parse(Source("<editor>", text))[0]
+    try:
+        file = at_once(parse, Source("<editor>", text))[0]
+    except TooSlow:
+        return Around(known, None)
     for item in file.declarations:
         if isinstance(item, (tree.Srm, tree.Statechart, tree.Aip)):
             return Around(known, item)

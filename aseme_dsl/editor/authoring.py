@@ -156,13 +156,13 @@ def _act(server: Server) -> None:
         ]
 
     @server.feature(lsp.CODE_ACTION_RESOLVE)
-    def resolve(params: lsp.CodeAction) -> lsp.CodeAction:
+    async def resolve(params: lsp.CodeAction) -> lsp.CodeAction:
         if params.edit is None and params.data is not None:
             params.edit = _carried_out(server, params.data)
         return params
 
     @server.command(CARRY_OUT)
-    def carry(data: Any) -> None:
+    async def carry(data: Any) -> None:
         edit = _carried_out(server, data)
         if edit is not None:
             server.workspace_apply_edit(lsp.ApplyWorkspaceEditParams(edit))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from difflib import SequenceMatcher
 
 from aseme_dsl.diagnostics import Edit
-from aseme_dsl.grammar.layout import format_source
+from aseme_dsl.editor.reading import format_source
 from aseme_dsl.source import Source, Span
 
 

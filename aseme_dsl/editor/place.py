@@ -11,8 +11,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
+from aseme_dsl.editor.reading import at_once
 from aseme_dsl.grammar.expected import Expected, Step, expected_after
 from aseme_dsl.grammar.lexer import Tokens
+from aseme_dsl.grammar.parts import TooSlow
 from aseme_dsl.grammar.recovery import declaration_begins
 from aseme_dsl.grammar.token import Token, token
 
@@ -140,7 +142,10 @@ def _in_dotted_name(read: str) -> tuple[str, tuple[Expected, ...], tuple[str, ..
 
 @lru_cache(maxsize=16)
 def _expected(read: str) -> tuple[Expected, ...]:
-    return expected_after(read)
+    try:
+        return at_once(expected_after, read)
+    except TooSlow:
+        return ()
 
 
 def begin_of_declaration(text: str, offset: int) -> int:

@@ -77,6 +77,8 @@ def rename(
     if name == found.symbol.name:
         return Renaming({})
     programs = _programs(workspace, view, found.symbol)
+    if any(item.code == "E116" for program in programs for item in program.diagnostics):
+        return Refused("a declaration was not read in time (E116): what it uses is not known")
     names = {symbol: new for program in programs for symbol, new in _together(program, found.symbol, name)}
     for program in programs:
         for symbol, new in names.items():

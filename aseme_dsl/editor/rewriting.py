@@ -17,9 +17,9 @@ from aseme_dsl.compiler.holes import apart_from_holes
 from aseme_dsl.compiler.terms import Terms, terms_of
 from aseme_dsl.diagnostics import Diagnostic, Edit, Severity, has_errors
 from aseme_dsl.editor.place import begin_of_declaration, end_of_declaration
+from aseme_dsl.editor.reading import format_source, parse
 from aseme_dsl.editor.view import View
-from aseme_dsl.grammar import parse, tree
-from aseme_dsl.grammar.layout import format_source
+from aseme_dsl.grammar import tree
 from aseme_dsl.source import Source, Span
 
 

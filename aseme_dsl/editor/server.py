@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import functools
 import gc
 import logging
 import os
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Awaitable, Callable, Iterable, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, Protocol, TypeVar, cast
@@ -22,7 +23,7 @@ from aseme_dsl import diagnostics
 from aseme_dsl.compiler.pieces import InPieces
 from aseme_dsl.diagnostics.pages import file_of
 from aseme_dsl.diagrams import GraphvizMissing
-from aseme_dsl.editor import calls, hints, hover, layout, navigation, outline, rename, tokens
+from aseme_dsl.editor import calls, hints, hover, layout, navigation, outline, reading, rename, tokens
 from aseme_dsl.editor.authoring import answer_authors
 from aseme_dsl.editor.carrying import carry
 from aseme_dsl.editor.diagram import Diagrams, LiveDrawing
@@ -32,6 +33,7 @@ from aseme_dsl.editor.positions import Change, Lines, Position, changed
 from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
 from aseme_dsl.editor.workspace import Project, Workspace
+from aseme_dsl.grammar.parts import TooSlow
 from aseme_dsl.source import Source, Span
 
 DIAGRAM, CURSOR = "aseme/diagram", "aseme/cursor"
@@ -115,9 +117,12 @@ class AtPlace(Protocol):
 class Server(LanguageServer):
     """A language server with the workspace that it answers for."""
 
-    def __init__(self, version: str, project: Project, folders: FoldersOf) -> None:
+    def __init__(
+        self, version: str, project: Project, folders: FoldersOf, reader: reading.Reader | None = None
+    ) -> None:
         super().__init__("asemec", version, text_document_sync_kind=lsp.TextDocumentSyncKind.Incremental)
         self.files = Workspace(project)
+        self.reader = reader or reading.Reader()
         self.folders_of = folders
         self.waiting: dict[str, asyncio.Task[None]] = {}
         self.compiling = asyncio.Lock()
@@ -130,6 +135,52 @@ class Server(LanguageServer):
         self.renewed: Callable[[], None] = lambda: None
         self.idle: asyncio.TimerHandle | None = None
         self.kept = self.grown = 0
+
+    # ---- requests ----------------------------------------------------------------------------------
+
+    def feature(self, feature_name: str, options: Any | None = None) -> Callable[[Any], Any]:
+        """Register the answer to a request, which may have to wait for what is read elsewhere."""
+        register = super().feature(feature_name, options)
+        return lambda handler: register(self._patient(handler))
+
+    def command(self, command_name: str) -> Callable[[Any], Any]:
+        """The same for a command."""
+        register = super().command(command_name)
+        return lambda handler: register(self._patient(handler))
+
+    def _patient(self, handler: Callable[..., Any]) -> Callable[..., Any]:
+        """Begins anew when what was missing has been read. Notifications are none of these coroutines."""
+        if not asyncio.iscoroutinefunction(handler):
+            return handler
+
+        @functools.wraps(handler)
+        async def answered(*arguments: Any) -> Any:
+            document = getattr(arguments[0], "text_document", None) if arguments else None
+            path = self.path(document.uri) if document is not None else None
+            text = self.files.text(path) if path is not None else None
+            try:
+                while True:
+                    try:
+                        return await self.reading(lambda: handler(*arguments))
+                    except reading.NotYet as wanted:
+                        await self.reader.wait(wanted.job)
+                    if path is not None and self.files.text(path) != text:
+                        # Its places may not be those that are meant any more.
+                        raise JsonRpcException("the text has changed", lsp.LSPErrorCodes.ContentModified)
+            except TooSlow as slow:
+                raise JsonRpcException(
+                    f"the text was not read, because that takes {slow}", lsp.LSPErrorCodes.RequestFailed
+                ) from slow
+
+        return answered
+
+    async def reading(self, work: Callable[[], Awaitable[_T]]) -> _T:
+        """Some work whose parses have the budget of this server."""
+        before = reading.reader.set(self.reader)
+        try:
+            return await work()
+        finally:
+            reading.reader.reset(before)
 
     @property
     def encoding(self) -> str:
@@ -259,6 +310,17 @@ class Server(LanguageServer):
     async def publish(self, path: str) -> None:
         """Send the diagnostics of a file and of all open files that they may have changed in."""
         await asyncio.sleep(DEBOUNCE)
+        while True:
+            try:
+                await self.reading(lambda: self._publish(path))
+                break
+            except reading.NotYet as wanted:
+                await self.reader.wait(wanted.job)
+        self.waiting.pop(path, None)
+        if not self.waiting:
+            self.tidy_up()
+
+    async def _publish(self, path: str) -> None:
         for other in self.files.affected(path):
             view = await self.settled(other)
             if view is not None:
@@ -268,9 +330,6 @@ class Server(LanguageServer):
             self.publish_elsewhere(root, await self.in_pieces(self.files.programming(root)))
         self.hush_elsewhere()
         self.renewed()
-        self.waiting.pop(path, None)
-        if not self.waiting:
-            self.tidy_up()
 
     def tidy_up(self) -> None:
         """Free what only cycles hold, of what has come since the last time (cli/lsp.py turns off all else).
@@ -394,9 +453,11 @@ def _lines(source: Source, encoding: str) -> Lines:
     return Lines(source.text, encoding)
 
 
-def make_server(version: str, project: Project, folders: FoldersOf) -> Server:
+def make_server(
+    version: str, project: Project, folders: FoldersOf, reader: reading.Reader | None = None
+) -> Server:
     """A server that answers every request that this room can answer."""
-    server = Server(version, project, folders)
+    server = Server(version, project, folders, reader)
     _documents(server)
     _questions(server)
     _changes(server)
@@ -434,6 +495,7 @@ def _documents(server: Server) -> None:
         for change in changes:
             text = changed(text, (change,), server.encoding)
             server.files.open(path, text, params.text_document.version)
+        server.reader.changed(path, text)
         server.soon(path)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_SAVE)
@@ -593,12 +655,12 @@ def _changes(server: Server) -> None:
         return _renaming(server, found)
 
     @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
-    def formatting(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
+    async def formatting(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
         source = server.text_of(params.text_document.uri)
         return server.text_edits(layout.layout(source)) if source is not None else None
 
     @server.feature(lsp.TEXT_DOCUMENT_RANGE_FORMATTING)
-    def range_formatting(params: lsp.DocumentRangeFormattingParams) -> list[lsp.TextEdit] | None:
+    async def range_formatting(params: lsp.DocumentRangeFormattingParams) -> list[lsp.TextEdit] | None:
         source = server.text_of(params.text_document.uri)
         if source is None:
             return None

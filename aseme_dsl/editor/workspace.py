@@ -21,6 +21,7 @@ from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
 from aseme_dsl.editor.carrying import Carry, carry
 from aseme_dsl.editor.index import Occurrence, Symbol, World, occurrences
 from aseme_dsl.editor.program import Indexer, Program
+from aseme_dsl.editor.reading import parse
 from aseme_dsl.editor.view import View, carried
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import InParts, Parts
@@ -235,7 +236,7 @@ class Workspace:
         return self._programs[root]
 
     def _read(self, source: Source) -> InParts:
-        return self._parts.setdefault(source.path, Parts()).read(source)
+        return self._parts.setdefault(source.path, Parts(parse=parse)).read(source)
 
     def _compiling(self, root: str) -> InPieces[Program]:
         options, problems = self.project.options(Path(root))

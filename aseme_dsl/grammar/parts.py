@@ -8,12 +8,13 @@ part then stays what it is, wherever the part moves, until `Lines` puts the line
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import count, pairwise
 
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar import tree
+from aseme_dsl.grammar.copies import moved
 from aseme_dsl.grammar.parse import MOST_MISTAKES, parse
 from aseme_dsl.grammar.recovery import BLOCKS, CLOSED_DECLARATION
 from aseme_dsl.source import Source, Span
@@ -165,9 +166,20 @@ class InParts:
     layout: Layout = NO_PARTS
 
 
+Parse = Callable[[Source], tuple[tree.File, tuple[Diagnostic, ...]]]
+"""`grammar.parse`, which may be made to raise `TooSlow`."""
+
+
+class TooSlow(Exception):
+    """A text has not been read, because that took too long; says how long."""
+
+
 @dataclass(frozen=True, slots=True)
 class _Read:
-    """Declarations that were read from `part`, and what is wrong there; `base` is where their text begins."""
+    """Declarations that were read from `part`, and what is wrong there; `base` is where their text begins.
+
+    `in_time`: whether it was read; if not, the declarations are those of an earlier text.
+    """
 
     part: Source
     base: int
@@ -175,6 +187,11 @@ class _Read:
     declarations: tuple[tree.Declaration, ...]
     comments: tuple[tree.Comment, ...]
     diagnostics: tuple[Diagnostic, ...]
+    in_time: bool = True
+
+
+_HEAD = re.compile(r"\s*(\w+\s+\w+)")
+"""By what a part is known while it is edited: the word and the name of its declaration."""
 
 
 _Key = tuple[str, str, str, int]
@@ -184,11 +201,15 @@ _Key = tuple[str, str, str, int]
 class Parts:
     """Reads the versions of one file, each with what it has read of the one before.
 
-    With `numbers`, the lines of each part have their own.
+    With `numbers`, the lines of each part have their own. Of a part for which `parse` raises `TooSlow`, what
+    was read last counts, and E116 says so. What else it raises is passed on; what was read up to there need
+    not be read again.
     """
 
-    def __init__(self, numbers: Numbers | None = None) -> None:
+    def __init__(self, numbers: Numbers | None = None, parse: Parse = parse) -> None:
         self._part = Source if numbers is None else numbers.part
+        self._parse = parse
+        self._good: dict[str, _Read] = {}
         self._last: tuple[Source, InParts] | None = None
         self._before: dict[_Key, _Read] = {}
         self._now: dict[_Key, _Read] = {}
@@ -201,13 +222,20 @@ class Parts:
         if self._last is not None and self._last[0].text == source.text:
             return self._last[1]
         self._now = {}
-        found = self._in_parts(source)
-        if found is None:
-            file, diagnostics = parse(source)
-            found = InParts(file, diagnostics)
+        try:
+            found = self._in_parts(source) or self._in_one(source)
+        except Exception:
+            self._before |= self._now
+            raise
         self._before = self._now
         self._last = (source, found)
         return found
+
+    def _in_one(self, source: Source) -> InParts:
+        try:
+            return InParts(*self._parse(source))
+        except TooSlow as slow:
+            return InParts(tree.File(source, None, (), ()), (_not_in_time(source, 0, slow),))
 
     def _in_parts(self, source: Source) -> InParts | None:
         """None where the file cannot be read in parts without a doubt."""
@@ -225,9 +253,9 @@ class Parts:
         index = 0
         while index < len(texts):
             one, following = alone[index], index + 1
-            if one.diagnostics:
+            if one.diagnostics and one.in_time:
                 # What is broken is read with what is around it, from and to a part that is whole.
-                while following < len(texts) and alone[following].diagnostics:
+                while following < len(texts) and alone[following].diagnostics and alone[following].in_time:
                     following += 1
                 around = self._broken(source.path, texts, alone, index, following)
                 if around is None:
@@ -244,29 +272,49 @@ class Parts:
         known = self._before.get(key)
         if known is None:
             part = self._part(path, text)
-            file, diagnostics = parse(part)
-            known = _Read(part, 0, file.language, file.declarations, file.comments, diagnostics)
+            try:
+                file, diagnostics = self._parse(part)
+                known = _Read(part, 0, file.language, file.declarations, file.comments, diagnostics)
+            except TooSlow as slow:
+                known = self._earlier(part, slow)
         self._now[key] = known
+        if not known.diagnostics and (head := _HEAD.match(text)):
+            self._good[head[1]] = known
         return known
+
+    def _earlier(self, part: Source, slow: TooSlow) -> _Read:
+        """A part that cannot be read now, as it was when it could be."""
+        head = _HEAD.match(part.text)
+        good = self._good.get(head[1]) if head else None
+        said = (_not_in_time(part, 0, slow),)
+        if good is None:
+            return _Read(part, 0, None, (), (), said, in_time=False)
+        language, declarations = moved((good.language, good.declarations), good.part, part)
+        return _Read(part, 0, language, declarations, (), said, in_time=False)
 
     def _broken(
         self, path: str, texts: Sequence[str], alone: Sequence[_Read], first: int, following: int
     ) -> _Read | None:
         """The parts from `first` on, which are broken, up to `following`; None if they do not end there."""
         text = "".join(texts[first:following])
-        before = texts[first - 1] if first else ""
-        behind = texts[following] if following < len(texts) else ""
+        before = texts[first - 1] if first and alone[first - 1].in_time else ""
+        behind = texts[following] if following < len(texts) and alone[following].in_time else ""
         key = (before, text, behind, first)
         known = self._before.get(key)
         if known is None:
             part = self._part(path, before + text + behind)
             begin, end = len(before), len(before) + len(text)
-            file, diagnostics = parse(part)
+            try:
+                file, diagnostics = self._parse(part)
+            except TooSlow as slow:
+                known = _Read(part, begin, None, (), (), (_not_in_time(part, begin, slow),), in_time=False)
+                self._now[key] = known
+                return known
             own = tuple(item for item in file.declarations if begin <= item.span.start < end)
             expected = [
                 (item.span.start + shift, item.span.end + shift)
                 for index, shift in ((first - 1, 0), (following, end))
-                if 0 <= index < len(texts)
+                if 0 <= index < len(texts) and alone[index].in_time
                 for item in alone[index].declarations
             ]
             others = [(item.span.start, item.span.end) for item in file.declarations if item not in own]
@@ -278,6 +326,19 @@ class Parts:
             known = _Read(part, begin, None if first else file.language, own, comments, diagnostics)
         self._now[key] = known
         return known
+
+
+def _not_in_time(part: Source, begin: int, slow: TooSlow) -> Diagnostic:
+    """E116, on the first line of what was not read."""
+    text = part.text[begin:]
+    start = begin + len(text) - len(text.lstrip())
+    line = part.text.find("\n", start)
+    return Diagnostic(
+        "E116",
+        f"this was not read, because that takes {slow}; what is known of it is older",
+        Span(part, start, line if line >= 0 else len(part.text)),
+        hint="it is read again when it is edited; please report the text",
+    )
 
 
 def _spans(diagnostics: Iterable[Diagnostic]) -> Iterator[Span]:
