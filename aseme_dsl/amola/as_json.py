@@ -295,6 +295,8 @@ def _activity(item: Activity, folder: PurePath | None) -> Json:
         found["within"] = _duration(item.within)
     if item.ends:
         found["ends"] = list(item.ends)
+    if item.simulated:
+        found["simulated"] = True
     return {**found, "span": _span(item.span, folder)}
 
 

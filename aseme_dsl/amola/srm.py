@@ -45,7 +45,8 @@ class Activity:
 
     `within` (ns) is how long it may last from the entry of its state, `ends` are its outcomes: the names of
     the ways in which it may end, `parameters` what it is given at each start. `reads_variables` and
-    `writes_variables` are variables of the roles that perform it.
+    `writes_variables` are variables of the roles that perform it. One that is `simulated` has no code: it
+    lasts `takes`.
     """
 
     name: str
@@ -61,6 +62,7 @@ class Activity:
     ends: tuple[str, ...] = ()
     parameters: tuple[Parameter, ...] = ()
     reads_variables: tuple[str, ...] = ()
+    simulated: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -256,6 +256,7 @@ def _statement(system: System, activity: Activity) -> list[tuple[str, Any, Any]]
         ("kind", activity.kind or "thread", "thread"),
         ("every", activity.every, None),
         ("takes", activity.takes, None),
+        ("simulated", activity.simulated, False),
         ("reads", _read(system, activity), ()),
         ("writes", tuple(str(channel) for channel in activity.writes), ()),
         ("variables", activity.writes_variables, ()),

@@ -54,6 +54,7 @@ def type_activity(
         tuple(dict.fromkeys(name.text for name in written.ends)),
         _parameters(written, scope.symbols),
         tuple(dict.fromkeys(variables_read)),
+        written.simulated is not None,
     )
     if written.within is not None and written.within.nanoseconds <= 0:
         hint = "a deadline comes after the state is entered: `within 5s`"
@@ -194,6 +195,7 @@ def merge_activity(statements: Sequence[Activity]) -> tuple[Activity, tuple[Diag
     """All that is said of one activity: same or disjoint clauses join, different ones are E203.
 
     `kind` is "thread" where no role says otherwise. Variables belong to the roles, so each role's are added.
+    Where one role says `simulated`, it is so for all; then something has to say how long it takes (W201).
     """
     diagnostics: list[Diagnostic] = []
     first, *others = statements
@@ -222,7 +224,19 @@ def merge_activity(statements: Sequence[Activity]) -> tuple[Activity, tuple[Diag
                 )
     if not clauses.get("kind", first.kind):
         clauses["kind"] = "thread"
+    simulated = next((item for item in statements if item.simulated), None)
+    if simulated is not None:
+        clauses["simulated"] = True
     merged = replace(first, **clauses) if clauses else first  # type: ignore[arg-type]
+    if simulated is not None and merged.takes is None:
+        diagnostics.append(
+            Diagnostic(
+                "W201",
+                f"`{merged.name}` is simulated, and nothing says how long: it lasts 100 ms",
+                simulated.span,
+                hint=f"say what it takes: `{merged.name} takes 1s simulated`",
+            )
+        )
     return merged, tuple(diagnostics)
 
 

@@ -56,6 +56,15 @@ def read_modules(
             if place is not None:
                 problem = f"the module `{name}` does not end: it has no `{word}`"
                 diagnostics.append(Diagnostic("E522", problem, place.span, hint="leave it out"))
+        if item.activity.simulated is not None:
+            diagnostics.append(
+                Diagnostic(
+                    "E545",
+                    f"the module `{name}` cannot be simulated: nothing says what it would do",
+                    item.activity.simulated,
+                    hint="leave the module out as long as it has no code",
+                )
+            )
         target = item.target.text if item.target is not None else ""
         if item.target is not None and not _TARGET.fullmatch(target):
             diagnostics.append(

@@ -190,6 +190,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E540": ("error", "undeclared access in activity code"),
     "E541": ("error", "a Python function that cannot be found"),
     "E542": ("error", "a Python function with other parameters"),
+    "E545": ("error", "`simulated` out of place"),
     "W530": ("warning", "code that names what is not there"),
     "W532": ("warning", "an event that nothing waits for"),
     "W533": ("warning", "an activity or a module whose code cannot be found"),

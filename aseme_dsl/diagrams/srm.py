@@ -92,9 +92,16 @@ def _activity(name: str, activity: Activity | None) -> list[list[str]]:
         [called(name, map(str, activity.parameters)), *_ends(activity)],
         [", ".join(activity.uses)] if activity.uses else [],
         [] if activity.every is None else [duration_text(activity.every)],
-        [] if activity.takes is None else [duration_text(activity.takes)],
+        _takes(activity),
         [*map(_subscription, activity.reads), *(f"variable {name}" for name in activity.reads_variables)],
         [*map(str, activity.writes), *(f"variable {name}" for name in activity.writes_variables)],
+    ]
+
+
+def _takes(activity: Activity) -> list[str]:
+    return [
+        *([] if activity.takes is None else [duration_text(activity.takes)]),
+        *(["simulated"] if activity.simulated else []),
     ]
 
 

@@ -497,6 +497,7 @@ class _Builder:
         ends: tuple[tree.Name, ...] = ()
         reads: list[tree.ActivityRead] = []
         writes: list[tree.Path] = []
+        simulated: Span | None = None
         said = _Once(self)
         for clause in node.clauses:
             match type(clause).__name__:
@@ -506,6 +507,9 @@ class _Builder:
                 case "Takes":
                     said.check("'takes'", self.span(clause))
                     durations["takes"] = self.duration(clause.duration)
+                case "Simulated":
+                    said.check("'simulated'", self.span(clause))
+                    simulated = self.span(clause)
                 case "Within":
                     said.check("'within'", self.span(clause))
                     durations["within"] = self.duration(clause.duration)
@@ -532,6 +536,7 @@ class _Builder:
             durations.get("within"),
             ends,
             self.all(self.activity_parameter, getattr(node, "parameters", ())),  # a module has none
+            simulated,
         )
 
     def activity_parameter(self, node: Any) -> tree.ActivityParameter:

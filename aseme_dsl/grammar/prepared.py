@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 3091160662
+CHECKSUM = 2803698292
 
 RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'File': (
@@ -79,7 +79,7 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'Path': (
         'match',
         {},
-        ('pattern', '(?x)\n  [A-Za-z_][A-Za-z0-9_]*\n  (?: \\s*\\. (?: [ \\t]*[A-Za-z_][A-Za-z0-9_]*\\b\n            | [ \\t]*[\\r\\n]\\s*[A-Za-z_][A-Za-z0-9_]*\\b (?!\\s+(?:every|takes|within|as|uses|reads|writes|ends)\\b) ) )*\n  \\b\n'),
+        ('pattern', '(?x)\n  [A-Za-z_][A-Za-z0-9_]*\n  (?: \\s*\\. (?: [ \\t]*[A-Za-z_][A-Za-z0-9_]*\\b\n            | [ \\t]*[\\r\\n]\\s*[A-Za-z_][A-Za-z0-9_]*\\b (?!\\s+(?:every|takes|simulated|within|as|uses|reads|writes|ends)\\b) ) )*\n  \\b\n'),
     ),
     'Text': (
         'match',
@@ -811,12 +811,12 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'ActivityName': (
         'match',
         {},
-        ('pattern', '(?!(?:every|takes|as|uses|reads|writes)\\b|(?:within|ends)\\b(?!\\s+(?:every|takes|as|uses|reads|writes)\\b))[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*\\{|\\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{)'),
+        ('pattern', '(?!(?:every|takes|simulated|as|uses|reads|writes)\\b|(?:within|ends)\\b(?!\\s+(?:every|takes|simulated|as|uses|reads|writes)\\b))[A-Za-z_][A-Za-z0-9_]*\\b(?!\\s*\\{|\\s+(?!(?:liveness|activities|modules|sag|suc)\\b)\\w+\\s*\\{)'),
     ),
     'ActivityClause': (
         'abstract',
         {},
-        ('choice', 'Every', 'Takes', 'Within', 'As', 'Uses', 'Reads', 'Writes', 'Ends'),
+        ('choice', 'Every', 'Takes', 'Simulated', 'Within', 'As', 'Uses', 'Reads', 'Writes', 'Ends'),
     ),
     'Every': (
         'common',
@@ -827,6 +827,11 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
         'common',
         {'duration': 'one'},
         ('series', ('word', 'takes'), ('=', 'duration', 'Duration')),
+    ),
+    'Simulated': (
+        'common',
+        {'word': 'one'},
+        ('series', ('=', 'word', ('word', 'simulated'))),
     ),
     'Within': (
         'common',
@@ -841,7 +846,7 @@ RULES: dict[str, tuple[str, dict[str, str], Any]] = {
     'OutcomeName': (
         'match',
         {},
-        ('pattern', '(?!(?:every|takes|as|uses|reads|writes)\\b)[A-Za-z_][A-Za-z0-9_]*\\b'),
+        ('pattern', '(?!(?:every|takes|simulated|as|uses|reads|writes)\\b)[A-Za-z_][A-Za-z0-9_]*\\b'),
     ),
     'As': (
         'common',

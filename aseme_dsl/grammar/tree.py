@@ -605,7 +605,7 @@ class ActivityParameter:
 class Activity:
     """`Vision every 33ms takes 5ms as process uses camera reads … writes …`; clauses in any order.
 
-    `within` is its deadline, `ends` are the names of its outcomes.
+    `within` is its deadline, `ends` are the names of its outcomes, `simulated` is the place of that word.
     """
 
     name: Name
@@ -619,6 +619,7 @@ class Activity:
     within: Duration | None = None
     ends: tuple[Name, ...] = ()
     parameters: tuple[ActivityParameter, ...] = ()
+    simulated: Span | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -175,13 +175,16 @@ class Executions:
 
     # ---- beginning ---------------------------------------------------------------------------
 
+    def _info(self, activity: str) -> ActivityInfo:
+        return self._infos.get(activity) or ActivityInfo(activity)
+
     def _node(self, start: Start) -> _Node:
-        info = self._infos.get(start.activity) or ActivityInfo(start.activity)
+        info = self._info(start.activity)
         code: type[Any] | None = None
         kind = info.kind
         error: ActivityError | None = None
         try:
-            code = self._find(start.activity)
+            code = None if info.simulated else self._find(start.activity)
             if code is not None:
                 code = code if has_code(code) else None
                 kind = info.kind if code is None else kind_of(code, info.kind)
@@ -285,7 +288,7 @@ class Executions:
     def _has_code(self, activity: str) -> bool:
         """Whether there is code for an activity; what cannot be loaded is told when it starts."""
         try:
-            return has_code(self._find(activity))
+            return not self._info(activity).simulated and has_code(self._find(activity))
         except ActivityError:
             return True
 

@@ -98,7 +98,8 @@ class ActivityInfo:
 
     `variables` are those of the role that it writes, `reads_variables` those that it reads; `histories` says
     how far it looks back at data channels, in ns. `within` is its deadline in ns, from the entry of its
-    state; `ends` are its outcomes, `parameters` the names and types of what it is given.
+    state; `ends` are its outcomes, `parameters` the names and types of what it is given. Of one that is
+    `simulated` no code is loaded.
     """
 
     name: str
@@ -113,6 +114,7 @@ class ActivityInfo:
     within: int | None = None
     ends: tuple[str, ...] = ()
     parameters: tuple[tuple[str, str], ...] = ()
+    simulated: bool = False
 
 
 @dataclass(frozen=True, slots=True)

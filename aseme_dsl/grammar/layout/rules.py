@@ -68,6 +68,7 @@ _USE_CASE = {"By": 1, "Includes": 1, "Realises": 1, "Requirements": 1}
 _ACTIVITY = {
     "Every": 1,
     "Takes": 1,
+    "Simulated": 1,
     "Within": 3,
     "As": 1,
     "Uses": 2,
@@ -139,6 +140,7 @@ SHAPES: Mapping[str, Shape] = MappingProxyType(
         "ModuleCode": Part(),
         "Every": Part(),
         "Takes": Part(),
+        "Simulated": Part(),
         "Within": Part(),
         "As": Part(),
         "Uses": Part(),
