@@ -173,9 +173,9 @@ def test_enough_mutants_can_be_built(tmp_path: Path) -> None:
     files = copies(tmp_path, alone=True)
     texts = [path.read_text("utf-8") for path in files]
     fine = 0
-    for which, text in islice(mutants(texts, 1), 60):
+    for which, text in islice(mutants(texts, 1), 30):
         files[which].write_text(text, "utf-8")
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
             fine += run_program(["check", str(files[which])]) == 0
         files[which].write_text(texts[which], "utf-8")
-    assert fine >= 4, "most of the phases see none of them"
+    assert fine >= 2, "most of the phases see none of them"

@@ -11,8 +11,8 @@ import psutil
 import pytest
 
 from aseme_dsl.build.descendants import ending_descendants
-from tests.cli.support import asemec
-from tests.support.waiting import wait_until
+from tests.cli.support import Done, asemec
+from tests.support.waiting import long_enough, wait_until
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="processes are adopted on Linux only")
 
@@ -83,11 +83,18 @@ def project(tmp_path: Path) -> Path:
 def test_what_an_activity_started_ends_with_the_run(project: Path, ways: tuple[str, ...]) -> None:
     bystander = subprocess.Popen(["sleep", "604"])
     try:
-        done = asemec(
-            "run", "starter.aseme", "--activities", "activities", "--for", "5s", *ways, cwd=project,
-            PYTHONPATH=str(project),
-        )  # fmt: skip
-        started = [int(line) for line in (project / "pids").read_text().split()]
+
+        def pids() -> list[int]:
+            file = project / "pids"
+            return [int(line) for line in file.read_text().split()] if file.exists() else []
+
+        def run(seconds: int) -> Done:
+            (project / "pids").unlink(missing_ok=True)
+            options = ("--activities", "activities", "--for", f"{seconds}s", *ways)
+            return asemec("run", "starter.aseme", *options, cwd=project, PYTHONPATH=str(project))
+
+        done = long_enough(run, lambda done: len(pids()) == 4)
+        started = pids()
         assert len(started) == 4, done
         wait_until(lambda: not any(_lives(number) for number in started))
         assert "was left behind by the run and has been killed: sleep 601" in done.err

@@ -11,7 +11,7 @@ import pytest
 from tests.cli.support import asemec
 from tests.faults.team import NAME, Started, project, signals_from, started
 from tests.runtime.playing import check_line
-from tests.support.waiting import LONG, wait_until
+from tests.support.waiting import LONG, long_enough, wait_until
 
 pytest.importorskip("zenoh")
 
@@ -32,16 +32,26 @@ def in_order(numbers: list[int]) -> bool:
 
 
 def test_a_team_plays_to_its_end(tmp_path: Path) -> None:
-    with started(project(tmp_path), "--for", "5s", "-v") as run:
-        code = run.process.wait(LONG)
-        run.end()
+    folder = project(tmp_path)
+
+    def played(seconds: int) -> tuple[Started, int, int]:
+        with started(folder, "--for", f"{seconds}s", "-v") as run:
+            code = run.process.wait(LONG)
+            run.end()
+        return run, code, seconds
+
+    def have_talked(found: tuple[Started, int, int]) -> bool:
+        run, _, _ = found
+        return all(signals_from(run.trace("robot1"), other) for other in ("robot2", "robot3"))
+
+    run, code, seconds = long_enough(played, have_talked)
     assert code == 0, run.lines
     assert run.said("played with 3 processes: the time is over")
     assert run.said(r"^robot1 \| .*robot1  Say")
     for name in ("robot1", "robot2", "robot3"):
         trace = run.trace(name)
         assert trace[0]["kind"] == "header" and trace[-1]["kind"] == "finish"
-        assert trace[-1]["time"] >= 5_000_000_000
+        assert trace[-1]["time"] >= seconds * 1_000_000_000
         for record in trace:
             check_line(record)
     for other in ("robot2", "robot3"):
@@ -151,8 +161,10 @@ def test_each_robot_says_what_its_run_has_left_open(tmp_path: Path) -> None:
         "team T { bob : b  sue : s }\n"
     )
     (tmp_path / "trade.aseme").write_text(text)
-    done = asemec(
-        "run", "trade.aseme", "--process-per-robot", "--for", "3s", "--quiet", "--json", cwd=tmp_path
+    options = ("--process-per-robot", "--quiet", "--json")
+    done = long_enough(
+        lambda seconds: asemec("run", "trade.aseme", "--for", f"{seconds}s", *options, cwd=tmp_path),
+        lambda done: "Offer from seller" in done.out and "[ready]" in done.out,
     )
     assert done.code == 0, done.out + done.err
     for robot, awaited in zip(
