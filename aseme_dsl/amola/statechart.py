@@ -312,6 +312,12 @@ class Statechart:
                 return node.label
         return self.root.label
 
+    def acts_in(self, transition: Transition) -> str:
+        """The region in which the actions of a transition count: that of its scope."""
+        if not transition.is_way:
+            return self.region_of(transition.source)
+        return self.region_of(self.scope_of(transition))
+
     @cached_property
     def levels(self) -> int:
         """The number of levels: the segments of the longest label."""

@@ -6,7 +6,7 @@ is active. The leaves of a composite have consecutive numbers.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -149,6 +149,51 @@ class FlatChart:
             found = [self.chart.node(item) for item in list(self._inside_region(label))[1:-1]]
             self._around[label] = found
         return found
+
+    def sources_around(self, leaf: str) -> list[Node]:
+        """The states around a leaf inside its region that may have transitions, innermost first.
+
+        The region itself is one of them where some lead out of its AND.
+        """
+        found = self.around(leaf)
+        region = self.regions[self.region_number[leaf]]
+        return [*found, self.chart.node(region.label)] if self.chart.outgoing(region.label) else found
+
+    def place(self, taken: Sequence[int]) -> int:
+        """The region in which a compound transition acts: that of its scope."""
+        scopes = [self.chart.scope_of(self.transition(number)) for number in taken]
+        return self.region_number[min(scopes, key=len)]
+
+    @cached_property
+    def leading_out(self) -> Mapping[int, int]:
+        """The transitions that lead out of their region, by number, each with the region of its scope."""
+        if len(self.regions) == 1:
+            return {}
+        found: dict[int, int] = {}
+        for number, transition in enumerate(self.chart.transitions):
+            if (
+                transition.is_way
+                and (place := self.place((number,))) != self.region_number[transition.source]
+            ):
+                found[number] = place
+        return found
+
+    def is_left_from_inside(self, label: str) -> bool:
+        """Whether a transition leads from inside an AND out of it."""
+        return any(
+            self.transition(number).source.startswith(f"{label}.")
+            and place in (self.region_number[label], *self.regions_around(self.region_number[label]))
+            for number, place in self.leading_out.items()
+        )
+
+    def places(self, number: int) -> frozenset[int]:
+        """The regions in which the actions of a transition may count."""
+        transition = self.transition(number)
+        found = {self.leading_out.get(number, self.region_number[transition.source])}
+        if self.leading_out and self.chart.node(transition.target).type is NodeType.CONDITION:
+            for branch in self.segments(transition.target):
+                found.add(self.leading_out.get(self.transition_number[id(branch)], min(found)))
+        return frozenset(found)
 
     def leaves(self, region: int) -> list[Node]:
         """The leaves of a region in document order."""
@@ -351,10 +396,12 @@ class FlatChart:
         for variable in self.chart.variables:
             if variable.scope is not None:
                 found[variable.name].add(self.region_number[variable.scope])
-        for transition in self.chart.transitions:
+        for number, transition in enumerate(self.chart.transitions):
             region = self.region_number[transition.source]
             for name in _variables(transition.expression):
                 found[name].add(region)
+            for name in _assigned(transition.expression):
+                found[name].update(self.places(number))
         for place, value in self.chart.values():
             if isinstance(value, VariableValue):
                 found[value.name].add(self.region_number[place])
@@ -440,12 +487,10 @@ class FlatChart:
                         readers = found.setdefault(value.name, {})
                         readers.setdefault(self.region_number[source], {}).setdefault(source)
         writers: dict[str, set[tuple[int, bool]]] = {}
-        for transition in self.chart.transitions:
+        for number, transition in enumerate(self.chart.transitions):
             stays = transition.kind is TransitionKind.ON
-            for action in transition.expression.actions:
-                if isinstance(action, Assign) and isinstance(action.target, VariableValue):
-                    writer = self.region_number[transition.source], stays
-                    writers.setdefault(action.target.name, set()).add(writer)
+            for name in _assigned(transition.expression):
+                writers.setdefault(name, set()).update((place, stays) for place in self.places(number))
         woken: dict[str, dict[int, tuple[str, ...]]] = {}
         for name, readers in found.items():
             for region, sources in readers.items():
@@ -527,6 +572,10 @@ def _variables(expression: TransitionExpression) -> Iterator[str]:
     for value in values_of(expression):
         if isinstance(value, VariableValue):
             yield value.name
+    yield from _assigned(expression)
+
+
+def _assigned(expression: TransitionExpression) -> Iterator[str]:
     for action in expression.actions:
         if isinstance(action, Assign) and isinstance(action.target, VariableValue):
             yield action.target.name

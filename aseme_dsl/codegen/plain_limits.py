@@ -43,6 +43,7 @@ GIVEN = "what an activity is given, where that may be absent or fail"
 NUMBERS = "the number of an agent"
 STAYING = "`on` without an event of the program"
 RESUMING = "`resume`"
+LEAVING = "leading out of an AND from inside"
 READING = "reading messages during a step"
 
 
@@ -77,6 +78,10 @@ def _limits(chart: Statechart, activities: Iterable[Activity]) -> Iterator[Limit
         if node.origin.kind is OriginKind.PROTOCOL:
             yield Limit(PROTOCOLS, node.span)
     for transition in chart.transitions:
+        if chart.acts_in(transition) != chart.region_of(transition.source):
+            yield Limit(LEAVING, transition.span)
+        elif transition.kind is TransitionKind.ON and chart.is_region(transition.source):
+            yield Limit(STAYING, transition.span)
         yield from _of_transition(transition)
     for variable in chart.variables:
         if variable.type == AGENT:

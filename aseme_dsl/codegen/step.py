@@ -221,6 +221,8 @@ class _Generator(Face):
                 (f"k{region.number}", "int", "0"),
                 (f"b{region.number}", f"Board{region.number}", f"Board{region.number}()"),
             ]
+        if self.flat.leading_out:
+            attributes.append(("out", "int", "-1"))
         attributes += [(self._time(label), "int", "0") for label in sorted(self.flat.timed)]
         for number in (n for numbers in self.flat.staying.values() for n in numbers):
             if self._has_mark(number):
@@ -460,7 +462,7 @@ class _Generator(Face):
         """Everything that one round may do while `leaf` is active: what cuts short, the outermost first, then
         innermost source first."""
         depth = 2
-        for around in reversed(self.flat.around(leaf.label)):
+        for around in reversed(self.flat.sources_around(leaf.label)):
             if self.flat.first_ways(around.label):
                 method.add(depth, f"if self._first_{self._key(around.label)}(now):", "    return True")
                 self._before(region, around)
@@ -470,13 +472,15 @@ class _Generator(Face):
         if leaf.type is NodeType.AND:
             first, *others = self.flat.regions_of(leaf.label)
             method.add(depth, f"moved = self._region_{first.number}(now)")
+            self._left_behind(method, depth, region, leaf)
             for inner in others:
                 method.add(depth, f"if self._region_{inner.number}(now):", "    moved = True")
+                self._left_behind(method, depth, region, leaf)
             method.add(depth, "if moved:", "    return True")
         if self._ways(method, depth, region, leaf.label, leaf, complete):
             return
         inside = leaf
-        for around in self.flat.around(leaf.label):
+        for around in self.flat.sources_around(leaf.label):
             is_complete = inside.type is NodeType.END and inside is leaf and leaf.parent == around.label
             if is_complete:
                 if self._ways(method, depth, region, around.label, leaf, True):
@@ -484,6 +488,12 @@ class _Generator(Face):
             elif any(self.flat.waits_for_event(way) for way in self.flat.ways(around.label)):
                 method.add(depth, f"if self._around_{self._key(around.label)}(now):", "    return True")
                 self._around(region, around)
+
+    def _left_behind(self, method: Method, depth: int, region: int, leaf: Node) -> None:
+        """The end of a round in an AND which one of its regions has left; up to the region of the scope."""
+        if self.flat.is_left_from_inside(leaf.label):
+            method.add(depth, "if self.out >= 0:")
+            method.add(depth + 1, f"if self.out == {region}:", "    self.out = -1", "return True")
 
     def _around(self, region: int, source: Node) -> None:
         """A method with the transitions that may leave a composite before it is complete."""
@@ -641,16 +651,35 @@ class _Generator(Face):
         for transition in transitions[1:]:
             other = self.chart.scope_of(transition)
             scope = min(scope, other, key=len)
-        self._leave_leaf(method, depth, region, scope, leaf, complete is not False)
-        looked_at = self._actions(method, depth, region, source, taken)
-        self._enter(method, depth, region, scope, target, resume=transitions[-1].resume)
+        place = self.flat.region_number[scope]
+        if place == region:
+            self._leave_leaf(method, depth, region, scope, leaf, complete is not False)
+        else:
+            around = next(
+                node
+                for node in self.chart.ancestors(source)
+                if node.type is NodeType.AND and self.flat.region_number[node.label] == place
+            )
+            self._leave_leaf(method, depth, place, scope, around, False)
+            method.add(depth, f"self.out = {place}")
+        looked_at = self._actions(method, depth, region, source, taken, place)
+        self._enter(method, depth, place, scope, target, resume=transitions[-1].resume)
         for channel, host in looked_at:
-            self._consume(method, depth, region, channel, host)
+            self._consume(method, depth, region, channel, host, place)
 
     def _actions(
-        self, method: Method, depth: int, region: int, source: str, taken: tuple[int, ...]
+        self,
+        method: Method,
+        depth: int,
+        region: int,
+        source: str,
+        taken: tuple[int, ...],
+        place: int | None = None,
     ) -> list[tuple[str, str | None]]:
-        """The actions of the segments in order; the signals that these and their conditions look at."""
+        """The actions of the segments in order; the signals that these and their conditions look at.
+
+        They read what `region` knows; what they change they change in `place`, if that is another one.
+        """
         transitions = [self.flat.transition(number) for number in taken]
         conditions = [t.expression.condition for t in transitions if t.expression.condition is not None]
         looked_at = dict.fromkeys(found for item in conditions for found in signals(walk(item)))
@@ -663,7 +692,9 @@ class _Generator(Face):
                         method.add(depth, f"b.ask({channel!r}, {host!r})")
                         still_seen.add((channel, host))
                         looked_at[channel, host] = None
-                self._action(method, depth, region, number, source, action)
+                self._action(
+                    method, depth, region, number, source, action, region if place is None else place
+                )
                 if isinstance(action, ReadMessages):
                     still_seen.clear()
                 elif isinstance(action, Publish):
@@ -826,11 +857,23 @@ class _Generator(Face):
                 return f"self.spent.update(({gone}))"
         return "pass"
 
-    def _consume(self, method: Method, depth: int, region: int, channel: str, host: str | None) -> None:
-        """Consume the signal that was looked at, for the region and for those around it."""
-        around = [
-            n for n in self.flat.regions_around(region) if channel in self.flat.asked_signals.get(n, ())
-        ]
+    def _consume(
+        self,
+        method: Method,
+        depth: int,
+        region: int,
+        channel: str,
+        host: str | None,
+        place: int | None = None,
+    ) -> None:
+        """Consume the signal that was looked at, for the region and for those around it.
+
+        Those inside `place` have been left.
+        """
+        regions = list(self.flat.regions_around(region))
+        if place is not None and place != region:
+            regions = regions[regions.index(place) :]
+        around = [n for n in regions if channel in self.flat.asked_signals.get(n, ())]
         outer = "".join(f", self.b{number}" for number in around)
         method.add(depth, f"b.spend({channel!r}, {host!r}{outer})")
 
@@ -1131,22 +1174,36 @@ class _Generator(Face):
             method.lines.insert(0, "        now = self.now")
         self._method("enter(self) -> None", "Enter the root.", method)
 
-    def _write(self, method: Method, depth: int, region: int, name: str, code: str) -> None:
-        attribute = self._variable(name, region)
-        method.add(depth, f"self.{attribute} = {code}")
+    def _write(
+        self, method: Method, depth: int, region: int, name: str, code: str, place: int | None = None
+    ) -> None:
+        """Write a variable in a region, and in `place`, if that is where it counts."""
+        place = region if place is None else place
+        attribute = self._variable(name, place)
+        copies = dict.fromkeys((attribute, self._variable(name, region)))
+        method.add(depth, "".join(f"self.{copy} = " for copy in copies) + code)
         if len(self.flat.variable_regions[name]) > 1:
-            method.add(depth, f"self.writes.append(({region}, {name!r}, self.{attribute}))")
+            method.add(depth, f"self.writes.append(({place}, {name!r}, self.{attribute}))")
 
     # ---- actions ---------------------------------------------------------------------------
 
     def _action(
-        self, method: Method, depth: int, region: int, number: int, source: str, action: Action
+        self,
+        method: Method,
+        depth: int,
+        region: int,
+        number: int,
+        source: str,
+        action: Action,
+        place: int,
     ) -> None:
+        board = "b" if place == region else f"self.b{place}"
         match action:
             case ReadMessages():
-                method.add(depth, f"self.read_messages({region}, b)")
+                method.add(depth, f"self.read_messages({place}, {board})")
             case Publish(channel=channel):
-                method.add(depth, f"self.publish({region}, b, {str(channel)!r})")
+                drafts = "" if place == region else ", b"
+                method.add(depth, f"self.publish({place}, {board}, {str(channel)!r}{drafts})")
             case Send(performative=performative, message=message, participant=participant):
                 branch = self.chart.branch_of(source)
                 letter = f"{branch!r}, {performative!r}, {message!r}, {participant!r}"
@@ -1157,7 +1214,7 @@ class _Generator(Face):
                     depth,
                     number,
                     (duration,),
-                    lambda piece: [f"b.timers[{timer!r}] = now + {piece.code}"],
+                    lambda piece: [f"{board}.timers[{timer!r}] = now + {piece.code}"],
                 )
             case Assign(target=target, value=value):
                 self._computed(
@@ -1165,19 +1222,19 @@ class _Generator(Face):
                     depth,
                     number,
                     (value,),
-                    lambda piece: self._assignment(region, target, value, piece),
+                    lambda piece: self._assignment(region, target, value, piece, place),
                 )
             case Evaluate(value=value):
                 self._computed(method, depth, number, (value,), lambda piece: [piece.code])
 
     def _assignment(
-        self, region: int, target: VariableValue | Member, value: Value, piece: Piece
+        self, region: int, target: VariableValue | Member, value: Value, piece: Piece, place: int
     ) -> list[str]:
         code = converted(piece, value.type, target.type)
         if isinstance(target, Member):
             return [f"b.fill({str(target.channel)!r}, {target.host!r}, {target.path!r}, {code})"]
         lines = Method(self._names(region))
-        self._write(lines, 0, region, target.name, code)
+        self._write(lines, 0, region, target.name, code, place)
         return lines.lines
 
     # ---- the rest --------------------------------------------------------------------------

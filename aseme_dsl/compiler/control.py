@@ -379,28 +379,53 @@ def structure_problem(
             place,
             hint=f"let the transition leave {source.parent}",
         )
-    regions = [region_around(nodes, node) for node in (source, target)]
-    if None in regions or regions[0] != regions[1]:
-        return Diagnostic(
-            "E409",
-            f"a transition from {source.label} to {target.label} leaves a region of an AND",
-            place,
-            hint="a region of an AND is entered and left with the AND: lead to or from the AND itself",
+    return _region_problem(nodes, source, target, place)
+
+
+def _region_problem(nodes: Mapping[str, Node], source: Node, target: Node, place: Span) -> Diagnostic | None:
+    """E409 for what enters a single region of an AND, or leads into a choice outside the region.
+
+    A transition may lead out of an AND: all its regions are left. It may not lead from one region into
+    another, since both are active together; nor may it leave or enter one region alone.
+    """
+    into, out = regions_around(nodes, target), regions_around(nodes, source)
+    parent = nodes[target.parent] if target.parent is not None else None
+    if parent is not None and parent.type is NodeType.AND:
+        message = (
+            f"{target.label} is a region of {parent.label}: it is entered with the AND, not by a transition"
         )
+        return Diagnostic("E409", message, place, hint=f"lead to {parent.label}")
+    entered = [label for label in into if label not in out]
+    if entered or source.label in into:
+        around = nodes[nodes[entered[-1] if entered else source.label].parent or ""].label
+        if source.label == around or source.label.startswith(f"{around}."):
+            inside = source.label if source.label in into else entered[-1]
+            message = f"a transition from {source.label} to {target.label} leads into the region {inside}"
+            hint = (
+                f"the regions of {around} are active together: lead out of it, or raise an event in one that "
+            )
+            hint += "another waits for"
+        else:
+            message = f"a transition from {source.label} to {target.label} enters one region of an AND"
+            hint = f"a region is entered with its AND: lead to {around}"
+        return Diagnostic("E409", message, place, hint=hint)
+    if into != out and target.type is NodeType.CONDITION:
+        message = f"{target.label} is a CONDITION outside the region {out[0]}, out of which this leads"
+        hint = f"lead to a state: to {target.parent}, if its START leads to the choice"
+        return Diagnostic("E409", message, place, hint=hint)
     return None
 
 
-def region_around(nodes: Mapping[str, Node], node: Node) -> str | None:
-    """The innermost region that holds `node`; None for the root and the regions of an AND themselves."""
-    parent = nodes.get(node.parent) if node.parent is not None else None
-    if parent is None or parent.type is NodeType.AND:
-        return None
-    while parent.parent is not None:
-        around = nodes.get(parent.parent)
-        if around is None or around.type is NodeType.AND:
-            break
-        parent = around
-    return parent.label
+def regions_around(nodes: Mapping[str, Node], node: Node) -> tuple[str, ...]:
+    """The regions of ANDs in which `node` is, innermost first; a region is in itself."""
+    found: list[str] = []
+    inside: Node | None = node
+    while inside is not None and inside.parent is not None:
+        around = nodes.get(inside.parent)
+        if around is not None and around.type is NodeType.AND:
+            found.append(inside.label)
+        inside = around
+    return tuple(found)
 
 
 def _unknown_label(name: tree.Name, nodes: Mapping[str, Node]) -> Diagnostic:
@@ -451,7 +476,7 @@ __all__ = [
     "including_labels",
     "prioritised",
     "read_lines",
-    "region_around",
+    "regions_around",
     "rename",
     "rename_value",
     "structure_problem",

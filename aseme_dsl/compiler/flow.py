@@ -92,7 +92,7 @@ def check_timers(chart: Statechart) -> Iterator[Diagnostic]:
     for transition in chart.transitions:
         for action in transition.expression.actions:
             if isinstance(action, StartTimer):
-                started.setdefault(action.timer, set()).add(chart.region_of(transition.source))
+                started.setdefault(action.timer, set()).add(chart.acts_in(transition))
     found: dict[tuple[str, str], Diagnostic] = {}
     edits: tuple[Edit, ...]
     for place, value in chart.values():

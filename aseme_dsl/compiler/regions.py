@@ -47,7 +47,7 @@ def regions_of(
         reads[nodes[0].label].update(_read_by(module.statement, symbols))
         writes[nodes[0].label].update(module.statement.writes)
     for transition in transitions:
-        inside = around[transition.source]
+        inside = region[transition.source]
         reads[inside].update(channels_read(transition.expression))
         writes[inside].update(channels_written(transition.expression))
     for label in reversed(reads):

@@ -116,7 +116,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E406": ("error", "two `else` in one choice"),
     "E407": ("error", "a loop that repeats and leaves without condition"),
     "E408": ("error", "control inside a protocol's branch"),
-    "E409": ("error", "a transition leaves its region"),
+    "E409": ("error", "a transition that concerns a single region"),
     "E410": ("error", "a label that the statechart does not have"),
     "E411": ("error", "two control blocks for one formula"),
     "E412": ("error", "a cycle of conditions without a state"),

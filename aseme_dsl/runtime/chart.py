@@ -477,10 +477,13 @@ class Chart:
             self.mail[item.branch] = [other for other in self.mail[item.branch] if other is not item]
             self.effects.append(MailTaken(item.branch, item.identity))
 
-    def publish(self, region: int, board: Board, channel: str) -> None:
-        """Publish the region's drafts of a channel; the region itself sees a message to all at once."""
+    def publish(self, region: int, board: Board, channel: str, drafts: Board | None = None) -> None:
+        """Publish the region's drafts of a channel; the region itself sees a message to all at once.
+
+        `drafts` are those of a region inside it, out of which a transition leads.
+        """
         label = self.REGIONS[region]
-        for host, message in board.take_drafts(channel, self.MESSAGES[channel]):
+        for host, message in (drafts or board).take_drafts(channel, self.MESSAGES[channel]):
             self.effects.append(Publication(channel, message, host, label))
             if host in (None, self.agent) and channel in board.CHANNELS:
                 own = Arrived(channel, message, self.agent, self.now, (self.agent, 0), label)

@@ -832,7 +832,21 @@ def _statechart(words: Words) -> list[str]:
         if node.kind in ("BASIC", "OR", "AND") and choices.one_in(6):
             verb = choices.one_of(("on", "exit")) if node.region else "exit"
             texts.append(f"  {verb} {node.label} : {words.staying(verb)}")
+    for node in nodes:
+        outside = [other for other in nodes if other.kind in ("BASIC", "OR", "AND", "END")]
+        outside = [other for other in outside if other.region and is_outside(node, other)]
+        if outside and node.kind != "END" and choices.one_in(3):
+            text, _ = words.transition(decided=node.kind == "CONDITION", otherwise=False)
+            texts.append(f"  {node.label} -> {choices.one_of(outside).label} : {text}")
+        if node.kind == "OR" and not node.region and choices.one_in(8):
+            texts.append(f"  on {node.label} : {words.staying('on')}")
     return texts
+
+
+def is_outside(node: Node, other: Node) -> bool:
+    """Whether a transition leads out of an AND from inside, and into no region that the source is not in."""
+    region = node.region or node.label
+    return region != other.region and region.startswith(f"{other.region}.")
 
 
 def text(choices: Choices) -> str:

@@ -512,7 +512,7 @@ class Reference:
         """ "visit(R): let L be R's active leaf." Whether R has moved."""
         leaf = self.leaf(region)
         inside = self.around(leaf)
-        path = [leaf, *inside[: inside.index(region)]] if leaf != region else []
+        path = [leaf, *inside[: inside.index(region) + (region != self.root())]] if leaf != region else []
         # "What cuts short is tried before anything inside what it cuts, the outermost first."
         for source in reversed(path):
             way = self.enabled_way(source, first=True)
@@ -522,10 +522,18 @@ class Reference:
         # "If L is an AND: visit each of its regions in document order (all of them); if any moved, R has
         # moved."
         if self.type_of(leaf) == "AND":
-            moved = [self.visit(inner) for inner in self.children(leaf)]
+            moved = []
+            boards = [self.regions[inner] for inner in self.children(leaf)]
+            for inner in self.children(leaf):
+                moved.append(self.visit(inner))
+                # "One that leads out of the AND leaves all its regions": those behind it take nothing, nor
+                # do those that it has entered anew.
+                if any(self.regions.get(board.label) is not board for board in boards):
+                    break
             if any(moved):
                 return True
-        # "Otherwise the sources L, then the OR states around it inside R, innermost first;"
+        # "Otherwise the sources L, then the OR states around it inside R, innermost first, then R itself
+        # (whose transitions lead out of its AND);"
         for source in path:
             # "of each the outgoing transitions by priority; the first that is enabled is taken, and R has
             # moved."
@@ -712,6 +720,9 @@ class Reference:
 
         # "Everything active inside the scope is left, innermost first;"
         scope = min((self.scope(t.source, t.target) for t in transitions), key=self.place)
+        # "A transition that leads out of its region reads the blackboard of that region, and acts in the
+        # region of its scope."
+        there_is = self.regions[self.region_of(scope)]
         for child in self.children(scope):
             if child in self.active:
                 self.leave(child)
@@ -720,7 +731,7 @@ class Reference:
         for number in way:
             self.in_hand = letters.get(number)
             for action in self.plan.transitions[number].actions:
-                self.act(number, action, board)
+                self.act(number, action, board, there_is)
 
         # "the signals its segments' conditions and actions name are consumed (the one that was seen), after
         # its actions."
@@ -782,7 +793,9 @@ class Reference:
     def consume(self, message: Arrived, board: Region) -> None:
         """ "A signal … is consumed at once, for its region and for every region around it." """
         for label in self.regions_around(board.label):
-            around = self.regions[label]
+            around = self.regions.get(label)
+            if around is None:  # it has been left
+                continue
             ahead = message.identity in board.read_ahead and self.reads(label, message.channel)
             if not around.drop(message) and ahead:
                 # … also where it would come only as an input of the next step
@@ -921,7 +934,9 @@ class Reference:
 
     # ---- actions ----------------------------------------------------------------------------
 
-    def act(self, number: int, action: Term, region: Region) -> None:
+    def act(self, number: int, action: Term, region: Region, place: Region | None = None) -> None:
+        """Do an action with what `region` knows; what it changes it changes in `place`."""
+        place = place or region
         self.asking = self.plan.transitions[number].source
         # "… or an action reads one, that channel is asked in that region."
         for channel, host in signals_of(action):
@@ -944,25 +959,25 @@ class Reference:
             case ("assign", name, _):
                 # "A write to a variable is seen at once in its own region, and by regions entered later in
                 # the same step inside it (they start with a copy); elsewhere from the next step."
-                region.variables[name] = values[0]
-                self.writes.append((region.label, name, values[0]))
+                region.variables[name] = place.variables[name] = values[0]
+                self.writes.append((place.label, name, values[0]))
             case ("fill", ("member", host, channel, path), _):
                 # "Drafts belong to the region: `t.c.M.f = v` fills one"
                 region.drafts.setdefault((channel, host), {})[path] = values[0]
             case ("publish", channel):
-                self.publish(channel, region)
+                self.publish(channel, region, place)
             case ("read_messages",):
                 # "`read_messages` renews the executing region's snapshot"
                 for message in self.pending():
                     if (
-                        self.reads(region.label, message.channel)
-                        and message.written_by != region.label
-                        and message.identity not in region.read_ahead
+                        self.reads(place.label, message.channel)
+                        and message.written_by != place.label
+                        and message.identity not in place.read_ahead
                     ):
-                        region.read_ahead.add(message.identity)
-                        region.put(message, self.queued(message.channel))
+                        place.read_ahead.add(message.identity)
+                        place.put(message, self.queued(message.channel))
             case ("start_timer", name, _):
-                region.timers[name] = self.now + values[0]
+                place.timers[name] = self.now + values[0]
             case ("send", performative, message, participant):
                 branch = self.branch_of(self.plan.transitions[number].source)
                 content = self.messages[message]()
@@ -988,7 +1003,7 @@ class Reference:
             case ("evaluate", _):
                 pass
 
-    def publish(self, channel: str, region: Region) -> None:
+    def publish(self, channel: str, region: Region, place: Region) -> None:
         """ "`write_messages.t.c.M` publishes the region's drafts of the channel (one for all, one a host) in
         the order they were begun, or a message of defaults if there is none, and the region itself sees it at
         once if it reads the channel." """
@@ -1000,11 +1015,11 @@ class Reference:
             message = kind()
             for path, value in members.items():
                 message = with_member(message, path, value)
-            self.outcome.effects.append(Publication(channel, message, host, region.label))
+            self.outcome.effects.append(Publication(channel, message, host, place.label))
             # "with a `host.` it goes to that host alone"
-            if self.reads(region.label, channel) and host in (None, self.agent):
-                own = Arrived(channel, message, self.agent, self.now, (self.agent, 0), region.label)
-                region.put(own, self.queued(channel))
+            if self.reads(place.label, channel) and host in (None, self.agent):
+                own = Arrived(channel, message, self.agent, self.now, (self.agent, 0), place.label)
+                place.put(own, self.queued(channel))
 
     def fault(self, number: int, reason: str) -> None:
         """ "a fault is recorded once per transition and step" """
