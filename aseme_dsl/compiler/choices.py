@@ -51,6 +51,7 @@ def check_formulas(
     control could not be read completely, so that a missing line means nothing.
     """
     found: list[Diagnostic] = []
+    waiting: set[Span] = set()  # lines of which it is said what they wait for
     for name in formulas.named:
         if name in damaged:
             continue
@@ -66,7 +67,10 @@ def check_formulas(
             for loop in loops:
                 found += check_loop(loop)
             found += _endless_once(terms, lines)
-        found += check_waits(terms, lines)
+        for problem in check_waits(formulas, controls, terms, lines):
+            if problem.span not in waiting:
+                waiting.add(problem.span)
+                found.append(problem)
         decided = {line.span for group in (*choices, *loops) for item in group for line in item.lines}
         decided |= {line.span for item in _interruptions(terms, lines) for line in item.way.lines}
         for (verb, term), own in lines.by_way.items():

@@ -58,3 +58,68 @@ def test_the_hint_names_both_ways_as_control_writes_them() -> None:
     assert problem.hint is not None
     assert "`enter (Run | Rest) : when [ … ]`" in problem.hint
     assert "`enter (Run | Rest) :`" in problem.hint
+
+
+CHOICE = "enter Run : when [on] enter Rest : when [!on]"
+
+
+def _roles(liveness: str, control: str) -> str:
+    return f"""
+    system S message Alarm {{ bool on }} topic site {{ state Alarm }}
+    let on = site.state.Alarm.on
+    srm role {{ liveness {{ {liveness} }} {control} }}"""
+
+
+@pytest.mark.parametrize(
+    ("liveness", "control"),
+    [
+        ("role = Wait . decide  decide = Run | Rest", f"control decide {{ {CHOICE} }}"),
+        ("role = Wait . decide . End  decide = (Run | Rest) . Home", f"control decide {{ {CHOICE} }}"),
+        ("role = Wait . a  a = b . Home  b = Run | Rest", f"control b {{ {CHOICE} }}"),
+        ("role = Wait . a  a = b~  b = Run | Rest", f"control b {{ {CHOICE} }}"),
+        ("role = Wait . (Look || decide)  decide = Run | Rest", f"control decide {{ {CHOICE} }}"),
+        ("role = Wait . decide[2]  decide = Run | Rest", f"control decide {{ {CHOICE} }}"),
+        ("role = (Wait . decide)~  decide = Run | Rest", f"control decide {{ {CHOICE} }}"),
+        (
+            "role = Wait . (decide [> Stop)  decide = Run | Rest",
+            f"control decide {{ {CHOICE} }} control role {{ enter Stop : halt }}",
+        ),
+        (
+            "role = Go . one . Back . two  one = Wait . decide  two = Stay . decide  decide = Run | Rest",
+            f"control decide {{ {CHOICE} }}",
+        ),
+        ("role = Wait . decide  decide = [Run]", "control decide { enter Run : alarm  skip Run : else }"),
+    ],
+)
+def test_the_choice_may_be_another_formulas(liveness: str, control: str) -> None:
+    assert codes(_roles(liveness, control)) == ["W405"]
+
+
+@pytest.mark.parametrize(
+    ("liveness", "control"),
+    [
+        ("role = decide . Wait  decide = Run | Rest", f"control decide {{ {CHOICE} }}"),
+        (
+            "role = Wait . decide  decide = Run | Rest",
+            f"control decide {{ {CHOICE} }} control role {{ enter decide : }}",
+        ),
+        (
+            "role = Wait . decide  decide = Run | Rest",
+            f"control decide {{ {CHOICE} }} control role {{ enter decide : when [on] }}",
+        ),
+        (
+            "role = Wait . a  a = b . Home  b = Run | Rest",
+            f"control b {{ {CHOICE} }} control a {{ enter b : }}",
+        ),
+        (
+            "role = Wait . a  a = (Run | Rest) . Home",
+            f"control a {{ {CHOICE} start (Run | Rest) : }}",
+        ),
+        (
+            "role = Wait . decide  decide = Run | Rest",
+            "control decide { enter Run : [on]  enter Rest : else }",
+        ),
+    ],
+)
+def test_what_says_in_any_formula_which_is_meant_is_not_reported(liveness: str, control: str) -> None:
+    assert codes(_roles(liveness, control)) == []
