@@ -16,7 +16,11 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TextIO
 
@@ -31,16 +35,22 @@ OLDEST_PYTHON = (3, 11)
 PLAY = ["-m", "aseme_dsl", "run", "examples/robocup"]
 """What `play` runs, seen from the root; further arguments of `dev.py play` are appended."""
 
+# Each worker begins with tests that stand together, so that what they share is made once. There is one more
+# than processors: many a test waits for other processes.
+IN_WORKERS = ["-n", str((os.cpu_count() or 1) + 1), "--dist", "worksteal"]
+
 CHECKS = [
-    ("ruff check", ["-m", "ruff", "check"]),
-    ("ruff format", ["-m", "ruff", "format", "--check"]),
-    ("mypy", ["-m", "mypy"]),
-    ("documentation", ["-m", "sphinx", "-W", "--keep-going", "-q", "-E", "docs", "docs/_build/html"]),
-    # Last, because its closing line is the result that people and CI look for. Each worker begins with tests
-    # that stand together, so that what they share is made once.
-    ("pytest", ["-m", "pytest", "-n", "auto", "--dist", "worksteal"]),
+    [("ruff check", ["-m", "ruff", "check"])],
+    [("ruff format", ["-m", "ruff", "format", "--check"])],
+    # Both use one processor only.
+    [
+        ("mypy", ["-m", "mypy"]),
+        ("documentation", ["-m", "sphinx", "-W", "--keep-going", "-q", "-E", "docs", "docs/_build/html"]),
+    ],
+    # Last, because its closing line is the result that people and CI look for.
+    [("pytest", ["-m", "pytest", *IN_WORKERS])],
 ]
-"""What `test` runs, in this order; its further arguments go to the last one."""
+"""What `test` runs, in this order, a group beside each other; its further arguments go to the last one."""
 
 UNIT = [
     "tests/grammar",
@@ -248,20 +258,22 @@ def install(requirement: str) -> None:
         )
 
 
-def in_environment(arguments: list[str], variables: dict[str, str] | None = None) -> int:
-    """Run the environment's Python from the root and return its exit code."""
+def in_environment(
+    arguments: list[str], variables: dict[str, str] | None = None, output: TextIO | None = None
+) -> int:
+    """Run the environment's Python from the root, with what it says in `output`; return its exit code."""
     # Nothing that changes a Python: its folders, its warnings, or that it writes no bytecode (the tests start
     # hundreds of processes: without bytecode each compiles the package anew).
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
     environment.pop("ASEME_DSL_VENV", None)
     environment.update(variables or {})
-    # A shell without a terminal starts what is in the background with SIGINT ignored, which children inherit.
-    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
     environment["VIRTUAL_ENV"] = str(VENV)
     # What a check starts by name (asemec, ruff) is the environment's own.
     environment["PATH"] = os.pathsep.join([str(PYTHON.parent), environment.get("PATH", os.defpath)])
-    return subprocess.run([str(PYTHON), *arguments], cwd=ROOT, env=environment).returncode
+    errors = None if output is None else subprocess.STDOUT
+    return subprocess.run(
+        [str(PYTHON), *arguments], cwd=ROOT, env=environment, stdout=output, stderr=errors
+    ).returncode
 
 
 def play(further: list[str]) -> int:
@@ -273,20 +285,40 @@ def play(further: list[str]) -> int:
 def test(further: list[str]) -> int:
     """Set up what a developer needs, and run all checks up to the first that fails."""
     set_up("dev")
-    for name, arguments in CHECKS:
-        last = name == CHECKS[-1][0]
-        say(f"== {name}")
-        code = in_environment([*arguments, *(further if last else [])])
-        if code != 0:
-            say(f"dev.py: {name} failed (exit code {code})", to=sys.stderr)
-            return code
+    for group in CHECKS:
+        for name, code in beside(group) if len(group) > 1 else alone(*group[0], further):
+            if code != 0:
+                say(f"dev.py: {name} failed (exit code {code})", to=sys.stderr)
+                return code
     return 0
+
+
+def alone(name: str, arguments: list[str], further: list[str]) -> Iterator[tuple[str, int]]:
+    """Run a check; give its name and its exit code."""
+    say(f"== {name}")
+    yield name, in_environment([*arguments, *(further if name == "pytest" else [])])
+
+
+def beside(group: list[tuple[str, list[str]]]) -> Iterator[tuple[str, int]]:
+    """Run checks beside each other; when one is done, print what it said, and give its name and exit code."""
+    with ThreadPoolExecutor(len(group)) as workers, ExitStack() as files:
+        outputs = [files.enter_context(tempfile.TemporaryFile("w+", errors="replace")) for _ in group]
+        codes = [
+            workers.submit(in_environment, arguments, None, output)
+            for (_, arguments), output in zip(group, outputs, strict=True)
+        ]
+        for (name, _), output, code in zip(group, outputs, codes, strict=True):
+            say(f"== {name}")
+            found = code.result()
+            output.seek(0)
+            say(output.read().rstrip("\n"))
+            yield name, found
 
 
 def unit(further: list[str]) -> int:
     """Set up what a developer needs, and run the tests that depend on the Python."""
     set_up("dev")
-    return in_environment(["-m", "pytest", "-q", "-n", "auto", "--dist", "worksteal", *UNIT, *further])
+    return in_environment(["-m", "pytest", "-q", *IN_WORKERS, *UNIT, *further])
 
 
 def long(further: list[str]) -> int:
@@ -357,6 +389,9 @@ def main(arguments: list[str]) -> int:
         "further", nargs=argparse.REMAINDER, help="more arguments for asemec run (play) or pytest (test)"
     )
     options = parser.parse_args(arguments)
+    # A shell without a terminal starts what is in the background with SIGINT ignored, which children inherit.
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         check_python((sys.version_info[0], sys.version_info[1]), sys.executable)
         return COMMANDS[options.command](options.further)

@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Run both commands of the README on a bare Debian 12: `python3 ci/bare_debian.py [--root FOLDER] [--keep]`.
+"""Run both commands of the README on a bare Debian 12: `python3 ci/bare_debian.py [--root FOLDER] [TEST]`.
 
 Makes a root with nothing but Python and its venv package (debootstrap, in a temporary folder), clones what is
 committed into it, and runs `dev.py play` and `dev.py test` there. What pip is configured for on this machine
-is handed on. It needs root and debootstrap; without them it says so and ends with 0. If a command fails it
-ends with 1.
+is handed on. It needs root and debootstrap; without them it says so and ends with 0. If a command fails, or
+is not done in time, it ends with 1. Whatever runs in there ends with it.
+
+A FOLDER is kept, and used again the next time: then only what has been committed since is fetched. So tests
+can be tried one by one: `python3 ci/bare_debian.py --root /var/tmp/bare --only test tests/cli -x`.
 """
 
 from __future__ import annotations
@@ -12,9 +15,11 @@ from __future__ import annotations
 import argparse
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -24,20 +29,25 @@ PACKAGES = "ca-certificates,python3,python3-venv"
 PLACE = "root/aseme-dsl"
 """Where the clone is, seen from the root."""
 
-README = (("play",), ("test",))
+README = ("play", "test")
 """What the README tells people to run, behind `python3 dev.py`."""
+
+MINUTES = 60.0
+"""How long each may take."""
 
 HANDED_ON = ("etc/pip.conf", "etc/resolv.conf", "etc/hosts", "etc/ssl/certs/ca-certificates.crt")
 PROXIES = {"http_proxy", "https_proxy", "no_proxy"}
 
-# The mounts are seen by what is started here alone, and end with it.
+# The mounts are seen by what is started here alone, and end with it. The shell has its own numbering of
+# processes, and is the first: when it is gone, so is everything that was started in there.
+UNSHARE = ("unshare", "--mount", "--propagation", "private", "--pid", "--fork", "--kill-child")
 INSIDE = """set -e
 mount -t proc proc "$1/proc"
 mount --rbind /dev "$1/dev"
 root=$1; shift
 while [ "$1" != -- ]; do mkdir -p "$root$1"; mount --bind "$1" "$root$1"; shift; done
 shift
-exec chroot "$root" "$@"
+chroot "$root" "$@"
 """
 
 
@@ -48,8 +58,8 @@ def lacks() -> str | None:
     for program in ("debootstrap", "unshare", "chroot", "git"):
         if shutil.which(program) is None:
             return f"there is no {program}"
-    if subprocess.run(["unshare", "--mount", "true"], capture_output=True).returncode != 0:
-        return "this machine lets nobody mount (unshare --mount)"
+    if subprocess.run([*UNSHARE, "true"], capture_output=True).returncode != 0:
+        return f"this machine lets nobody mount ({' '.join(UNSHARE)})"
     return None
 
 
@@ -96,15 +106,31 @@ def make_root(root: Path) -> None:
             shutil.copyfile(Path("/") / name, root / name)
 
 
-def run_inside(root: Path, arguments: tuple[str, ...]) -> int:
-    """Run `python3 dev.py ARGUMENTS` in the clone; return its exit code."""
+def make_clone(clone: Path) -> None:
+    """Clone what is committed here; a clone that is there gets what is new, and keeps its environment."""
+    git = ["git", "-c", "safe.directory=*"]
+    if (clone / ".git").exists():
+        subprocess.run([*git, "-C", str(clone), "fetch", "--quiet", str(ROOT), "HEAD"], check=True)
+        subprocess.run([*git, "-C", str(clone), "reset", "--quiet", "--hard", "FETCH_HEAD"], check=True)
+        subprocess.run([*git, "-C", str(clone), "clean", "--quiet", "-d", "--force"], check=True)
+    else:
+        shutil.rmtree(clone, ignore_errors=True)
+        subprocess.run([*git, "clone", "--quiet", "--no-local", str(ROOT), str(clone)], check=True)
+
+
+def run_inside(root: Path, arguments: list[str], minutes: float) -> str | None:
+    """Run `python3 dev.py ARGUMENTS` in the clone; return what went wrong, None if nothing did."""
     settings = pip_settings()
     passed = settings | {name: value for name, value in os.environ.items() if name.lower() in PROXIES}
     passed |= {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/root", "CI": "true"}
-    command = ["unshare", "--mount", "--propagation", "private", "sh", "-c", INSIDE, "sh", str(root)]
+    command = [*UNSHARE, "sh", "-c", INSIDE, "sh", str(root)]
     command += [*folders(settings), "--", "sh", "-c", 'cd "$0" && exec "$@"', f"/{PLACE}"]
     command += ["/usr/bin/python3", "dev.py", *arguments]
-    return subprocess.run(command, env=passed, stdin=subprocess.DEVNULL).returncode
+    try:
+        code = subprocess.run(command, env=passed, stdin=subprocess.DEVNULL, timeout=60 * minutes).returncode
+    except subprocess.TimeoutExpired:
+        return f"was not done in {minutes:g} minutes"
+    return None if code == 0 else f"ended with {code}"
 
 
 def main(arguments: list[str]) -> int:
@@ -114,22 +140,30 @@ def main(arguments: list[str]) -> int:
     )
     parser.add_argument("--root", type=Path, help="where the root is made, or one is already (it is kept)")
     parser.add_argument("--keep", action="store_true", help="leave the temporary root where it is")
+    parser.add_argument("--only", choices=README, help="run this one only")
+    parser.add_argument("--minutes", type=float, default=MINUTES, help=f"for each command ({MINUTES:g})")
+    parser.add_argument("tests", nargs=argparse.REMAINDER, help="what pytest is given, instead of all tests")
     options = parser.parse_args(arguments)
     if (reason := lacks()) is not None:
         print(f"LEFT OUT: both commands of the README on a bare Debian 12: {reason}", flush=True)
         return 0
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that what is below is removed then, too
     root = options.root or Path(tempfile.mkdtemp(prefix="aseme-debian-"))
     try:
         make_root(root)
-        clone = root / PLACE
-        shutil.rmtree(clone, ignore_errors=True)
-        subprocess.run(["git", "clone", "--quiet", "--no-local", str(ROOT), str(clone)], check=True)
-        for command in README:
+        make_clone(root / PLACE)
+        for name in README if options.only is None else [options.only]:
+            command = [name, *(options.tests if name == "test" else ())]
             print(f"== bare Debian: python3 dev.py {' '.join(command)}", flush=True)
-            code = run_inside(root, command)
-            if code != 0:
-                print(f"bare Debian: dev.py {' '.join(command)} ended with {code}", file=sys.stderr)
+            begun = time.monotonic()
+            wrong = run_inside(root, command, options.minutes)
+            if wrong is not None:
+                print(f"bare Debian: dev.py {' '.join(command)} {wrong}", file=sys.stderr)
                 return 1
+            print(
+                f"== bare Debian: dev.py {name} ended with 0 after {time.monotonic() - begun:.0f} s",
+                flush=True,
+            )
     finally:
         if options.root is None and not options.keep:
             shutil.rmtree(root, ignore_errors=True)

@@ -11,6 +11,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import TextIO
 
 import pytest
 
@@ -170,8 +171,12 @@ def record(monkeypatch: pytest.MonkeyPatch) -> Recorder:
     def start(codes: dict[str, int]) -> list[list[str]]:
         started: list[list[str]] = []
 
-        def in_environment(arguments: list[str], variables: dict[str, str] | None = None) -> int:
+        def in_environment(
+            arguments: list[str], variables: dict[str, str] | None = None, output: TextIO | None = None
+        ) -> int:
             started.append(arguments)
+            if output is not None:
+                output.write(f"{arguments[1]} says this\n")
             return codes.get(arguments[-1] if len(arguments) == 1 else arguments[1], 0)
 
         monkeypatch.setattr(dev, "set_up", lambda extra: None)
@@ -181,17 +186,26 @@ def record(monkeypatch: pytest.MonkeyPatch) -> Recorder:
     return start
 
 
-def test_all_checks_run_in_order_and_pytest_closes(record: Recorder) -> None:
+def test_all_checks_run_in_order_and_pytest_closes(
+    record: Recorder, capsys: pytest.CaptureFixture[str]
+) -> None:
     started = record({})
     assert dev.main(["test", "tests/amola", "-x"]) == 0
-    assert [arguments[1] for arguments in started] == ["ruff", "ruff", "mypy", "sphinx", "pytest"]
+    modules = [arguments[1] for arguments in started]
+    assert [*modules[:2], *sorted(modules[2:4]), *modules[4:]] == ["ruff", "ruff", "mypy", "sphinx", "pytest"]
     assert started[-1][-2:] == ["tests/amola", "-x"]
+    assert capsys.readouterr().out.split("\n")[2:6] == [
+        "== mypy",
+        "mypy says this",
+        "== documentation",
+        "sphinx says this",
+    ]
 
 
 def test_the_first_failing_check_ends_it(record: Recorder, capsys: pytest.CaptureFixture[str]) -> None:
     started = record({"mypy": 3})
     assert dev.main(["test"]) == 3
-    assert started[-1][1] == "mypy"
+    assert sorted(arguments[1] for arguments in started) == ["mypy", "ruff", "ruff", "sphinx"]
     assert "mypy failed (exit code 3)" in capsys.readouterr().err
 
 
@@ -270,6 +284,7 @@ def test_what_it_starts_hears_ctrl_c_where_the_shell_has_it_ignored() -> None:
     program = (
         "import signal, sys\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
         f"sys.path.insert(0, {str(Path(__file__).parents[1])!r})\nimport dev\n"
-        f"dev.PYTHON = dev.Path(sys.executable)\nsys.exit(dev.in_environment(['-c', {asks!r}]))"
+        f"dev.PYTHON = dev.Path(sys.executable)\ndev.set_up = print\ndev.PLAY = ['-c', {asks!r}]\n"
+        "sys.exit(dev.main(['play']))"
     )
     assert subprocess.run([sys.executable, "-c", program]).returncode == 0
