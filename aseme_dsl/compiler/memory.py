@@ -10,6 +10,7 @@ of which nothing has changed.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from operator import is_
 from types import FunctionType
@@ -216,6 +217,19 @@ class Memory:
             object.__setattr__(found, "_target", value)
             self._is_older = True
         return cast(_T, found)
+
+    @contextmanager
+    def trial(self) -> Iterator[None]:
+        """What is analysed meanwhile is of a program that only might be: then all is as it was.
+
+        What was found out is kept, as always.
+        """
+        before = {name: object.__getattribute__(shared, "_target") for name, shared in self._shared.items()}
+        try:
+            yield
+        finally:
+            for name, value in before.items():
+                self.shared(name, value)
 
     def is_about(self, name: object, value: object) -> bool:
         """Whether what is shared by this name answers as this very object does."""

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
+from aseme_dsl.compiler import Analysis
 from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.phases import Inspection
 from aseme_dsl.compiler.pieces import InPieces
@@ -35,6 +36,8 @@ class Program:
     indexer: Indexer = occurrences
     recall: Recall = lambda function, *inputs: function(*inputs)
     """What follows from a declaration alone, from memory if it can be (see `compiler.memory`)."""
+    tried: Callable[[Mapping[str, str]], Analysis] | None = None
+    """What the compiler says where some files, by where they really are, have other texts."""
 
     @property
     def layout(self) -> Layout:

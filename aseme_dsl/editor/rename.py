@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from aseme_dsl.compiler.pieces import InPieces, finished
 from aseme_dsl.compiler.usecases import folded
 from aseme_dsl.diagnostics import Diagnostic, Edit, Severity
 from aseme_dsl.editor.index import Kind, Occurrence, Symbol
@@ -60,6 +61,13 @@ def renameable(workspace: Workspace, view: View, offset: int) -> Span | Refused:
 def rename(
     workspace: Workspace, view: View, offset: int, name: str, activities: Path | None = None
 ) -> Renaming | Refused:
+    """`renaming` in one go."""
+    return finished(renaming(workspace, view, offset, name, activities))
+
+
+def renaming(
+    workspace: Workspace, view: View, offset: int, name: str, activities: Path | None = None
+) -> InPieces[Renaming | Refused]:
     """Call what is at `offset` `name`, in every file, with what is the same thing in another model.
 
     The Python of activities, in the folder `activities`, goes with it.
@@ -76,7 +84,7 @@ def rename(
         return Refused(f"`{name}` is no name: names consist of the letters A to Z and a to z, digits and '_'")
     if name == found.symbol.name:
         return Renaming({})
-    programs = _programs(workspace, view, found.symbol)
+    programs = yield from _programs(workspace, view, found.symbol)
     if any(item.code == "E116" for program in programs for item in program.diagnostics):
         return Refused("a declaration was not read in time (E116): what it uses is not known")
     names = {symbol: new for program in programs for symbol, new in _together(program, found.symbol, name)}
@@ -88,7 +96,7 @@ def rename(
                 where = f"{Path(span.source.path).name}:{span.line}"
                 return Refused(f"there is a {symbol.kind} `{new}` already: {where}")
     edits = _edits(programs, names)
-    reason = _spoilt(workspace, programs, edits, names)
+    reason = yield from _spoilt(workspace, programs, edits, names)
     if reason is not None:
         return Refused(reason)
     try:
@@ -121,12 +129,15 @@ def _fixed(workspace: Workspace, view: View, found: Occurrence) -> str | None:
     return None
 
 
-def _programs(workspace: Workspace, view: View, symbol: Symbol) -> tuple[Program, ...]:
+def _programs(workspace: Workspace, view: View, symbol: Symbol) -> InPieces[tuple[Program, ...]]:
     """All programs that know the thing: those of the file, and those of the files that declare it."""
     roots = dict.fromkeys(workspace.roots(view.path))
     for item in view.program.index.declarations(symbol):
         roots |= dict.fromkeys(workspace.roots(view.program.path_of(item.span.source)))
-    return tuple(workspace.program(root) for root in roots)
+    found = []
+    for root in roots:
+        found.append((yield from workspace.programming(root)))
+    return tuple(found)
 
 
 def _together(program: Program, symbol: Symbol, name: str) -> Iterator[tuple[Symbol, str]]:
@@ -210,25 +221,29 @@ def _spoilt(
     programs: Iterable[Program],
     edits: Mapping[str, tuple[Edit, ...]],
     names: Mapping[Symbol, str],
-) -> str | None:
+) -> InPieces[str | None]:
     """What would be wrong, or mean something else, with the new names."""
-    after = Workspace(workspace.project, list(workspace.folders), dict(workspace.buffers))
-    for path, changes in edits.items():
-        after.open(path, edited(workspace.text(path) or "", changes))
+    texts = {path: edited(workspace.text(path) or "", changes) for path, changes in edits.items()}
     for program in programs:
         known = {(item.code, item.severity) for item in program.diagnostics}
         counted = len(_errors(program.diagnostics))
-        then = after.program(program.root)
-        errors = _errors(then.diagnostics)
-        if len(errors) > counted:
-            new = next((item for item in errors if (item.code, item.severity) not in known), errors[0])
-            return f"with this name, {new.message}"
         before = [
             (names.get(item.symbol, item.symbol.name), item.symbol.kind) for item in program.index.all()
         ]
-        if before != [(item.symbol.name, item.symbol.kind) for item in then.index.all()]:
+        yield
+        then, meant = yield from workspace.trying(program.root, texts, _seen)
+        errors = _errors(then)
+        if len(errors) > counted:
+            new = next((item for item in errors if (item.code, item.severity) not in known), errors[0])
+            return f"with this name, {new.message}"
+        if before != meant:
             return "with this name, something else would be meant somewhere"
     return None
+
+
+def _seen(program: Program) -> tuple[tuple[Diagnostic, ...], list[tuple[str, Kind]]]:
+    """What there is to say of a program, and what all its names mean."""
+    return program.diagnostics, [(item.symbol.name, item.symbol.kind) for item in program.index.all()]
 
 
 def _errors(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
@@ -242,4 +257,4 @@ def edited(text: str, edits: Iterable[Edit]) -> str:
     return text
 
 
-__all__ = ["Refused", "Renaming", "edited", "kin", "rename", "renameable"]
+__all__ = ["Refused", "Renaming", "edited", "kin", "rename", "renameable", "renaming"]

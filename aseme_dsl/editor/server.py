@@ -166,7 +166,7 @@ class Server(LanguageServer):
                         await self.reader.wait(wanted.job)
                     if path is not None and self.files.text(path) != text:
                         # Its places may not be those that are meant any more.
-                        raise JsonRpcException("the text has changed", lsp.LSPErrorCodes.ContentModified)
+                        raise _outdated()
             except TooSlow as slow:
                 raise JsonRpcException(
                     f"the text was not read, because that takes {slow}", lsp.LSPErrorCodes.RequestFailed
@@ -207,15 +207,19 @@ class Server(LanguageServer):
     async def in_pieces(self, work: InPieces[_T]) -> _T:
         """What comes out of some work of the compiler; what comes in meanwhile is answered in between."""
         async with self.compiling:
-            begun = time.monotonic()
-            while True:
-                try:
-                    next(work)
-                except StopIteration as end:
-                    return cast(_T, end.value)
-                if time.monotonic() - begun > PIECE:
-                    await asyncio.sleep(BREAK)
-                    begun = time.monotonic()
+            return await self.aside(work)
+
+    async def aside(self, work: InPieces[_T]) -> _T:
+        """The same for what does not need the compiler: it does not wait for it."""
+        begun = time.monotonic()
+        while True:
+            try:
+                next(work)
+            except StopIteration as end:
+                return cast(_T, end.value)
+            if time.monotonic() - begun > PIECE:
+                await asyncio.sleep(BREAK)
+                begun = time.monotonic()
 
     async def settled(self, path: str) -> View | None:
         """The file as it is, compiled."""
@@ -649,25 +653,39 @@ def _changes(server: Server) -> None:
         if place is None:
             return None
         folder = _folders(server, place[0]).activities
-        found = rename.rename(server.files, *place, params.new_name, folder)
+        buffers = dict(server.files.buffers)
+        found = await server.in_pieces(rename.renaming(server.files, *place, params.new_name, folder))
+        if buffers != server.files.buffers:
+            raise _outdated()
         if isinstance(found, rename.Refused):
             raise JsonRpcInvalidParams(found.reason)
         return _renaming(server, found)
 
     @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
     async def formatting(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
-        source = server.text_of(params.text_document.uri)
-        return server.text_edits(layout.layout(source)) if source is not None else None
+        return await laid_out(params.text_document.uri)
 
     @server.feature(lsp.TEXT_DOCUMENT_RANGE_FORMATTING)
     async def range_formatting(params: lsp.DocumentRangeFormattingParams) -> list[lsp.TextEdit] | None:
-        source = server.text_of(params.text_document.uri)
-        if source is None:
-            return None
         first, last = params.range.start.line + 1, params.range.end.line + 1
         if params.range.end.character == 0 and last > first:
             last -= 1
-        return server.text_edits(layout.layout(source, first, last))
+        return await laid_out(params.text_document.uri, first, last)
+
+    async def laid_out(uri: str, first: int = 1, last: int | None = None) -> list[lsp.TextEdit] | None:
+        source = server.text_of(uri)
+        if source is None:
+            return None
+        found = await server.aside(layout.laying_out(source, first, last))
+        now = server.text_of(uri)
+        if now is None or now.text != source.text:
+            raise _outdated()
+        return server.text_edits(found)
+
+
+def _outdated() -> JsonRpcException:
+    """The answer to a question that an edit has overtaken."""
+    return JsonRpcException("the text has changed meanwhile", lsp.LSPErrorCodes.ContentModified)
 
 
 def _renaming(server: Server, found: rename.Renaming) -> lsp.WorkspaceEdit:

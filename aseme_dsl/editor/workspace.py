@@ -11,8 +11,9 @@ from typing import TypeVar, cast
 
 from aseme_dsl import outside
 from aseme_dsl.amola.system import System
-from aseme_dsl.compiler import Options
+from aseme_dsl.compiler import Analysis, Options
 from aseme_dsl.compiler.holes import as_notes
+from aseme_dsl.compiler.load import Read
 from aseme_dsl.compiler.memory import Memory
 from aseme_dsl.compiler.phases import Inspection, inspecting
 from aseme_dsl.compiler.pieces import InPieces, finished
@@ -235,14 +236,29 @@ class Workspace:
             self._programs[root] = yield from self._compiling(root)
         return self._programs[root]
 
+    def trying(self, root: str, texts: Mapping[str, str], look: Callable[[Program], _T]) -> InPieces[_T]:
+        """What there is to see of a root where some files have other texts; nothing is changed by it."""
+        branches: dict[str, Parts] = {}
+
+        def read(source: Source) -> InParts:
+            known = self._parts.get(source.path)
+            if source.path not in branches:
+                branches[source.path] = Parts(parse=parse) if known is None else known.branch()
+            return branches[source.path].read(source)
+
+        with self._memories.setdefault(root, Memory()).trial():
+            return look((yield from self._compiling(root, texts, read)))
+
     def _read(self, source: Source) -> InParts:
         return self._parts.setdefault(source.path, Parts(parse=parse)).read(source)
 
-    def _compiling(self, root: str) -> InPieces[Program]:
+    def _compiling(
+        self, root: str, others: Mapping[str, str] | None = None, read: Read | None = None
+    ) -> InPieces[Program]:
         options, problems = self.project.options(Path(root))
-        texts = {path: buffer.text for path, buffer in self.buffers.items()}
+        texts = {path: buffer.text for path, buffer in self.buffers.items()} | dict(others or {})
         memory = self._memories.setdefault(root, Memory())
-        inspection = yield from inspecting(root, texts, options, memory, self._read)
+        inspection = yield from inspecting(root, texts, options, memory, read or self._read)
         analysis = inspection.analysis
         diagnostics = as_notes(in_order((*problems, *analysis.diagnostics)))
         suppressed = analysis.suppressed
@@ -257,7 +273,11 @@ class Workspace:
         if not is_root:
             diagnostics = tuple(item for item in diagnostics if item.code != "E008")
         indexer = self._indexer(memory, inspection)
-        return Program(root, inspection, diagnostics, suppressed, indexer, memory.recall)
+
+        def tried(texts: Mapping[str, str]) -> Analysis:
+            return finished(self.trying(root, texts, lambda found: found.inspection.analysis))
+
+        return Program(root, inspection, diagnostics, suppressed, indexer, memory.recall, tried)
 
     def _indexer(self, memory: Memory, inspection: Inspection) -> Indexer:
         """`occurrences`, with what is known of declarations that have not changed since."""

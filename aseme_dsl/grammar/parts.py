@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, field, replace
 from itertools import count, pairwise
 
@@ -214,6 +215,12 @@ class Parts:
         self._before: dict[_Key, _Read] = {}
         self._now: dict[_Key, _Read] = {}
 
+    def branch(self) -> Parts:
+        """Knows the same, and reads what the file might become."""
+        made = copy(self)
+        made._before, made._good = dict(self._before), dict(self._good)
+        return made
+
     def read(self, source: Source) -> InParts:
         """The tree of a file and what is wrong with its syntax: what `grammar.parse` says, in parts.
 
@@ -239,15 +246,11 @@ class Parts:
 
     def _in_parts(self, source: Source) -> InParts | None:
         """None where the file cannot be read in parts without a doubt."""
-        starts = _starts(source.text)
+        starts = begins(source.text)
         if starts is None:
             return None
         ends = [*starts[1:], len(source.text)]
         texts = [source.text[start:end] for start, end in zip(starts, ends, strict=True)]
-        if any(one.startswith("let") and _NO_BEGINNING.match(other) for one, other in pairwise(texts)):
-            return None
-        if any(_NO_NAME.match(text) for text in texts[:-1]):
-            return None
         alone = [self._alone(source.path, text, number) for text, number in _numbered(texts)]
         read: list[tuple[int, _Read]] = []
         index = 0
@@ -371,8 +374,19 @@ def _joined(source: Source, read: Sequence[tuple[int, _Read]]) -> InParts | None
     return InParts(tree.File(source, language, declarations, comments), diagnostics, layout)
 
 
+def begins(text: str) -> list[int] | None:
+    """Where the parts of a text begin, the first at 0; None where that cannot be said without a doubt."""
+    found = _starts(text)
+    if found is None:
+        return None
+    texts = [text[start:end] for start, end in pairwise([*found, len(text)])]
+    if any(one.startswith("let") and _NO_BEGINNING.match(other) for one, other in pairwise(texts)):
+        return None
+    return None if any(_NO_NAME.match(one) for one in texts[:-1]) else found
+
+
 def _starts(text: str) -> list[int] | None:
-    """Where the parts of a text begin, the first at 0; None where a comment is not closed."""
+    """Where declarations seem to begin; None where a comment is not closed."""
     found = [0]
     depth = 0
     for item in _BEGINNING.finditer(text):
