@@ -10,7 +10,8 @@ import errno
 import os
 import re
 import stat
-from io import BufferedReader
+from collections.abc import Iterator
+from io import BufferedReader, BufferedWriter
 from pathlib import Path
 from typing import Any
 
@@ -66,6 +67,43 @@ def read_bytes(path: str | os.PathLike[str], largest: int = LARGEST) -> bytes:
         reason = f"larger than {largest >> 20} MB" if largest >= 1 << 20 else f"larger than {largest} bytes"
         raise OSError(errno.EFBIG, reason, os.fspath(path))
     return content
+
+
+def holds(path: str | os.PathLike[str], content: bytes) -> bool:
+    """Whether there is a regular file with exactly these bytes."""
+    try:
+        return read_bytes(path, len(content)) == content
+    except OSError:
+        return False
+
+
+def lines(file: BufferedReader, longest: int = LARGEST) -> Iterator[bytes]:
+    """The lines that are left of a file, with their ends.
+
+    Raises:
+        OSError: the file cannot be read, or a line has more than `longest` bytes.
+    """
+    while line := file.readline(longest + 1):
+        if len(line) > longest:
+            raise OSError(errno.EFBIG, f"a line is longer than {longest} bytes", file.name)
+        yield line
+
+
+def new_file(path: str | os.PathLike[str]) -> BufferedWriter:
+    """A file, opened for writing; it is made, or emptied, and links are followed.
+
+    A device takes all, too, and so does a pipe that somebody reads.
+
+    Raises:
+        OSError: it cannot be written, or it is a pipe that nobody reads, which is not waited for.
+    """
+    try:
+        descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | _AT_ONCE, 0o666)
+    except ValueError as problem:  # a NUL in the name
+        raise OSError(errno.EINVAL, "not the name of a file", os.fspath(path)) from problem
+    if _AT_ONCE:
+        os.set_blocking(descriptor, True)
+    return os.fdopen(descriptor, "wb")
 
 
 def read_text(path: str | os.PathLike[str], largest: int = LARGEST, encoding: str = "utf-8") -> str:

@@ -79,3 +79,33 @@ def test_what_is_no_regular_file_is_refused_at_once(tmp_path: Path, name: str) -
     path = Path("/dev/zero") if name == "device" else tmp_path / name
     with pytest.raises(OSError, match="not a regular file"):
         outside.read_bytes(path)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no such files")
+@pytest.mark.parametrize("name", ["pipe", "folder", "a\0b"])
+def test_what_cannot_take_all_is_not_written(tmp_path: Path, name: str) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(OSError):
+        outside.new_file(tmp_path / name)
+
+
+def test_a_file_is_emptied_and_a_device_takes_all(tmp_path: Path) -> None:
+    (tmp_path / "a").write_bytes(b"much")
+    (tmp_path / "b").symlink_to("a")
+    with outside.new_file(tmp_path / "b") as file:
+        file.write(b"x")
+    assert (tmp_path / "a").read_bytes() == b"x"
+    outside.new_file(os.devnull).close()
+
+
+def test_lines_and_contents_are_bounded(tmp_path: Path) -> None:
+    path = tmp_path / "a"
+    path.write_bytes(b"one\ntwo")
+    with outside.open_file(path) as file:
+        assert list(outside.lines(file, 4)) == [b"one\n", b"two"]
+    with outside.open_file(path) as file, pytest.raises(OSError, match="longer than 3 bytes"):
+        list(outside.lines(file, 3))
+    assert outside.holds(path, b"one\ntwo")
+    assert not outside.holds(path, b"one\ntw") and not outside.holds(path, b"one\ntwoo")
+    assert not outside.holds(tmp_path, b"") and not outside.holds(tmp_path / "c", b"")

@@ -10,6 +10,7 @@ from functools import cache
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from aseme_dsl import outside
 from aseme_dsl.build.configuration import Configuration
 from aseme_dsl.build.counting import Count, amount
 from aseme_dsl.build.earlier import Earlier
@@ -395,6 +396,6 @@ def _bytes(text: str) -> bytes:
 
 def _content(path: Path) -> bytes:
     try:
-        return path.read_bytes()
+        return outside.read_bytes(path)
     except OSError:
         return b""

@@ -9,7 +9,8 @@ from aseme_dsl.build.configuration import find_configuration
 from aseme_dsl.build.difference import unified
 from aseme_dsl.build.scaffold import scaffold
 from aseme_dsl.build.write import DISK, Disk, write_file
-from aseme_dsl.compiler import Options, analyse
+from aseme_dsl.compiler import Options
+from aseme_dsl.compiler.load import read_source
 from aseme_dsl.diagnostics import Diagnostic, has_errors, in_order
 from aseme_dsl.source import Source
 
@@ -45,12 +46,10 @@ def complete(root: Path | Source, *, write: bool = True, disk: Disk = DISK) -> C
     if isinstance(root, Source):
         source = root
     else:
-        try:
-            source = Source(str(path), path.read_bytes().decode("utf-8"))
-        except (OSError, ValueError):
-            # The compiler says what is wrong with a file that cannot be read.
-            found = analyse(path, options=options).diagnostics
-            return Completed(str(path), "", "", (), in_order((*problems, *found)))
+        found_source = read_source(path)
+        if isinstance(found_source, Diagnostic):
+            return Completed(str(path), "", "", (), in_order((*problems, found_source)))
+        source = found_source
     result = scaffold(source, options=options)
     found = in_order((*problems, *result.diagnostics))
     if has_errors(found):

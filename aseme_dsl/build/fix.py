@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from aseme_dsl import outside
 from aseme_dsl.build.difference import unified
 from aseme_dsl.build.inputs import STANDARD_INPUT, Inputs
 from aseme_dsl.build.project import Checked, check
@@ -67,7 +68,8 @@ def write_fixed(fixed: Fixed, disk: Disk = DISK) -> Written:
         path = Path(name)
         content, mended = (item.encode("utf-8") for item in (fixed.before[name], text))
         try:
-            marked = path.read_bytes().startswith(_BYTE_ORDER_MARK)
+            with outside.open_file(path) as file:
+                marked = file.read(len(_BYTE_ORDER_MARK)) == _BYTE_ORDER_MARK
         except OSError:
             marked = False  # write_over says so
         mark = _BYTE_ORDER_MARK if marked else b""

@@ -8,9 +8,13 @@ from contextlib import suppress
 from pathlib import Path
 from typing import BinaryIO
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.trace_files import TraceError, part_of, reason_of
-from aseme_dsl.runtime.trace_mcap import MAGIC
+from aseme_dsl.runtime.trace_mcap import LONGEST, MAGIC
 from aseme_dsl.runtime.trace_reading import Record, record_of
+
+_AT_ONCE = 1 << 20
+"""So many bytes are read at once."""
 
 
 class TraceFollower:
@@ -38,12 +42,18 @@ class TraceFollower:
                 self._open()
             if self._file is None:
                 return
-            data = self._rest + self._file.read()
+            while piece := self._file.read(_AT_ONCE):
+                yield from self._records(piece)
         except OSError as problem:
             raise TraceError(f"{self.path} cannot be read: {reason_of(problem)}") from problem
-        if data.startswith(MAGIC):
+
+    def _records(self, piece: bytes) -> Iterator[Record]:
+        """The records that end in a piece of the file."""
+        *lines, self._rest = (self._rest + piece).split(b"\n")
+        if (lines or [self._rest])[0].startswith(MAGIC):
             raise TraceError(f"{self.path} is MCAP: it can be read when the run has ended, and not followed")
-        *lines, self._rest = data.split(b"\n")
+        if len(self._rest) > LONGEST:
+            raise TraceError(f"{self.path} cannot be read: a line is longer than {LONGEST} bytes")
         for line in lines:
             record = record_of(line.decode("utf-8", "replace"))
             if record is not None:
@@ -62,7 +72,7 @@ class TraceFollower:
         self.finished = False
         for path in (part_of(self.path), self.path):
             with suppress(FileNotFoundError, IsADirectoryError):
-                self._file = path.open("rb")
+                self._file = outside.open_file(path)
                 return
 
     def _is_another(self, file: BinaryIO) -> bool:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from aseme_dsl import outside
+from aseme_dsl.compiler.load import LARGEST
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.source import Source
 
@@ -112,6 +113,10 @@ def _standard_input(read: Callable[[], bytes], diagnostics: list[Diagnostic]) ->
     except OSError as problem:
         message = f"standard input cannot be read: {problem.strerror or problem}"
         diagnostics.append(Diagnostic("E001", message, None, path=STANDARD_INPUT))
+        return None
+    if len(content) > LARGEST:
+        message = f"standard input has more than {LARGEST // 1_000_000} MB"
+        diagnostics.append(Diagnostic("E003", message, None, path=STANDARD_INPUT))
         return None
     if b"\0" in content:
         message = f"standard input is not a text: byte {content.index(0)} is NUL"

@@ -18,6 +18,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path, PurePosixPath
 
+from aseme_dsl import outside
 from aseme_dsl.backends.plain.generate import WATCHED
 from aseme_dsl.build.write import Planned
 
@@ -89,7 +90,7 @@ def _compiled(file: Planned, others: dict[str, bytes]) -> list[Planned]:
         made = [folder / f"{path.stem}{suffix}", folder / f"{path.stem}__mypyc{suffix}"]
         if done.returncode != 0 or not all(item.is_file() for item in made):
             raise NativeError(f"this cannot be compiled: {_reason(done)}", file.path)
-        return [Planned(str(path.with_name(item.name)), item.read_bytes(), file.part) for item in made]
+        return [Planned(str(path.with_name(item.name)), outside.read_bytes(item), file.part) for item in made]
 
 
 def run_mypyc(folder: Path, modules: Sequence[str], group: str) -> subprocess.CompletedProcess[str]:

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from aseme_dsl import outside
 from aseme_dsl.build.build import Choice
 from aseme_dsl.build.remote import RemoteError, Robot
-from aseme_dsl.outside import read_bytes
 from aseme_dsl.runtime.versions import VERSIONS
 
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ def write_version(system: System, output: Path, choice: Choice, activities: Path
         inside = path.relative_to(str(activities))
         if path.is_file() and not any(part == "__pycache__" or part[0] == "." for part in inside.parts):
             try:
-                files[f"{ACTIVITIES}/{inside.as_posix()}"] = read_bytes(path)
+                files[f"{ACTIVITIES}/{inside.as_posix()}"] = outside.read_bytes(path)
             except OSError as problem:
                 raise OperateError(f"{path} cannot be read: {problem.strerror or problem}") from problem
     name = hash_of(files)
@@ -180,7 +180,7 @@ def _packages(system: System, choice: Choice) -> tuple[dict[str, bytes], str]:
 def _put(path: Path, content: bytes) -> None:
     """Write a file that may be there already. Raises OperateError."""
     try:
-        if path.is_file() and path.read_bytes() == content:
+        if outside.holds(path, content):
             return
         path.parent.mkdir(parents=True, exist_ok=True)
         part = path.with_name(path.name + ".part")

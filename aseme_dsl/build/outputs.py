@@ -9,6 +9,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Literal
 
+from aseme_dsl import outside
+
 Kind = Literal["bench", "drawing", "plot", "report", "study", "talk", "trace"]
 """What a file is: the report of a bench, a drawing of a model, a plot, what was found in files, the report of
 a study or its data, what agents say to each other, a trace."""
@@ -93,11 +95,11 @@ def check_outputs(outputs: Iterable[tuple[Path, Kind]], inputs: Iterable[Path | 
 def is_ours(path: Path, kind: Kind) -> bool:
     """Whether a file may be written over: it is none, it is empty, or asemec wrote it as one of that kind."""
     try:
-        with path.open("rb") as file:
+        with outside.open_file(path) as file:
             head = file.read(_HEAD)
             file.seek(0, os.SEEK_END)
             file.seek(max(0, file.tell() - _TAIL))
-            tail = file.read()
+            tail = file.read(_TAIL)
     except OSError:  # nothing there; or nothing that can be read, which writing will say
         return True
     return not head or _OURS[kind].search(head) is not None or _OURS[kind].search(tail) is not None

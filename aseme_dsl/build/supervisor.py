@@ -25,6 +25,7 @@ from queue import Empty, SimpleQueue
 from types import FrameType
 from typing import IO, TYPE_CHECKING, Any
 
+from aseme_dsl import outside
 from aseme_dsl.build.play import PlayError
 
 if TYPE_CHECKING:
@@ -56,6 +57,9 @@ ATTEMPTS = 8
 FINE, FAILED, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
 _DELIBERATE = (FINE, WRONG_USE, INTERRUPTED, 143)
 """Exit codes of a robot that is not started again."""
+
+_LONGEST = 1 << 20
+"""A longer line of what a process prints is shown in pieces."""
 
 Say = Callable[[str, str, bool], None]
 """Shows a line: whose it is (a robot's, or "" for the team's), the line, whether something is wrong."""
@@ -401,31 +405,43 @@ class _Run:
 
     def _read_out(self, name: str, stream: IO[str]) -> None:
         with stream:
-            for text in stream:
+            while text := stream.readline(_LONGEST):
                 line = text.rstrip("\n")
-                if name == "":
-                    self._of_world(line)
-                elif line == READY:
-                    self._news.put((name, "ready", None))
-                elif line.startswith(CHANGED):
-                    self._news.put((name, "changed", json.loads(line.removeprefix(CHANGED))))
-                elif line.startswith(ENDED):
-                    self._robots[name].end = json.loads(line.removeprefix(ENDED))
-                else:
+                try:
+                    self._hear(name, line)
+                except (ValueError, TypeError):  # what an activity prints may look like news
                     self._say(name, line, False)
 
-    def _of_world(self, line: str) -> None:
-        told: Mapping[str, str] = json.loads(line)
-        for kind, value in told.items():
-            if kind == "line":
-                self._say("", value, False)
-            else:
-                self._news.put(("", kind, value))
+    def _hear(self, name: str, line: str) -> None:
+        if name == "":
+            for kind, value in _object(line).items():
+                if kind == "line":
+                    self._say("", value, False)
+                else:
+                    self._news.put(("", kind, value))
+        elif line == READY:
+            self._news.put((name, "ready", None))
+        elif line.startswith(CHANGED):
+            version = _object(line.removeprefix(CHANGED))
+            if not {"hash", "whole_team"} <= version.keys():
+                raise TypeError("it is not `control.Changed`")
+            self._news.put((name, "changed", version))
+        elif line.startswith(ENDED):
+            self._robots[name].end = _object(line.removeprefix(ENDED))
+        else:
+            self._say(name, line, False)
 
     def _read_err(self, name: str, stream: IO[str]) -> None:
         with stream:
-            for text in stream:
+            while text := stream.readline(_LONGEST):
                 self._say(name, text.rstrip("\n"), True)
+
+
+def _object(text: str) -> dict[str, Any]:
+    found = outside.loads(text)
+    if not isinstance(found, dict):
+        raise TypeError("a JSON object is wanted")
+    return found
 
 
 def _write(child: _Child, line: str) -> None:

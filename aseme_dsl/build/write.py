@@ -16,6 +16,7 @@ from importlib.util import cache_from_source
 from pathlib import Path
 from types import FrameType, MappingProxyType
 
+from aseme_dsl import outside
 from aseme_dsl.build.manifest import (
     NAME,
     DamagedManifest,
@@ -243,7 +244,7 @@ def check_room(path: Path, disk: Disk = DISK) -> tuple[Diagnostic, ...]:
 
 def _is(path: Path, content: bytes) -> bool:
     try:
-        return path.read_bytes() == content
+        return outside.holds(path, content)
     except OSError:
         return False
 
@@ -412,7 +413,7 @@ class _Plan:
     def _content(self, target: Path) -> bytes | None:
         """What is in a file; None if there is none. What is no file, or cannot be read, is an error."""
         try:
-            return target.read_bytes()
+            return outside.read_bytes(target)
         except FileNotFoundError:
             if not target.is_symlink():
                 return None
@@ -427,7 +428,7 @@ class _Plan:
 
     def _write(self, target: Path, content: bytes, *, listed: bool = True) -> None:
         try:
-            present = target.read_bytes() if target.exists() else None
+            present = outside.read_bytes(target) if target.exists() else None
         except OSError:
             present = None
         if present == content:

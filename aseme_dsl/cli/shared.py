@@ -155,8 +155,10 @@ def summary(diagnostics: Iterable[Diagnostic], files: int) -> str:
 
 
 def standard_input() -> bytes:
-    """The bytes of standard input."""
-    return sys.stdin.buffer.read()
+    """The bytes of standard input, not many more than a file may have."""
+    from aseme_dsl.compiler.load import LARGEST
+
+    return sys.stdin.buffer.read(LARGEST + 1)
 
 
 FILES_HELP = (

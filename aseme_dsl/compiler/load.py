@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from aseme_dsl import outside
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, has_errors, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import NO_PARTS, InParts, Layout
@@ -350,7 +351,7 @@ def _content(
             return fail("E001", f"{place.shown} is {what}")
         if found.st_size > loader.largest:
             return _too_large(place.shown, item, found.st_size, loader.largest)
-        content = Path(place.key).read_bytes()
+        content = outside.read_bytes(place.key, loader.largest)
     except FileNotFoundError:
         library = Path(place.key).name.removesuffix(".aseme")
         if item is not None and library in _library():

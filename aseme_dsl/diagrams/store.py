@@ -10,6 +10,7 @@ from collections import OrderedDict
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from aseme_dsl import outside
 from aseme_dsl.diagrams.drawing import Drawing
 from aseme_dsl.diagrams.layout import TIME_LIMIT, program, render
 
@@ -48,7 +49,7 @@ class Store:
         if self.folder is None:
             return None
         try:
-            return (self.folder / key).read_bytes() or None
+            return outside.read_bytes(self.folder / key) or None
         except OSError:
             return None
 

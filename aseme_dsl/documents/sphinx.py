@@ -20,6 +20,7 @@ try:
 except ImportError as missing:
     raise ImportError('the directive needs Sphinx: pip install "aseme-dsl[sphinx]"') from missing
 
+from aseme_dsl import outside
 from aseme_dsl.diagrams import Drawing, DrawingFailed
 from aseme_dsl.diagrams.store import Store
 from aseme_dsl.documents import html
@@ -103,7 +104,7 @@ class AsemeDiagram(SphinxDirective):
         return nodes.literal_block(text, text, language="text", classes=[html.PROBLEM_CLASS])
 
     def _listing(self, root: Path | Source) -> nodes.Node:
-        text = root.text if isinstance(root, Source) else root.read_text("utf-8-sig")
+        text = root.text if isinstance(root, Source) else outside.read_text(root, encoding="utf-8-sig")
         block = nodes.literal_block(text.strip("\n"), text.strip("\n"), language="aseme")
         self.set_source_info(block)
         return block
@@ -182,7 +183,7 @@ def _body(translator: Any, node: aseme_picture) -> None:
 
 def _write(path: Path, content: bytes) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.is_file() or path.read_bytes() != content:
+    if not outside.holds(path, content):
         path.write_bytes(content)
 
 

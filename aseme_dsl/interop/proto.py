@@ -199,7 +199,7 @@ def _protoc(
     except (OSError, subprocess.TimeoutExpired) as problem:
         return None, (f"protoc could not be run: {problem}",)
     if done.returncode == 0 and output.is_file():
-        return output.read_bytes(), ()
+        return outside.read_bytes(output), ()
     said = (line.replace(f"{folder / 'in'}/", "") for line in done.stderr.splitlines())
     lines = tuple(line for line in said if line.strip() and not _NOISE.match(line))
     return None, lines or (f"protoc ended with code {done.returncode}: {done.stderr.strip()}",)

@@ -19,6 +19,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.control import FORMAT, Control
 from aseme_dsl.runtime.control import LARGEST as REQUEST
 from aseme_dsl.runtime.control_log import Origin
@@ -122,14 +123,16 @@ def ask(path: Path, request: dict[str, Any], timeout: float = 5.0) -> dict[str, 
             connection.connect(str(path))
             connection.sendall(json.dumps({"version": FORMAT, **request}).encode() + b"\n")
             with connection.makefile("rb") as lines:
-                line = lines.readline(LARGEST)
+                line = lines.readline(LARGEST + 1)
     except TimeoutError as problem:
         raise ControlError(f"{_who(path)} does not answer within {timeout:g} s") from problem
     except OSError as problem:
         raise ControlError(f"{_who(path)} cannot be reached: {problem.strerror or problem}") from problem
     try:
-        reply = json.loads(line)
+        reply = outside.loads(line, LARGEST)
     except ValueError as problem:
+        if line.endswith(b"\n") or len(line) > LARGEST:
+            raise ControlError(f"the answer of {_who(path)} cannot be read: {problem}") from problem
         raise ControlError(f"{_who(path)} has ended before it answered") from problem
     if not isinstance(reply, dict):
         raise ControlError(f"{_who(path)} answers with {reply!r}")

@@ -22,6 +22,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.activities import ActivityFinder, from_package
 from aseme_dsl.runtime.as_json import member_types
 from aseme_dsl.runtime.chart import Chart
@@ -182,7 +183,7 @@ def _file_in(folder: Path, name: str, code: VersionFiles | None) -> bytes | None
     if code is not None:
         return code.code.get(f"{folder.parent.name}/{folder.name}/{name}")
     try:
-        return (folder / name).read_bytes()
+        return outside.read_bytes(folder / name)
     except OSError:
         return None
 

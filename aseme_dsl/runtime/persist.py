@@ -8,6 +8,7 @@ which newer states take the place of older ones. What was said since then is los
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import threading
@@ -95,7 +96,7 @@ class Kept:
             ]
             try:
                 self._directory.mkdir(parents=True, exist_ok=True)
-                with part.open("w", encoding="utf-8") as file:
+                with io.TextIOWrapper(outside.new_file(part), "utf-8") as file:
                     json.dump({"format": 1, "agent": agent, "states": states}, file, indent=1)
                     file.write("\n")
                     file.flush()

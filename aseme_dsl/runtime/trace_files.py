@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import io
 import os
 import threading
 import time
@@ -15,6 +16,8 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import IO, Protocol
+
+from aseme_dsl import outside
 
 MCAP_SUFFIX = ".mcap"
 PART = ".part"
@@ -72,7 +75,7 @@ class JsonLines:
     def __init__(self, path: Path) -> None:
         """Raises OSError if there cannot be a file at `path`."""
         # A text may hold half a surrogate pair; written with a backslash it is JSON's own escape.
-        self._file = path.open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
+        self._file = io.TextIOWrapper(outside.new_file(path), "utf-8", "backslashreplace", "\n")
 
     def put(self, lines: Iterable[str]) -> None:
         self._file.write("".join([f"{line}\n" for line in lines]))

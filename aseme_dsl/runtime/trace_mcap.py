@@ -12,13 +12,16 @@ from __future__ import annotations
 
 import base64
 import contextlib
+import io
 import json
 import re
+import zlib
 from collections.abc import Iterable, Iterator, Mapping
 from datetime import datetime
 from pathlib import Path
 from typing import IO, Any
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.naming import snake_case
 from aseme_dsl.runtime.trace_files import TraceError, to_disk
 from aseme_dsl.runtime.trace_schema import line_schema
@@ -27,8 +30,8 @@ MAGIC = b"\x89MCAP0\r\n"
 PREFIX = "trace/"
 """How the topics of the lines begin."""
 CHUNK_BYTES = 1024 * 1024
-_LONGEST = 64 * 1024 * 1024
-"""No record of a trace has so many bytes: a number beyond is damage."""
+LONGEST = 64 * 1024 * 1024
+"""No line and no record of a trace has so many bytes, nor what a chunk holds: a number beyond is damage."""
 _BEGINNING = re.compile(r'\{"kind":"(\w+)","time":(\d+)[,}]')
 
 
@@ -55,7 +58,7 @@ class McapFile:
         require()
         from mcap.writer import Writer
 
-        self._file: IO[bytes] = path.open("wb")
+        self._file: IO[bytes] = outside.new_file(path)
         self._writer: Any = Writer(self._file, chunk_size=CHUNK_BYTES, compression=_compression())
         self._writer.start(profile="aseme", library="aseme-dsl")
         self._schemas: dict[str, int] = {}
@@ -288,9 +291,10 @@ def lines_in(file: IO[bytes], path: Path) -> Iterator[str]:
     mine: set[int] = set()
     number = 0
     whole = False
-    reader = StreamReader(file, validate_crcs=True, record_size_limit=_LONGEST)
+    bounded: Any = _Bounded(file)
+    reader = StreamReader(bounded, emit_chunks=True, validate_crcs=True, record_size_limit=LONGEST)
     try:
-        for record in reader.records:
+        for record in (inner for outer in reader.records for inner in _unpacked(outer)):
             if isinstance(record, Channel) and record.topic.startswith(PREFIX):
                 mine.add(record.id)
             elif isinstance(record, Message) and record.channel_id in mine:
@@ -302,10 +306,58 @@ def lines_in(file: IO[bytes], path: Path) -> Iterator[str]:
         raise
     except Exception as problem:  # of several libraries, for what is no MCAP any more
         if not whole:
-            what = str(problem) if isinstance(problem, McapError) and str(problem) else "it breaks off"
-            raise Torn(number, what) from problem
+            what = str(problem) if isinstance(problem, McapError | _Damaged) else ""
+            raise Torn(number, what or "it breaks off") from problem
     if not number:
         raise TraceError(f"{path} is an MCAP file, but not a trace of asemec")
+
+
+def _unpacked(record: Any) -> Iterator[Any]:
+    """What is in a chunk, or the record itself if it is none. Raises _Damaged, and what the libraries do."""
+    from mcap.exceptions import EndOfFile
+    from mcap.records import Chunk
+    from mcap.stream_reader import StreamReader
+
+    if not isinstance(record, Chunk):
+        yield record
+        return
+    # Not by mcap itself: it believes the size that stands in the compressed data, however large.
+    match record.compression:
+        case "":
+            data = record.data
+        case "zstd":
+            import zstandard
+
+            data = zstandard.ZstdDecompressor().stream_reader(record.data).read(LONGEST + 1)
+        case "lz4":
+            import lz4.frame
+
+            data = lz4.frame.LZ4FrameDecompressor().decompress(record.data, LONGEST + 1)
+        case other:
+            raise _Damaged(f"there is no compression {other[:20]!r}")
+    if len(data) > LONGEST:
+        raise _Damaged(f"a chunk holds more than {LONGEST >> 20} MB")
+    if record.uncompressed_crc and zlib.crc32(data) != record.uncompressed_crc:
+        raise _Damaged("the checksum of a chunk is another")
+    inside = io.BytesIO(data)
+    with contextlib.suppress(EndOfFile):  # it has no footer
+        yield from StreamReader(inside, skip_magic=True, emit_chunks=True, record_size_limit=LONGEST).records
+
+
+class _Bounded:
+    """A file of which nobody takes too much at once, whatever length stands in it."""
+
+    def __init__(self, file: IO[bytes]) -> None:
+        self._file = file
+
+    def read(self, size: int) -> bytes:
+        if size > LONGEST:
+            raise _Damaged(f"something in it is said to have {size} bytes")
+        return self._file.read(size)
+
+
+class _Damaged(Exception):
+    """Why a chunk cannot be read."""
 
 
 class Torn(Exception):

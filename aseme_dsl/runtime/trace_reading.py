@@ -9,7 +9,7 @@ from typing import Any
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.trace_files import PART, TraceError, part_of
-from aseme_dsl.runtime.trace_mcap import MAGIC, Torn, lines_in
+from aseme_dsl.runtime.trace_mcap import LONGEST, MAGIC, Torn, lines_in
 
 Record = dict[str, Any]
 
@@ -73,7 +73,7 @@ class TraceReader:
     def _texts(self) -> Iterator[str]:
         number = 0
         before: bytes | None = None
-        for data in self._file:
+        for data in outside.lines(self._file, LONGEST):
             if before is not None:
                 number += 1
                 yield _decoded(before)

@@ -207,11 +207,13 @@ def test_a_slow_disk_makes_gaps_and_never_stops_the_run(
     path = tmp_path / "run.jsonl"
     pipe = path.with_name("run.jsonl.part")
     os.mkfifo(pipe)
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)  # before somebody writes: who finds nobody gives up
+    os.set_blocking(reader, True)
     read: list[bytes] = []
     go = threading.Event()
 
     def reading() -> None:
-        with pipe.open("rb") as file:
+        with os.fdopen(reader, "rb") as file:
             go.wait()
             read.append(file.read())
 

@@ -56,6 +56,9 @@ from typing import Any
 
 FORMAT = 1
 
+MOST_MISSING = 256
+"""An acknowledgement says of at most so many places that they are missing."""
+
 MESSAGE, MAIL, ACKNOWLEDGE, PING, PONG = range(5)
 
 
@@ -142,6 +145,8 @@ def read(data: bytes, payload: bytes) -> Envelope:
     values: dict[str, Any] = {name: getattr(proto, name) for name, _ in _SIMPLE}
     if values["kind"] not in range(5):
         raise EnvelopeError(f"there is no kind {values['kind']} of envelope")
+    if len(proto.missing) > MOST_MISSING:
+        raise EnvelopeError(f"it says of {len(proto.missing)} places that they are missing")
     if proto.parts:
         values["parts"] = tuple((part.participant, tuple(part.agents)) for part in proto.parts)
     if proto.receivers:

@@ -106,6 +106,8 @@ def read_letter(said: Mapping[str, Any], headers: Headers, payload: bytes, syste
             raise EnvelopeError(f"there is no {name[:50]} in an envelope")
         if kind is tuple:
             values[name] = _tuple(name, value)
+        elif kind is int and value.__class__ is int and not -(1 << 63) <= value < 1 << 64:
+            raise EnvelopeError(f"its {name} is no number of 64 bits")
         elif value.__class__ is kind:
             values[name] = value
         else:
@@ -135,6 +137,8 @@ def _tuple(name: str, value: Any) -> tuple[Any, ...]:
             return tuple((str(part), tuple(map(str, names))) for part, names in value)
         except (TypeError, ValueError):
             raise EnvelopeError(f"its {name} are no participants with agents") from None
+    if name == "missing" and len(value) > envelopes.MOST_MISSING:
+        raise EnvelopeError(f"it says of {len(value)} places that they are missing")
     wanted = int if name == "missing" else str
     if not all(item.__class__ is wanted for item in value):
         raise EnvelopeError(f"its {name} is no list of {wanted.__name__}")

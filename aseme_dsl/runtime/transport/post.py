@@ -729,7 +729,7 @@ class Post(Transport):
         if envelope.place > way.into.upto + 1:
             self._count(other, "disordered", "one came before its predecessor")
         had_gap = way.into.has_gap
-        found = way.into.take(envelope.place, (envelope, payload))
+        found = way.into.take(envelope.place, (envelope, payload), len(payload))
         if not way.owed:
             way.owed_since = time.monotonic_ns()
         way.owed += 1

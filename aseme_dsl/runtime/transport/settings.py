@@ -13,9 +13,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from aseme_dsl import outside
 from aseme_dsl.runtime.transport.access import access_rules
 from aseme_dsl.runtime.transport.port import TransportError
 
+_LARGEST = 1 << 20
+"""The largest file of a certificate, a key, a password or rules, in bytes."""
 LEASE_MS = 2000
 """How long, in ms, a peer may be silent before it counts as gone."""
 
@@ -104,7 +107,7 @@ class Network:
         if self.access is not None:
             text = _readable(self.access.file)
             try:
-                json.loads(text)
+                outside.loads(text)
             except ValueError as problem:
                 raise TransportError(f"{self.access.file} is no JSON: {problem}") from problem
             yield "access_control", text
@@ -170,7 +173,7 @@ def _is_safe(endpoint: str) -> bool:
 
 def _readable(path: Path) -> str:
     try:
-        return path.read_text("utf-8")
+        return outside.read_text(path, _LARGEST)
     except (OSError, UnicodeDecodeError) as problem:
         raise TransportError(
             f"{path} cannot be read: {getattr(problem, 'strerror', None) or problem}"

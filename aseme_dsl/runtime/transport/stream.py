@@ -11,7 +11,7 @@ Here is only the bookkeeping: no clock, no link, no lock.
 
 from __future__ import annotations
 
-from collections import deque
+from collections import OrderedDict
 from collections.abc import Hashable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Generic, TypeVar
@@ -32,6 +32,8 @@ LONGEST = 5 * PATIENCE
 """At most so many ns lie between two attempts; with another patience, in proportion."""
 EARLY = 4 * WINDOW
 """How far ahead of what is due a letter may be."""
+EARLY_BYTES = 4 * WINDOW_BYTES
+"""So many bytes are kept of what is ahead, if it is more than one letter; the rest is asked for again."""
 RECENT = 1024
 """So many samples back it is remembered which have come."""
 
@@ -48,12 +50,27 @@ class Letter(Generic[T]):
 class Outgoing(Generic[T]):
     """The sender's end."""
 
-    __slots__ = ("_flying", "_last", "_next", "_patience", "_sent", "_shortest", "_size", "_waiting")
+    __slots__ = (
+        "_flying",
+        "_last",
+        "_newest",
+        "_next",
+        "_patience",
+        "_put",
+        "_sent",
+        "_shortest",
+        "_size",
+        "_waiting",
+    )
 
     def __init__(self, patience: int = PATIENCE) -> None:
         """`patience`: after how many ns without an acknowledgement a letter is sent again, at first."""
         self._shortest = patience
-        self._waiting: deque[Letter[T]] = deque()
+        self._waiting: OrderedDict[int, Letter[T]] = OrderedDict()
+        """What waits, by numbers that grow."""
+        self._newest: dict[Hashable, int] = {}
+        """The number of what waits and may be replaced."""
+        self._put = 0
         self._flying: dict[int, Letter[T]] = {}
         self._sent: dict[int, int] = {}
         """When each of them was sent last."""
@@ -73,24 +90,30 @@ class Outgoing(Generic[T]):
     def put(self, letter: Letter[T]) -> list[Letter[T]]:
         """Add a letter; those that are given up for it, replaced or because too many wait."""
         gone: list[Letter[T]] = []
-        if letter.replaces is not None:
-            for place, other in enumerate(self._waiting):
-                if other.replaces == letter.replaces:
-                    gone.append(other)
-                    del self._waiting[place]
-                    break
+        if letter.replaces is not None and letter.replaces in self._newest:
+            gone.append(self._waiting.pop(self._newest.pop(letter.replaces)))
         if len(self._waiting) >= WAITING:
-            gone.append(self._waiting.popleft())
-        self._waiting.append(letter)
+            gone.append(self._first())
+        self._put += 1
+        self._waiting[self._put] = letter
+        if letter.replaces is not None:
+            self._newest[letter.replaces] = self._put
         return gone
+
+    def _first(self) -> Letter[T]:
+        """Take out what has waited longest."""
+        _, letter = self._waiting.popitem(last=False)
+        if letter.replaces is not None:
+            del self._newest[letter.replaces]
+        return letter
 
     def ready(self, now: int) -> Iterator[tuple[int, Letter[T]]]:
         """What may be sent now, with its places; it counts as sent."""
         waiting, flying = self._waiting, self._flying
         while waiting and len(flying) < WINDOW:
-            if flying and self._size + waiting[0].size > WINDOW_BYTES:
+            if flying and self._size + next(iter(waiting.values())).size > WINDOW_BYTES:
                 return
-            letter = waiting.popleft()
+            letter = self._first()
             place, self._next = self._next, self._next + 1
             if not flying:
                 self._last = now
@@ -101,15 +124,20 @@ class Outgoing(Generic[T]):
 
     def acknowledge(self, upto: int, missing: Iterable[int], now: int) -> list[tuple[int, Letter[T]]]:
         """The receiver has all up to a place, and then not the missing; what to send again at once."""
-        arrived = [place for place in self._flying if place <= upto]
-        for place in arrived:
-            self._size -= self._flying.pop(place).size
+        flying = self._flying
+        has_arrived = False
+        while flying and (place := self._next - len(flying)) <= upto:  # they are in order, without gaps
+            self._size -= flying.pop(place).size
             del self._sent[place]
-        if arrived:
+            has_arrived = True
+        if has_arrived:
             self._last, self._patience = now, self._shortest
-        again = [place for place in missing if place in self._flying and now - self._sent[place] >= AGAIN]
-        self._sent.update(dict.fromkeys(again, now))
-        return [(place, self._flying[place]) for place in again]
+        again: list[tuple[int, Letter[T]]] = []
+        for place in missing:
+            if place in flying and now - self._sent[place] >= AGAIN:
+                self._sent[place] = now
+                again.append((place, flying[place]))
+        return again
 
     def overdue(self, now: int) -> list[tuple[int, Letter[T]]]:
         """What has been on its way for too long: it is to be sent again."""
@@ -126,10 +154,11 @@ class Outgoing(Generic[T]):
 
     def restart(self) -> tuple[list[Letter[T]], list[Letter[T]]]:
         """The receiver begins a new life: what was on its way to the old one, what waits for the new."""
-        flying, waiting = list(self._flying.values()), list(self._waiting)
+        flying, waiting = list(self._flying.values()), list(self._waiting.values())
         self._flying.clear()
         self._sent.clear()
         self._waiting.clear()
+        self._newest.clear()
         self._size, self._next, self._patience = 0, 1, self._shortest
         return flying, waiting
 
@@ -137,26 +166,36 @@ class Outgoing(Generic[T]):
 class Incoming(Generic[T]):
     """The receiver's end."""
 
-    __slots__ = ("_early", "_upto")
+    __slots__ = ("_bytes", "_early", "_upto")
 
     def __init__(self) -> None:
         self._upto = 0
-        self._early: dict[int, T] = {}
+        self._early: dict[int, tuple[T, int]] = {}
+        """What is ahead, with its size."""
+        self._bytes = 0
 
     @property
     def upto(self) -> int:
         """All up to this place have come."""
         return self._upto
 
-    def take(self, place: int, item: T) -> list[T] | None:
-        """What can be handed on now; None: this one has come before, or is far too early."""
+    def take(self, place: int, item: T, size: int = 0) -> list[T] | None:
+        """What can be handed on now; None: this one has come before, or is far too early.
+
+        `size`: how many bytes it is.
+        """
         if place <= self._upto or place in self._early or place > self._upto + EARLY:
             return None
-        self._early[place] = item
+        if place > self._upto + 1 and self._early and self._bytes + size > EARLY_BYTES:
+            return None
+        self._early[place] = item, size
+        self._bytes += size
         found: list[T] = []
         while self._upto + 1 in self._early:
             self._upto += 1
-            found.append(self._early.pop(self._upto))
+            item, size = self._early.pop(self._upto)
+            self._bytes -= size
+            found.append(item)
         return found
 
     @property

@@ -1,0 +1,167 @@
+"""Every reader of bytes that come from outside goes through `outside`, or is listed here with its reason."""
+
+from __future__ import annotations
+
+import ast
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import aseme_dsl
+
+PACKAGE = Path(aseme_dsl.__file__).parent
+
+READERS = frozenset(
+    {
+        "FromString",
+        "ParseFromString",
+        "fdopen",
+        "fromstring",
+        "iterparse",
+        "loads",
+        "makefile",
+        "open",
+        "read1",
+        "read_bytes",
+        "read_text",
+        "readline",
+        "readlines",
+        "recv",
+        "recv_bytes",
+        "recv_into",
+        "recvfrom",
+    }
+)
+"""What reads, by the last part of its name."""
+SAFE = frozenset({"outside", "self", "webbrowser", "zenoh"})
+"""Methods of these are not looked at."""
+OWN = "a file of this package"
+CHILD = "a process that this one has started, over a pipe between the two"
+SYSTEM = "a file of the operating system"
+
+NO_FILE = "it opens no file"
+BOUNDED_BY_LINK = "as large as the link lets through; protobuf bounds its depth"
+LOCK = "a lock in the user's own folder, of which nothing is read"
+PROVEN = "the other end has proven that it is of this team"
+
+LISTED: dict[str, str] = {
+    "amola/as_json.py: schema: json.loads": OWN,
+    "amola/as_json.py: schema: read_text": OWN,
+    "build/configuration.py: configuration_of: tomllib.loads": "of a bounded text; its depth is caught",
+    "build/descendants.py: _children: read_bytes": SYSTEM,
+    "build/descendants.py: _command: read_bytes": SYSTEM,
+    "build/new.py: new_project: read_text": OWN,
+    "build/platforms.py: _given: json.loads": "of an environment variable, which `giving` has set",
+    "build/platforms.py: _listening: readline": CHILD,
+    "build/supervisor.py: _read_err: readline": "with a largest size",
+    "build/supervisor.py: _read_out: readline": "with a largest size",
+    "build/world_process.py: _own_output: os.fdopen": "it writes",
+    "build/world_process.py: _simulate: json.loads": CHILD,
+    "build/world_process.py: _simulate: readline": CHILD,
+    "build/world_process.py: watch: read": CHILD,
+    "build/world_process.py: main: json.loads": CHILD,
+    "build/world_process.py: main: readline": CHILD,
+    "build/write.py: create: os.fdopen": "it writes",
+    "build/write.py: create: os.open": "it writes",
+    "cli/lsp.py: command: os.fdopen": "it writes",
+    "cli/node.py: begin: readline": CHILD,
+    "cli/program.py: _ignore_output: os.open": "it writes, to nowhere",
+    "codegen/proto.py: descriptor_set: FromString": "what the compiler has made",
+    "compiler/library.py: _declared: read_text": OWN,
+    "compiler/library.py: _text_of: read_text": OWN,
+    "diagnostics/pages.py: page: read_text": OWN,
+    "diagrams/pdf.py: from_svg: fromstring": "what Graphviz has drawn of our own text",
+    "diagrams/store.py: _write: os.fdopen": "it writes",
+    "diagrams/svg.py: faults: fromstring": "what Graphviz has drawn of our own text",
+    "documents/html.py: inline: fromstring": "what Graphviz has drawn of our own text",
+    "editor/rename.py: _spoilt: open": NO_FILE,
+    "editor/server.py: did_change: open": NO_FILE,
+    "editor/server.py: did_open: open": NO_FILE,
+    "editor/viewer.py: page: read_text": OWN,
+    "grammar/build.py: text: read_text": NO_FILE,
+    "grammar/expression.py: whole: read_text": NO_FILE,
+    "grammar/formula.py: read_formula: read": NO_FILE,
+    "grammar/rules.py: checksum: read_text": OWN,
+    "grammar/syntax/__main__.py: main: read_text": OWN,
+    "interop/monas_agents.py: _parsed: read": NO_FILE,
+    "interop/proto.py: _imported: FromString": "what protoc has made of a bounded text",
+    "runtime/control.py: read: loads": "of `outside`",
+    "runtime/control_socket.py: _answer: makefile": "its lines have a largest size",
+    "runtime/control_socket.py: _answer: readline": "with a largest size",
+    "runtime/control_socket.py: ask: makefile": "its line has a largest size",
+    "runtime/control_socket.py: ask: readline": "with a largest size",
+    "runtime/conversation_trace.py: answered_outside: json.loads": "what this process has just written",
+    "runtime/ending.py: picture: open": NO_FILE,
+    "runtime/operator_gate.py: _objects: loads": "of `outside`",
+    "runtime/operator_gate.py: answer: loads": "of `outside`",
+    "runtime/operator_gate.py: ask: loads": "of `outside`",
+    "runtime/operator_key.py: read_keys: os.fdopen": "regular, the user's own, and with a largest size",
+    "runtime/operator_key.py: read_keys: os.open": "regular, the user's own, and with a largest size",
+    "runtime/operator_key.py: read_keys: tomllib.loads": "of a bounded text; its depth is caught",
+    "runtime/operator_key.py: write_key: os.fdopen": "it writes",
+    "runtime/operator_key.py: write_key: os.open": "it writes",
+    "runtime/persist.py: _settle: os.open": "a folder, of which nothing is read",
+    "runtime/processes.py: _run: pickle.loads": CHILD,
+    "runtime/shared_world.py: _answer: recv": PROVEN,
+    "runtime/shared_world.py: _can_travel: pickle.loads": "what this process has just pickled",
+    "runtime/shared_world.py: _serve: recv": PROVEN,
+    "runtime/trace_schema.py: schema: json.loads": OWN,
+    "runtime/trace_schema.py: schema: read_text": OWN,
+    "runtime/trace_mcap.py: _line: json.loads": "what this process has just written",
+    "runtime/trace_mcap.py: message_classes: FromString": "what the compiler has made",
+    "runtime/transport/envelope.py: read: FromString": BOUNDED_BY_LINK,
+    "runtime/transport/meeting.py: _is_live: os.open": LOCK,
+    "runtime/transport/meeting.py: _locked: os.open": LOCK,
+    "runtime/transport/meeting.py: _secret: os.fdopen": "it writes",
+    "runtime/transport/meeting.py: _secret: os.open": "it writes",
+    "runtime/transport/over_platform.py: _answer: json.loads": "what this process has just written",
+    "runtime/transport/post.py: begin: open": NO_FILE,
+    "runtime/transport/post.py: clock_identity: read_text": SYSTEM,
+    "runtime/versions.py: _opened: os.open": "regular, the user's own, and with a largest size",
+    "runtime/wire.py: _protos: FromString": "what the compiler has made",
+    "runtime/wire.py: decode: FromString": BOUNDED_BY_LINK,
+    "runtime/worker.py: main: open": SYSTEM,
+    "runtime/worker.py: main: os.fdopen": CHILD,
+    "runtime/worker.py: work: pickle.loads": CHILD,
+}
+"""Where else something is read, as `file: function: call`, and why that needs no limit or has its own."""
+
+
+def _calls(tree: ast.AST) -> Iterator[tuple[str, str]]:
+    waiting: list[tuple[str, ast.AST]] = [("", tree)]
+    while waiting:
+        inside, node = waiting.pop()
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            inside = node.name
+        if isinstance(node, ast.Call):
+            match node.func:
+                case ast.Name(id=name) if name in READERS:
+                    yield inside, name
+                case ast.Attribute(value=ast.Name(id=module), attr=name) if module in SAFE:
+                    pass
+                case ast.Attribute(value=value, attr=name) if name in READERS:
+                    module = value.id if isinstance(value, ast.Name) else ""
+                    named = module in ("os", "json", "pickle", "tomllib")
+                    yield inside, f"{module}.{name}" if named else name
+                case ast.Attribute(attr="read") if not node.args:
+                    yield inside, "read"
+                case _:
+                    pass
+        waiting += [(inside, child) for child in ast.iter_child_nodes(node)]
+
+
+def _found() -> Counter[str]:
+    found: Counter[str] = Counter()
+    for path in sorted(PACKAGE.rglob("*.py")):
+        name = path.relative_to(PACKAGE).as_posix()
+        if name == "outside.py":
+            continue
+        for inside, call in _calls(ast.parse(path.read_text("utf-8"))):
+            found[f"{name}: {inside}: {call}"] += 1
+    return found
+
+
+def test_every_reader_is_bounded_or_listed() -> None:
+    found = _found()
+    assert sorted(set(found) - set(LISTED)) == [], "read it with aseme_dsl.outside, or say here why not"
+    assert sorted(set(LISTED) - set(found)) == [], "there are no such readers any more"
