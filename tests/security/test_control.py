@@ -13,11 +13,12 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from aseme_dsl.runtime import control_socket, trace
+from aseme_dsl.runtime import control_socket
 from aseme_dsl.runtime.control import Control
 from aseme_dsl.runtime.control_socket import ask, listening
 from aseme_dsl.runtime.loading import activities_of
 from aseme_dsl.runtime.swap import Version
+from aseme_dsl.runtime.trace_schema import schema
 from aseme_dsl.runtime.transport import Network
 from aseme_dsl.runtime.transport import meeting as meetings
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
@@ -218,7 +219,7 @@ def test_a_flood_over_the_bus_changes_nothing_and_is_summarised() -> None:
         }
         assert not any(agent.over for agent in team.agents)
         for record in traced:
-            jsonschema.validate(record, trace.schema())
+            jsonschema.validate(record, schema())
 
 
 @line("a process without the secret", "send malformed requests to a control socket")

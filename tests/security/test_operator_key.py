@@ -19,13 +19,13 @@ from aseme_dsl.build.configuration import Configuration
 from aseme_dsl.build.deployment import Deployment
 from aseme_dsl.build.operable import operable
 from aseme_dsl.build.remote import RemoteError, Robot, robots_of
-from aseme_dsl.runtime import trace
 from aseme_dsl.runtime.control import Control
 from aseme_dsl.runtime.loading import Loaded
 from aseme_dsl.runtime.operator_gate import OPEN, Gate, GateError, ask
 from aseme_dsl.runtime.operator_key import Key, KeyFileError, newest_key, read_keys, write_key
 from aseme_dsl.runtime.team import Team
 from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.trace_schema import schema
 from aseme_dsl.runtime.transport import Network
 from aseme_dsl.runtime.transport.access import OPERATOR, access_rules
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
@@ -205,7 +205,7 @@ def test_a_proven_request_is_answered_and_traced_with_the_key(guarded: Guarded) 
         ("accepted", "challenge", None),
         ("refused", "select", key),
     ]
-    jsonschema.validate(guarded.traced("accepted")[1], trace.schema())
+    jsonschema.validate(guarded.traced("accepted")[1], schema())
     assert newest_key(guarded.keys).secret.hex().encode() not in b"".join(guarded.sent)
 
 
