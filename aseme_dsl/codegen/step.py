@@ -560,7 +560,8 @@ class _Generator(Face):
         if expression.condition is not None:
             asked = signals(walk(expression.condition))
             if asked and tests:  # a signal is looked at only where its condition is evaluated
-                method.add(depth, f"if {tests.pop()}:")
+                method.add(depth, f"if {' and '.join(tests)}:")
+                tests.clear()
                 depth += 1
             for channel, host in asked:
                 method.add(depth, f"b.ask({channel!r}, {host!r})")

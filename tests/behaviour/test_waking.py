@@ -289,3 +289,16 @@ def test_a_signal_is_missed_only_in_the_region_that_asked_for_it(play: Play) -> 
     """).step()
     run.step(run.heard("t.signal.M", x=1), run.heard("t.state.M"))
     assert settled(run).active == ["B", "P"]
+
+
+def test_a_signal_is_not_asked_for_before_its_event_is_there(play: Play) -> None:
+    """ "it goes at the end of the first step in which a condition that names it was evaluated" """
+    run = play("""
+        srm R {
+          liveness { R = A~ }
+          control R { repeat A every 5ms : go [t.signal.M.on] }
+        }
+    """).step()
+    run.step(run.heard("t.signal.M", on=True), ms=10)
+    run.step(run.event("go"))
+    assert run.started == ["A"]

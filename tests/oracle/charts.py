@@ -113,6 +113,8 @@ class Names:
     unused: list[str]
     """Those that must still be used."""
     prefix: str
+    crossing: bool = False
+    """Whether there are to be many concurrent parts, one in the other."""
     activities: int = 0
     here: set[str] = field(default_factory=set)
     """The activities of the formula that is being made."""
@@ -142,6 +144,8 @@ def _formula(choices: Choices, names: Names, depth: int, free: list[str]) -> For
     if depth == 0:
         return _name(choices, names, free)
     operator = choices.weighted(name=2, seq=5, alt=3, par=4, dis=4, plus=2, forever=4, opt=2, star=2, inst=1)
+    if names.crossing and depth > 1 and operator in ("name", "alt", "plus", "opt", "star"):
+        operator = "par"
     if operator == "name":
         return _name(choices, names, free)
     if operator in INFIX:
@@ -284,6 +288,8 @@ class Words:
     in_condition: bool = False
     taken: tuple[str, str] = ("", "")
     """What the agent message that is taken is called, and its type; without one an agent that is gone."""
+    crossing: bool = False
+    """Whether most lines read and write a few variables, and wait for few events: concurrent parts meet."""
 
     # ---- values -------------------------------------------------------------------------
 
@@ -499,6 +505,8 @@ class Words:
         One that `cuts` another short has an event or `when`.
         """
         pick = self.choices
+        if self.crossing and not pick.one_in(4):
+            return self._crossing(decided=decided or cuts), False
         kind = pick.weighted(
             nothing=0 if decided or cuts else 4,
             condition=0 if cuts else 5,
@@ -530,6 +538,44 @@ class Words:
             text += " / " + "; ".join(self._action() for _ in range(pick.number(1, 3)))
         return text, kind == "otherwise"
 
+    def _crossing(self, *, decided: bool) -> str:
+        """What concurrent parts, and those around them, have to do with each other: events and variables."""
+        pick = self.choices
+        match pick.weighted(event=4, when=4, both=1, nothing=0 if decided else 2):
+            case "event":
+                text = " or ".join(pick.one_of(EVENTS[:2]) for _ in range(pick.number(1, 2)))
+            case "when":
+                text = f"when [{self._of_variables()}]"
+            case "both":
+                text = f"{pick.one_of(EVENTS[:2])} [{self._of_variables()}]"
+            case _:
+                text = ""
+        if pick.one_in(3):
+            return text
+        return f"{text} / " + "; ".join(self._counting() for _ in range(pick.number(1, 2)))
+
+    def _of_variables(self) -> str:
+        """A condition that changes with the variables alone."""
+        pick = self.choices
+        name = pick.one_of(list(self.variables))
+        match self.variables[name]:
+            case "bool":
+                return pick.one_of((name, f"!{name}"))
+            case "int":
+                return f"{name} {pick.one_of(('==', '>', '!='))} {pick.number(0, 3)}"
+        return f"{name} {pick.one_of(('==', '!='))} {self._plain(self.variables[name], 0)}"
+
+    def _counting(self) -> str:
+        """An action that changes a variable."""
+        pick = self.choices
+        name = pick.one_of(list(self.variables))
+        match self.variables[name]:
+            case "bool":
+                return f"{name} = {pick.one_of((f'!{name}', 'true', 'false'))}"
+            case "int":
+                return f"{name} = {pick.one_of((f'({name} + 1) % 4', str(pick.number(0, 3))))}"
+        return f"{name} = {self._assigned(self.variables[name])}"
+
     def _taking(self) -> tuple[str, Words]:
         """Events that take something which the rest of the line may speak of, and the words for that."""
         pick = self.choices
@@ -548,6 +594,9 @@ class Words:
     def staying(self, verb: str) -> str:
         """What stands on an `on` or `exit` line."""
         pick = self.choices
+        if self.crossing and pick.one_in(2):
+            event = f"{pick.one_of(EVENTS[:2])} " if verb == "on" else ""
+            return f"{event}/ {self._counting()}"
         asking = replace(self, in_condition=True)
         text = ""
         if verb == "on" and self.is_participant and pick.one_in(4):
@@ -856,9 +905,12 @@ def text(choices: Choices) -> str:
     top, lets = _lets(common, "top")
     common = replace(common, lets=lets)
     variables = _some(choices, VARIABLES)
+    crossing = choices.one_in(4)
+    if crossing:
+        variables |= {name: VARIABLES[name] for name in ("i", "b")}
     words = replace(common, variables={name: kind for name, (kind, _) in variables.items()})
     own, kinds = _lets(words, "own")
-    words = replace(words, lets=lets | kinds)
+    words = replace(words, lets=lets | kinds, crossing=crossing)
     beginning = [*_variables(variables), *(f"  {let}" for let in own)]
     parts = [PRELUDE, *top]
     if choices.one_in(3):
@@ -871,7 +923,7 @@ def text(choices: Choices) -> str:
 def _role(words: Words, common: Words, beginning: list[str]) -> list[str]:
     """The role `R` by formulas, with the protocol that it plays, if it plays one."""
     choices = words.choices
-    names = Names({}, [], "A")
+    names = Names({}, [], "A", words.crossing)
     protocol = plays = ""
     if not choices.one_in(3):
         protocol, nullable = _protocol(common)
@@ -879,7 +931,8 @@ def _role(words: Words, common: Words, beginning: list[str]) -> list[str]:
         names.unused.append("a")
         plays = "  plays p.a" + (" with P1 = A1" if choices.one_in(4) and "P1" in protocol else "")
     helpers = [f"helper{number}" for number in range(choices.number(0, 3))]
-    formulas = _formulas(choices, names, "R", helpers, choices.number(1, 3))
+    depth = choices.number(2 if words.crossing else 1, 3)
+    formulas = _formulas(choices, names, "R", helpers, depth)
     words = replace(words, counted=countable(formulas))
     return [
         protocol,
