@@ -62,6 +62,7 @@ from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.compiler.unused import check_agents, check_exchange, check_unused
 from aseme_dsl.compiler.use import check_use
 from aseme_dsl.compiler.usecases import UseCases, use_cases
+from aseme_dsl.compiler.waking import check_waking
 from aseme_dsl.diagnostics import Diagnostic, Edit, has_errors
 from aseme_dsl.grammar import tree
 from aseme_dsl.proofs.prover import Prover
@@ -285,6 +286,12 @@ def _inspecting(
             found += yield from check_waits(aips, eacs, srms, memory)
             found += check_multiplicity(aips, srms, teams)
         yield
+        settings = [
+            (agent.role, name) for team in teams for agent in team.agents for name, _ in agent.settings
+        ]
+        known = memory.same("settings", tuple(dict.fromkeys(settings)))
+        for problems in (yield from each(_wakes, zip(_built(iacs)), described, known, prover)):
+            found += problems
         compared, unchecked = yield from check_conditions(charts, prover, memory)
         found += compared
 
@@ -371,6 +378,19 @@ def _given_chart(chart: GivenChart, *world: *_Charted) -> Statechart | None:
 
 def _flow(chart: Statechart, prover: Prover) -> tuple[Diagnostic, ...]:
     return (*check_flow(chart, contradiction(prover)), *check_reach(chart))
+
+
+def _wakes(
+    chart: Statechart,
+    activities: Mapping[str, Activity],
+    settings: tuple[tuple[str, str], ...],
+    prover: Prover,
+) -> tuple[Diagnostic, ...]:
+    written = {name for role, name in settings if role == chart.name}
+    performed = [activities[name] for node in chart.nodes if (name := node.activity or "") in activities]
+    for activity in (*performed, *(module.statement for module in chart.modules)):
+        written.update(activity.writes_variables)
+    return tuple(check_waking(chart, frozenset(written), prover.vocabulary))
 
 
 def _timers(chart: Statechart) -> tuple[Diagnostic, ...]:

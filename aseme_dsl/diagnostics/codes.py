@@ -146,6 +146,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W424": ("warning", "an event that is named almost like a value"),
     "W430": ("warning", "a `resume` of what has nothing to go on with"),
     "W435": ("warning", "a question after the end of what never ends"),
+    "W436": ("warning", "concurrent parts that wake each other without end"),
     # Types (E5xx)
     "E500": ("error", "types that do not fit"),
     "E501": ("error", "an unknown member"),

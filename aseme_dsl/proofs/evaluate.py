@@ -49,6 +49,17 @@ def holds(condition: e.Value, values: Values, vocabulary: Vocabulary) -> bool | 
         return False
 
 
+def value_of(value: e.Value, values: Values, vocabulary: Vocabulary) -> Any:
+    """What the value is; None where `values` do not decide it, or where it raises."""
+    try:
+        if not _is_there(value, values, vocabulary):
+            return None
+        found = _value(value, values, vocabulary)
+    except Fault:
+        return None
+    return None if found is _UNKNOWN else found
+
+
 def _is(truth: bool, value: e.Value, values: Values, vocabulary: Vocabulary) -> bool | None:
     """Whether the value is true (false): None if not known. Raises Fault where it is sure to."""
     match value:
@@ -218,4 +229,4 @@ def _arithmetic(value: e.Arithmetic, values: Values, vocabulary: Vocabulary) -> 
         raise Fault from problem
 
 
-__all__ = ["Fault", "Values", "holds"]
+__all__ = ["Fault", "Values", "holds", "value_of"]
