@@ -12,11 +12,13 @@ from aseme_dsl.amola.statechart import Node, NodeType
 from aseme_dsl.compiler.builtins import FORMS
 from aseme_dsl.diagnostics import CODES
 from aseme_dsl.editor.comments import documentation
+from aseme_dsl.editor.constructs import meanings
 from aseme_dsl.editor.index import Kind, Occurrence, Symbol, Use, name_of
+from aseme_dsl.editor.known import nodes
 from aseme_dsl.editor.program import Program
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
-from aseme_dsl.grammar.lexer import clean
+from aseme_dsl.grammar.lexer import Tokens, clean
 from aseme_dsl.source import Source, Span
 
 _MOST = 8
@@ -55,10 +57,62 @@ def hover(view: View, offset: int) -> Hover | None:
     if code is not None:
         return code
     found = view.occurrence_at(offset)
-    if found is None:
-        return None
+    if found is None or view.whole(found.span).end == offset:  # a sign behind a name is pointed at itself
+        construct = _construct_at(view, offset)
+        if construct is not None or found is None:
+            return construct
     parts = [*_about(view.program, found)]
     return Hover(view.whole(found.span), "\n\n".join(part for part in parts if part)) if parts else None
+
+
+def _construct_at(view: View, offset: int) -> Hover | None:
+    """A word or sign of the language; nothing in comments and texts."""
+    if any(span.start <= offset < span.end for span in _comments(view, offset)):
+        return None
+    begin = view.source.text.rfind("\n", 0, offset) + 1
+    line = clean(Source(view.path, view.source.text[begin:].partition("\n")[0])).text
+    tokens = Tokens(line)
+    for start, end in zip(tokens.starts, tokens.ends, strict=True):
+        is_last = offset - begin == end and not line[end : end + 1].strip()
+        if start <= offset - begin < end or is_last:
+            found = meanings(line[start:end], _sections(view, offset, line[:start], line[start:end]))
+            text = "\n\n".join(item.text for item in found)
+            return Hover(Span(view.source, begin + start, begin + end), text) if found else None
+    return None
+
+
+_CONDITIONS = ("Values", "When", "Actions", "Control")
+_MODELS = "Goals, roles, protocols, teams"
+
+
+def _sections(view: View, offset: int, before: str, token: str) -> tuple[str, ...]:
+    """The sections of the table of constructs that a token may be about, the likeliest first.
+
+    `before` is what stands before it on its line.
+    """
+    part, inside = view.at(offset)
+    declaration = view.declaration_at(offset)
+    if isinstance(declaration, (tree.Message, tree.Enum, tree.Topic, tree.Function)):
+        return "Messages", "Values"
+    if isinstance(declaration, tree.Let):
+        return _CONDITIONS
+    around = set()
+    for node in nodes(declaration):
+        if isinstance(node, (tree.NamedFormula, tree.TransitionExpression, tree.Control)):
+            span = node.formula.span if isinstance(node, tree.NamedFormula) else node.span
+            if span.source is part and span.start <= inside <= span.end:
+                around.add(type(node))
+    if tree.NamedFormula in around:
+        return ("Formulas",)
+    if tree.TransitionExpression in around:
+        if before.count("[") > before.count("]"):
+            return _CONDITIONS
+        begins_actions = token == ";" or (token == "/" and "/" not in before.rpartition(":")[2])
+        is_word = token[0].isalpha() or token[0] == "_"
+        return ("When", "Actions") if is_word else ("Control",) if begins_actions else _CONDITIONS
+    if tree.Control in around:
+        return "Control", "When", "Actions", "Values"
+    return _MODELS, "Files", "Messages"
 
 
 def explained(code: str) -> str:
