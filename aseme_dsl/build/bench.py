@@ -26,6 +26,7 @@ from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.loading import importing, load_system
 from aseme_dsl.runtime.machine import Machine
 from aseme_dsl.runtime.plain import ActivityFailed
+from aseme_dsl.runtime.process_wide import uncollected
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.statechart import Statechart
@@ -361,9 +362,7 @@ def _timed(
     """The medians of interleaved rounds."""
     steps: dict[str, list[float]] = {name: [] for name in makers}
     idle: dict[str, list[float]] = {name: [] for name in makers}
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
+    with uncollected():
         for _ in range(rounds):
             for name, make in makers.items():
                 play, tick, number = make()
@@ -375,9 +374,6 @@ def _timed(
                     tick()
                 idle[name].append((time.process_time_ns() - begun_at) / _IDLE)
                 gc.collect(0)
-    finally:
-        if enabled:
-            gc.enable()
     memory = {name: _memory(make) for name, make in instances.items()}
     return {
         name: Timed(

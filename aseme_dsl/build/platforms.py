@@ -12,6 +12,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.build.platform_settings import (
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.transport.link import Link
     from aseme_dsl.runtime.transport.settings import Xmpp
 
+_here: ContextVar[str | None] = ContextVar("provided", default=None)
+"""What `provided` gives here; the environment is the whole process's, and not changed."""
 GIVEN = "ASEMEC_PLATFORM"
 """The environment variable that tells robots what their supervisor has started for them, as JSON."""
 XMPP_PORT = 5222
@@ -132,13 +135,20 @@ def _mango_hosts(configuration: Configuration) -> dict[str, tuple[str, int]]:
 def _given() -> dict[str, Any]:
     import json
 
-    found: dict[str, Any] = json.loads(os.environ.get(GIVEN, "{}"))
+    found: dict[str, Any] = json.loads(_here.get() or os.environ.get(GIVEN, "{}"))
     return found
+
+
+def given_environment() -> dict[str, str]:
+    """What the environment of a robot's process has to have besides: what `provided` gives."""
+    given = _here.get()
+    return {} if given is None else {GIVEN: given}
 
 
 @contextmanager
 def provided(platform: str, loaded: Loaded, configuration: Configuration, say: Say) -> Iterator[None]:
-    """Inside, this process and its children have what the platform needs and the project does not name.
+    """Inside, runs of this thread have what the platform needs and the project does not name, and so do
+    processes that are started with `given_environment`.
 
     That is, for SPADE, a server of this run on the loopback interface; for mango, a port for each agent.
 
@@ -156,15 +166,11 @@ def provided(platform: str, loaded: Loaded, configuration: Configuration, say: S
         given[SPADE] = (server.port, secrets.token_hex(16))
     elif platform == MANGO and configuration.mango is None:
         given[MANGO] = {name: f"127.0.0.1:{port}" for (name, _), port in _ports(loaded)}
-    before = os.environ.get(GIVEN)
-    os.environ[GIVEN] = json.dumps(given)
+    before = _here.set(json.dumps(given))
     try:
         yield
     finally:
-        if before is None:
-            del os.environ[GIVEN]
-        else:
-            os.environ[GIVEN] = before
+        _here.reset(before)
         if server is not None:
             server.close()
 

@@ -26,6 +26,7 @@ from types import FrameType
 from typing import IO, TYPE_CHECKING, Any
 
 from aseme_dsl import outside
+from aseme_dsl.build.platforms import given_environment
 from aseme_dsl.build.play import PlayError
 
 if TYPE_CHECKING:
@@ -263,7 +264,8 @@ class _Run:
         return given.with_name(f"{given.stem}.{child.name}{life}{given.suffix}")
 
     def _spawn(self, command: list[str]) -> subprocess.Popen[str]:
-        environment = {**FEW_ARENAS, **os.environ, "PYTHONUNBUFFERED": "1", WORLD: self._key.hex()}
+        own = {"PYTHONUNBUFFERED": "1", WORLD: self._key.hex()}
+        environment = {**FEW_ARENAS, **os.environ, **given_environment(), **own}
         return subprocess.Popen(
             command,
             stdin=subprocess.PIPE,
@@ -463,14 +465,18 @@ def _how_ended(code: int) -> str:
 
 @contextmanager
 def _signals(stop: Callable[[], None]) -> Iterator[None]:
-    """Inside, Ctrl-C and SIGTERM call `stop`."""
+    """Inside, Ctrl-C and SIGTERM call `stop`, if this is the main thread: no other may set handlers."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
     before: dict[int, Any] = {}
 
     def handle(number: int, frame: FrameType | None) -> None:
         stop()
 
     for number in (int(signal.SIGINT), int(signal.SIGTERM)):
-        before[number] = signal.signal(number, handle)
+        if signal.getsignal(number) is not None:  # None: somebody set it who is not Python
+            before[number] = signal.signal(number, handle)
     try:
         yield
     finally:

@@ -133,6 +133,8 @@ class Server(LanguageServer):
         self.drawing = asyncio.Lock()
         self.moved: Callable[[str, lsp.Position], None] = lambda uri, position: None
         self.renewed: Callable[[], None] = lambda: None
+        self.tidies = False
+        """Whether the process is the server's own, and so is Python's collector of cycles."""
         self.idle: asyncio.TimerHandle | None = None
         self.kept = self.grown = 0
 
@@ -341,6 +343,8 @@ class Server(LanguageServer):
         Models are many objects that live long: to look for cycles among all of them takes longer than to make
         them anew. So it is done when nobody waits, or when they have become many more.
         """
+        if not self.tidies:
+            return
         gc.collect()
         self.grown += len(gc.get_objects())
         gc.freeze()
@@ -351,6 +355,8 @@ class Server(LanguageServer):
 
     def tidy_all(self) -> None:
         """Free whatever only cycles hold."""
+        if not self.tidies:
+            return
         gc.unfreeze()
         gc.collect()
         self.kept, self.grown = len(gc.get_objects()), 0

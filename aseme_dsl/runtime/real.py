@@ -8,7 +8,6 @@ its own keeps the timers; the one that calls `run` looks after what is stuck, an
 
 from __future__ import annotations
 
-import sys
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -17,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.clock import SECOND, RealClock, shown
 from aseme_dsl.runtime.ports import Stepping
+from aseme_dsl.runtime.process_wide import switching
 from aseme_dsl.runtime.real_time import RealTime
 from aseme_dsl.runtime.stacks import place_of
 from aseme_dsl.runtime.threads import Threads
@@ -301,14 +301,10 @@ class RealDriver:
         Then the agents are stopped and their activities cancelled; what has not returned after a while is
         complained about. Raises what the runtime itself raises, never what activities raise.
         """
-        before = sys.getswitchinterval()
-        sys.setswitchinterval(min(self.options.switch_interval / SECOND, before))
-        try:
+        with switching(self.options.switch_interval / SECOND):
             self._timekeeper.start(self.until, self.options.priority, self._complain)
             self._look_after()
             self._close()
-        finally:
-            sys.setswitchinterval(before)
         if self._error is not None:
             raise self._error
 

@@ -707,7 +707,10 @@ def make_team(
 
 @contextmanager
 def _interruptible(stop: Callable[[str], None]) -> Iterator[None]:
-    """Inside, Ctrl-C and SIGTERM end the run; a second signal acts as if there were no run."""
+    """Inside, Ctrl-C and SIGTERM end the run; a second signal acts as if there were no run.
+
+    Only a run in the main thread does so, since Python lets no other set handlers; they are put back.
+    """
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -719,7 +722,8 @@ def _interruptible(stop: Callable[[str], None]) -> Iterator[None]:
         stop("interrupted")
 
     for number in (int(signal.SIGINT), int(signal.SIGTERM)):
-        before[number] = signal.signal(number, handle)
+        if signal.getsignal(number) is not None:  # None: somebody set it who is not Python
+            before[number] = signal.signal(number, handle)
     try:
         yield
     finally:

@@ -13,6 +13,7 @@ import json
 import re
 import secrets
 import threading
+import weakref
 from collections.abc import Iterator, Sequence
 from contextlib import nullcontext
 from typing import TYPE_CHECKING, Any
@@ -91,8 +92,15 @@ class ZenohLink:
         # are waited for; `atexit` is too late for that.
         register = getattr(threading, "_register_atexit", None)
         if register is not None:
+            closing = weakref.WeakMethod(self.close)  # what is registered stays until the process ends
+
+            def close() -> None:
+                still = closing()
+                if still is not None:
+                    still()
+
             with contextlib.suppress(RuntimeError):  # the interpreter is ending already
-                register(self.close)
+                register(close)
         put = zenoh.SampleKind.PUT
 
         def arrived(sample: Any) -> None:
