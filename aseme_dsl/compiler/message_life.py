@@ -7,12 +7,14 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from aseme_dsl.amola.expression import At, Literal, Mean, duration_text, values_of
 from aseme_dsl.amola.messages import Channel, ChannelRules, Comm, Topic
 from aseme_dsl.amola.srm import Activity
-from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
 from aseme_dsl.amola.system import Team
+from aseme_dsl.compiler.formulas import cut
 from aseme_dsl.compiler.memory import Memory
-from aseme_dsl.compiler.message_use import MessageUse, Use
+from aseme_dsl.compiler.message_use import MessageUse, Use, members_in
 from aseme_dsl.compiler.names import first_of, listed
 from aseme_dsl.compiler.pieces import InPieces
+from aseme_dsl.compiler.presence import there_if_holds
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.source import Source, Span
@@ -147,6 +149,7 @@ def _unwritten(
                 else:
                     told = told or bool(said.writes)
     if silent and not told:
+        yield from _awaited_in_vain(roles, writers, topics, home, silent)
         return
     doubtful: list[Use] = []
     for channel, found in readers.items():
@@ -176,6 +179,61 @@ def _unwritten(
             hint="say it of the activity that does: `writes …`; nothing is said of the messages of "
             + first_of(list(silent), _SHOWN),
         )
+
+
+def _awaited_in_vain(
+    roles: Sequence[Statechart],
+    writers: Mapping[Channel, Sequence[Use]],
+    topics: Mapping[str, Topic],
+    home: Source | None,
+    silent: Iterable[str],
+) -> Iterator[Diagnostic]:
+    """N722 where nothing is said of any activity: only for what the one way out of a state waits for.
+
+    While nothing comes there, the agent stays for good.
+    """
+    found: dict[Channel, tuple[Span, Node]] = {}
+    for chart in roles:
+        for transition in chart.transitions:
+            condition = transition.expression.condition
+            if condition is None or not _is_only_way(chart, transition):
+                continue
+            needed = there_if_holds(condition)
+            for member, span in members_in([condition]):
+                channel = member.channel
+                topic = topics[channel.topic]
+                if channel not in needed or channel in writers or not _is_in(topic.span, home):
+                    continue
+                if topic.radio is None and not _rules(topic, channel).sources:
+                    found.setdefault(channel, (span, chart.node(transition.source)))
+    if not found:
+        return
+    (channel, (span, source)), *others = found.items()
+    yield Diagnostic(
+        "N722",
+        f"nothing says who publishes `{channel}`; the only way out of `{cut(source.name)}` waits for it",
+        span,
+        (
+            Related(_declared(topics[channel.topic], channel), "declared here"),
+            *(Related(place, f"`{other}` is waited for here") for other, (place, _) in others[:_SHOWN]),
+        ),
+        hint=f"let the activity that does say `writes {channel}` (nothing is said of the messages of "
+        f"{first_of(list(silent), _SHOWN)}); for what comes from outside, name its source: "
+        f"`{channel.comm} {channel.message} from …`",
+    )
+
+
+def _is_only_way(chart: Statechart, transition: Transition) -> bool:
+    """Whether nothing else leads out of the source of a transition, or of a state around it."""
+    if not transition.is_way or transition.expression.events or transition.source == transition.target:
+        return False
+    if len(chart.ways_from(transition.source)) > 1:
+        return False
+    return not any(
+        way.expression.events or way.expression.when
+        for around in chart.ancestors(transition.source)
+        for way in chart.ways_from(around.label)
+    )
 
 
 def _rules(topic: Topic, channel: Channel) -> ChannelRules:

@@ -1,0 +1,90 @@
+"""A guard that is the only way out of a state, over a message that nobody is said to publish (N722)."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.support.compiling import analysis, codes
+
+
+def _role(control: str, *, formula: str = "A . B", said: str = "", topic: str = "state Ball") -> str:
+    return f"""system S message Ball {{ bool visible  double far }} topic vision {{ {topic} }}
+    srm r {{
+      liveness {{ r = {formula} }}
+      activities {{ A takes 1s {said}  B takes 1s }}
+      control r {{ {control} }}
+    }}"""
+
+
+def awaited(text: str) -> list[str]:
+    return [item.message for item in analysis(text).diagnostics if item.code == "N722"]
+
+
+def test_the_only_way_out_waits_for_what_nobody_publishes() -> None:
+    (problem,) = analysis(_role("enter B : [vision.state.Ball.visible]")).diagnostics
+    assert problem.code == "N722"
+    expected = "nothing says who publishes `vision.state.Ball`; the only way out of `A` waits for it"
+    assert problem.message == expected
+    assert problem.related[0].span.text == "Ball"
+    assert problem.hint is not None and "`writes vision.state.Ball`" in problem.hint
+
+
+@pytest.mark.parametrize(
+    "control",
+    [
+        "enter B : when [vision.state.Ball.far < 3]",
+        "enter B : [has(vision.state.Ball)]",
+        "enter B : [vision.state.Ball.visible && vision.state.Ball.far < 1]",
+        "enter B : [!vision.state.Ball.visible]",
+        "enter A : [vision.state.Ball.visible]",
+        "leave B : [vision.state.Ball.visible]",
+    ],
+)
+def test_whatever_the_guard_asks(control: str) -> None:
+    assert len(awaited(_role(control))) == 1
+
+
+@pytest.mark.parametrize(
+    ("control", "formula", "said", "topic"),
+    [
+        ("enter B : [vision.state.Ball.visible]", "A . B", "writes vision.state.Ball", "state Ball"),
+        ("enter B : [vision.state.Ball.visible]", "A . B", "", "state Ball from A"),
+        ("enter B : [vision.state.Ball.visible]  enter B : after(9s)", "A . B", "", "state Ball"),
+        ("enter B : [!has(vision.state.Ball)]", "A . B", "", "state Ball"),
+        ("enter B : [vision.state.Ball.visible || 1 < 2]", "A . B", "", "state Ball"),
+        ("enter A : [vision.state.Ball.visible]  enter B : else", "A | B", "", "state Ball"),
+        (
+            "enter A : / vision.state.Ball.far = 2; write_messages.vision.state.Ball  "
+            "enter B : [vision.state.Ball.far > 1]",
+            "A . B",
+            "",
+            "state Ball",
+        ),
+        ("enter B : [vision.state.Ball.visible]  enter C : after(9s)", "(A . B) [> C", "", "state Ball"),
+    ],
+)
+def test_what_someone_publishes_or_another_way_leads_out_of_is_not_reported(
+    control: str, formula: str, said: str, topic: str
+) -> None:
+    assert awaited(_role(control, formula=formula, said=said, topic=topic)) == []
+
+
+def test_in_a_statechart_too() -> None:
+    text = """system S message Ball { bool visible } topic vision { state Ball }
+    statechart r { state 0 OR state 0.1 START state 0.2 BASIC A state 0.3 END
+      0.1 -> 0.2 :  0.2 -> 0.3 : [vision.state.Ball.visible] }"""
+    assert len(awaited(text)) == 1
+    assert awaited(text.replace("0.1 -> 0.2 :", "0.1 -> 0.2 :  0.2 -> 0.2 : after(1s)")) == []
+
+
+def test_another_files_topic_may_be_written_by_those_who_share_it() -> None:
+    shared = "message Ball { bool visible } topic vision { state Ball }"
+    text = """system S import "shared.aseme"
+    srm r { liveness { r = A . B } activities { A takes 1s B takes 1s }
+      control r { enter B : [vision.state.Ball.visible] } }"""
+    found = analysis(text, sources={"shared.aseme": shared}).diagnostics
+    assert [item.code for item in found] == []
+
+
+def test_it_is_a_note() -> None:
+    assert codes(_role("enter B : [vision.state.Ball.visible]")) == []
