@@ -51,7 +51,7 @@ def check_formulas(
     control could not be read completely, so that a missing line means nothing.
     """
     found: list[Diagnostic] = []
-    waiting: set[Span] = set()  # lines of which it is said what they wait for
+    waiting: set[Span | None] = set()  # lines of which it is said what they wait for
     for name in formulas.named:
         if name in damaged:
             continue
