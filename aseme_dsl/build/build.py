@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from functools import cache
-from pathlib import Path, PurePath
+from functools import cache, partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from aseme_dsl import outside
 from aseme_dsl.build.configuration import Configuration
 from aseme_dsl.build.counting import Count, amount
 from aseme_dsl.build.earlier import Earlier
+from aseme_dsl.build.inputs import STANDARD_INPUT
 from aseme_dsl.build.manifest import hash_of
 from aseme_dsl.build.write import DISK, Disk, Planned, Written, write
 from aseme_dsl.diagnostics import NO_POLICY, Diagnostic, Policy, has_errors, in_order
@@ -96,10 +98,25 @@ class Report:
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
+def _silently(text: str) -> None:
+    """No progress is shown."""
+
+
+def _tell(told: Callable[[str], None], what: str, done: int, of: int) -> None:
+    told(f"{what}: {done} of {of}")
+
+
 def build(
-    system: System, folder: Path, choice: Choice, disk: Disk = DISK, earlier: Earlier | None = None
+    system: System,
+    folder: Path,
+    choice: Choice,
+    disk: Disk = DISK,
+    earlier: Earlier | None = None,
+    told: Callable[[str], None] = _silently,
 ) -> Report:
     """Write the models, diagrams, messages and code of a system into `folder`.
+
+    `told` is given what long work is at: how many of the drawings and of the native modules are done.
 
     What `earlier` builds of it have made is taken from there, and nothing is counted; what is written is the
     same.
@@ -121,7 +138,8 @@ def build(
     diagnostics: list[Diagnostic] = []
     drawings = _drawings(system, choice, known) if DIAGRAMS in parts else []
     refused = False
-    with _drawn(drawings, before.pictures) as results:  # Graphviz draws while the others are made
+    drawn = partial(_tell, told, "drawing")
+    with _drawn(drawings, before.pictures, drawn) as results:  # Graphviz draws while the others are made
         if MODELS in parts:
             files += _models(system, known)
         if PROTO in parts:
@@ -141,7 +159,7 @@ def build(
         from aseme_dsl.build.native import NativeError, compiled
 
         try:
-            files += compiled(generated)
+            files += compiled(generated, partial(_tell, told, "compiling to machine code"))
         except NativeError as problem:
             hint = "without --native it runs as Python"
             diagnostics.append(Diagnostic("E322", str(problem), None, hint=hint, path=problem.path))
@@ -153,7 +171,7 @@ def build(
         files,
         parts=frozenset((*parts, *backends)),
         system=system.name,
-        source=PurePath(system.span.source.path).name if system.span else system.name,
+        source=_source(system, folder),
         force=choice.force,
         disk=disk,
         seen=before.seen,
@@ -161,6 +179,16 @@ def build(
     found = in_order((*problems, *choice.policy.apply(written.diagnostics)))
     count = _count(system, generated, written) if generated and earlier is None else None
     return Report(system.name, folder, written, count, tuple(notes), found)
+
+
+def _source(system: System, folder: Path) -> str:
+    """The system's file as seen from the output folder, so that both may be moved together."""
+    if system.span is None:
+        return system.name
+    path = system.span.source.path
+    if path == STANDARD_INPUT:
+        return path
+    return Path(os.path.relpath(os.path.realpath(path), os.path.realpath(folder))).as_posix()
 
 
 def choose(
@@ -264,7 +292,9 @@ def _drawings(system: System, choice: Choice, known: Known) -> list[Drawing]:
 
 @contextmanager
 def _drawn(
-    drawings: Sequence[Drawing], before: dict[str, tuple[Drawing, Drawn]]
+    drawings: Sequence[Drawing],
+    before: dict[str, tuple[Drawing, Drawn]],
+    done: Callable[[int, int], None],
 ) -> Iterator[Callable[[], list[Result]]]:
     """Draw while something else is done; what is given waits, and says what came of each drawing.
 
@@ -276,7 +306,7 @@ def _drawn(
         item.name: found[1] for item in drawings if (found := before.get(item.name)) and found[0] == item
     }
     new = [item for item in drawings if item.name not in known]
-    with drawing(new) as results:
+    with drawing(new, done=done) as results:
 
         def all_results() -> list[Result]:
             made: dict[str, Result] = {

@@ -275,6 +275,17 @@ def unknown_roles(configuration: Configuration, roles: Iterable[str]) -> tuple[D
     return tuple(found)
 
 
+def places_of_run(configuration: Configuration, keys: Iterable[str]) -> dict[str, Span]:
+    """Where the pyproject.toml gives these keys of its run; without what cannot be found any more."""
+    if configuration.path is None:
+        return {}
+    try:
+        source = Source(str(configuration.path), outside.read_text(configuration.path).replace("\r\n", "\n"))
+    except (OSError, UnicodeDecodeError):
+        return {}
+    return {key: place for key in keys if (place := _place(source, RUN_TABLE, key)) is not None}
+
+
 def _count(value: Any) -> int:
     if not isinstance(value, int) or isinstance(value, bool) or value < 1:
         raise _Wrong("a whole number from 1 on")

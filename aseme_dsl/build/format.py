@@ -9,6 +9,7 @@ from pathlib import Path
 from aseme_dsl.build.configuration import find_configuration
 from aseme_dsl.build.difference import unified
 from aseme_dsl.build.inputs import Inputs, find_inputs
+from aseme_dsl.build.target import sources_of
 from aseme_dsl.build.write import DISK, Disk, write_over
 from aseme_dsl.compiler.load import read_source
 from aseme_dsl.diagnostics import Diagnostic, has_errors
@@ -38,7 +39,7 @@ class LaidOut:
 def files_to_format(arguments: Sequence[str], read_standard_input: Callable[[], bytes]) -> Inputs:
     """The files that a command line means; without any, all `.aseme` files of the project here."""
     if arguments:
-        return find_inputs(arguments, read_standard_input)
+        return sources_of(arguments, read_standard_input, all_files=True)
     configuration, diagnostics = find_configuration(Path())
     if has_errors(diagnostics):
         return Inputs((), (), diagnostics)

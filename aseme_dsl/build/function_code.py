@@ -1,4 +1,4 @@
-"""Functions of a document: whether there is the Python function that each of them names.
+"""Functions of a document and of its project: whether there is the Python function that each of them names.
 
 No code is imported: the file of a module is found as an import would find it, and parsed. Where that does not
 decide, nothing is said.
@@ -23,6 +23,7 @@ from pathlib import Path
 from aseme_dsl import outside
 from aseme_dsl.amola.messages import Function
 from aseme_dsl.amola.system import System
+from aseme_dsl.build.configuration import Configuration, places_of_run
 from aseme_dsl.build.stamp import Look, Stamp, stamp_of
 from aseme_dsl.diagnostics import Diagnostic, closest
 from aseme_dsl.source import Span
@@ -47,65 +48,113 @@ def function_files(system: System, project: Path) -> list[str]:
     return list(found)
 
 
+def check_configured(configuration: Configuration, look: Look = stamp_of) -> tuple[Diagnostic, ...]:
+    """The functions that the project names for its runs, as those of the document: E541, E542."""
+    run = configuration.run
+    if run is None:
+        return ()
+    named = {"world": run.world, "progress": run.progress, "summary": run.summary}
+    places = places_of_run(configuration, [key for key, target in named.items() if target is not None])
+    found: list[Diagnostic] = []
+    for key, place in places.items():
+        target = named[key]
+        assert target is not None
+        code = _resolved(target, place, configuration.folder, look)
+        if isinstance(code, Diagnostic):
+            found.append(code)
+        elif code is not None and (problem := _of_run(key, code)) is not None:
+            hint = f"asemec calls it as `{code.name}({_CALLED[key]})`"
+            found.append(Diagnostic("E542", problem, place, hint=hint))
+    return tuple(found)
+
+
+_CALLED = {"world": "seed=…", "progress": "world", "summary": "world"}
+"""What the functions of a run are called with; `progress` with what the agents do, too, if it takes it."""
+
+
+def _of_run(key: str, code: ast.FunctionDef) -> str | None:
+    """Why a function cannot be called in a run."""
+    takes = f"the Python function `{code.name}` takes"
+    given = code.args
+    by_name = _needed_by_name(given)
+    if key == "world":
+        names = [one.arg for one in (*given.args, *given.kwonlyargs)]
+        needed = [one.arg for one in (*given.posonlyargs, *given.args)]
+        needed = [*needed[: _parameters(given)[0]], *by_name]
+        if others := [name for name in needed if name != "seed"]:
+            return f"{takes} `{others[0]}`, which a world is not given"
+        return None if "seed" in names or given.kwarg is not None else f"{takes} no `seed`"
+    if by_name:
+        return f"{takes} `{by_name[0]}` by name only"
+    least, most = _parameters(given)
+    largest = 2 if key == "progress" else 1
+    if least <= largest and (most is None or most >= 1):
+        return None
+    return f"{takes} {_counted(least, most)}, and gets 1"
+
+
 def _of_function(function: Function, project: Path, look: Look) -> Iterator[Diagnostic]:
-    module, _, name = function.target.partition(":")
-    if module == "builtin":
+    if function.target.partition(":")[0] == "builtin":
         return
     place = _place(function)
+    code = _resolved(function.target, place, project, look)
+    if isinstance(code, Diagnostic):
+        yield code
+    elif code is not None:
+        hint = "declare the same parameters on both sides"
+        if by_name := _needed_by_name(code.args):
+            message = f"the Python function `{code.name}` takes `{by_name[0]}` by name only"
+            yield Diagnostic("E542", message, place, hint=hint)
+            return
+        least, most = _parameters(code.args)
+        count = len(function.parameters)
+        if count < least or (most is not None and count > most):
+            message = f"the Python function `{code.name}` takes {_counted(least, most)}, and gets {count}"
+            yield Diagnostic("E542", message, place, hint=hint)
+
+
+def _counted(least: int, most: int | None) -> str:
+    takes = str(least) if least == most else f"{least} or more" if most is None else f"{least} to {most}"
+    return f"{takes} argument{'' if least == most == 1 else 's'}"
+
+
+def _needed_by_name(given: ast.arguments) -> list[str]:
+    return [one.arg for one, usual in zip(given.kwonlyargs, given.kw_defaults, strict=True) if usual is None]
+
+
+def _resolved(target: str, place: Span, project: Path, look: Look) -> Diagnostic | ast.FunctionDef | None:
+    """The function that a `module:name` is, if its file says all about it; or why there is none (E541)."""
+    module, _, name = target.partition(":")
     found = _find_module(module, project)
     if isinstance(found, _Missing):
         near, parts = closest(found.name, found.there), module.split(".")
-        meant = ".".join(
-            (*module.split(".")[: found.depth], near or "", *module.split(".")[found.depth + 1 :])
-        )
-        yield Diagnostic(
+        meant = ".".join((*parts[: found.depth], near or "", *parts[found.depth + 1 :]))
+        return Diagnostic(
             "E541",
             f"there is no Python module `{'.'.join(parts[: found.depth + 1])}`",
             place,
             hint=f"did you mean `{meant}:{name}`?" if near else f"write the module with `def {name}`",
         )
-        return
     stamp = None if found is None else look(found)
     if found is None or stamp is None:
-        return
+        return None
     code = _code(found, stamp)
     if isinstance(code, str):
-        yield Diagnostic(
-            "E541", f"the module `{module}` is no Python: {code}", place, hint=f"correct {found}"
-        )
-        return
+        message = f"the module `{module}` is no Python: {code}"
+        return Diagnostic("E541", message, place, hint=f"correct {found}")
     if code is None:
-        return
+        return None
     if name not in code.names:
-        if not code.is_open:
-            near = closest(name, code.names)
-            hint = f"did you mean `{module}:{near}`?" if near else f"write `def {name}` there"
-            yield Diagnostic("E541", f"the module `{module}` has no `{name}`", place, hint=hint)
-        return
+        if code.is_open:
+            return None
+        near = closest(name, code.names)
+        hint = f"did you mean `{module}:{near}`?" if near else f"write `def {name}` there"
+        return Diagnostic("E541", f"the module `{module}` has no `{name}`", place, hint=hint)
     made = code.names[name]
     if isinstance(made, _PLAIN):
-        hint = "name a function"
-        yield Diagnostic("E541", f"`{name}` of the module `{module}` is no function", place, hint=hint)
-    elif isinstance(made, ast.FunctionDef) and not made.decorator_list:
-        hint = "declare the same parameters on both sides"
-        by_name = [
-            one.arg
-            for one, given in zip(made.args.kwonlyargs, made.args.kw_defaults, strict=True)
-            if not given
-        ]
-        if by_name:
-            message = f"the Python function `{name}` takes `{by_name[0]}` by name only"
-            yield Diagnostic("E542", message, place, hint=hint)
-            return
-        least, most = _parameters(made.args)
-        count = len(function.parameters)
-        if count < least or (most is not None and count > most):
-            takes = (
-                str(least) if least == most else f"{least} or more" if most is None else f"{least} to {most}"
-            )
-            plural = "" if least == most == 1 else "s"
-            message = f"the Python function `{name}` takes {takes} argument{plural}, and gets {count}"
-            yield Diagnostic("E542", message, place, hint=hint)
+        message = f"`{name}` of the module `{module}` is no function"
+        return Diagnostic("E541", message, place, hint="name a function")
+    return made if isinstance(made, ast.FunctionDef) and not made.decorator_list else None
 
 
 def _place(function: Function) -> Span:
@@ -266,4 +315,4 @@ def _parameters(given: ast.arguments) -> tuple[int, int | None]:
     return most - len(given.defaults), None if given.vararg is not None else most
 
 
-__all__ = ["check_functions", "function_files"]
+__all__ = ["check_configured", "check_functions", "function_files"]

@@ -5,12 +5,12 @@ from __future__ import annotations
 import glob
 import os
 import re
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from aseme_dsl import outside
-from aseme_dsl.compiler.load import LARGEST
+from aseme_dsl.compiler.load import LARGEST, TARGET_FORMS
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.source import Source
 
@@ -25,12 +25,18 @@ class Inputs:
     """What was meant.
 
     `roots` are files (or the text of standard input) to be compiled on their own. `others` are files found in
-    folders that declare no system: other files import them, so that they are not roots.
+    folders that declare no system: other files import them, so that they are not roots. `outputs` are the
+    output folders that were named, by the roots that were built into them.
     """
 
     roots: tuple[Path | Source, ...]
     others: tuple[Path, ...]
     diagnostics: tuple[Diagnostic, ...]
+    outputs: Mapping[Path, Path] = field(default_factory=dict)
+
+    def output_of(self, root: Path | Source) -> Path | None:
+        """The output folder by which a root was named, if it was."""
+        return self.outputs.get(root) if isinstance(root, Path) else None
 
 
 def find_inputs(arguments: Sequence[str], read_standard_input: Callable[[], bytes]) -> Inputs:
@@ -50,7 +56,7 @@ def find_inputs(arguments: Sequence[str], read_standard_input: Callable[[], byte
                 roots["-"] = Source(STANDARD_INPUT, text)
             continue
         path = Path(argument)
-        if _is_folder(path):
+        if is_folder(path):
             problems = len(diagnostics)
             found = list(_files_below(path, diagnostics))
             if not found and len(diagnostics) == problems:
@@ -60,10 +66,12 @@ def find_inputs(arguments: Sequence[str], read_standard_input: Callable[[], byte
         elif glob.has_magic(argument) and not _exists(path):
             # Path.glob takes no absolute pattern.
             matches = [Path(match) for match in sorted(glob.glob(argument, recursive=True))]  # noqa: PTH207
-            files = [match for match in matches if match.suffix == ".aseme" and not _is_folder(match)]
+            files = [match for match in matches if match.suffix == ".aseme" and not is_folder(match)]
             if not files:
                 diagnostics.append(_nothing(argument, f"no .aseme file matches {argument}"))
             roots.update((_identity(file), file) for file in files)
+        elif _is_trace(path) and _exists(path):
+            diagnostics.append(_nothing(argument, f"{argument} is a trace, not a .aseme file"))
         else:
             roots[_identity(path)] = path
     left = {identity: path for identity, path in others.items() if identity not in roots}
@@ -132,7 +140,11 @@ def _standard_input(read: Callable[[], bytes], diagnostics: list[Diagnostic]) ->
 
 
 def _nothing(argument: str, message: str) -> Diagnostic:
-    return Diagnostic("E001", message, None, path=argument)
+    return Diagnostic("E001", message, None, hint=TARGET_FORMS, path=argument)
+
+
+def _is_trace(path: Path) -> bool:
+    return path.name.removesuffix(".part").endswith((".jsonl", ".mcap"))
 
 
 def _identity(path: Path) -> str:
@@ -143,7 +155,8 @@ def _identity(path: Path) -> str:
         return str(path)
 
 
-def _is_folder(path: Path) -> bool:
+def is_folder(path: Path) -> bool:
+    """Whether there is a folder; False where that cannot be found out."""
     try:
         return path.is_dir()
     except (OSError, ValueError):

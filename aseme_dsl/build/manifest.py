@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -12,6 +13,7 @@ from types import MappingProxyType
 from typing import Any
 
 from aseme_dsl import outside
+from aseme_dsl.build.inputs import STANDARD_INPUT
 
 NAME = ".asemec.json"
 FORMAT = 1
@@ -35,13 +37,22 @@ class Manifest:
 
     `files` are keyed by their path in the folder, with `/`. `started` are files that became the user's when
     they were written (templates of activities, say), keyed by a name that does not depend on where they are;
-    their hash tells whether anything was filled in since.
+    their hash tells whether anything was filled in since. `source` is the file that was built, as a path from
+    the folder with `/`, or `<stdin>`.
     """
 
     system: str | None = None
     source: str | None = None
     files: MappingProxyType[str, Entry] = field(default_factory=lambda: MappingProxyType({}))
     started: MappingProxyType[str, str] = field(default_factory=lambda: MappingProxyType({}))
+
+
+def seen_from_here(folder: Path, source: str) -> str:
+    """The source in the manifest of a folder, as people would write it."""
+    if source == STANDARD_INPUT:
+        return source
+    path = os.path.normpath(os.path.join(os.path.realpath(folder), source))  # noqa: PTH118
+    return path if folder.is_absolute() else os.path.relpath(path)
 
 
 def hash_of(content: bytes) -> str:

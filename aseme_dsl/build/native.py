@@ -14,7 +14,7 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path, PurePosixPath
 
@@ -38,8 +38,12 @@ class NativeError(Exception):
         self.path = path
 
 
-def compiled(files: Iterable[Planned]) -> Iterator[Planned]:
+def compiled(
+    files: Iterable[Planned], done: Callable[[int, int], None] = lambda number, of: None
+) -> Iterator[Planned]:
     """For each module of a statechart among the files the compiled one, to be imported by its path there.
+
+    `done` is called with how many are compiled, and of how many: with 0 before the first.
 
     Raises:
         NativeError: mypyc or a C compiler is missing, or cannot compile one.
@@ -50,7 +54,9 @@ def compiled(files: Iterable[Planned]) -> Iterator[Planned]:
         return
     check_installed()
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for made in pool.map(lambda file: _compiled(file, others), modules):
+        done(0, len(modules))
+        for number, made in enumerate(pool.map(lambda file: _compiled(file, others), modules), 1):
+            done(number, len(modules))
             yield from made
 
 

@@ -9,16 +9,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl.build.configuration import (
-    FILE,
     OUTPUT,
     Configuration,
     find_configuration,
-    read_configuration,
     unknown_roles,
 )
-from aseme_dsl.build.function_code import check_functions
-from aseme_dsl.build.inputs import Inputs, find_inputs
+from aseme_dsl.build.function_code import check_configured, check_functions
+from aseme_dsl.build.inputs import Inputs
 from aseme_dsl.build.stamp import Look, stamp_of
+from aseme_dsl.build.target import project_here, sources_of
 from aseme_dsl.compiler import Options, analyse
 from aseme_dsl.compiler.holes import as_notes
 from aseme_dsl.compiler.phases import inspect_files
@@ -70,24 +69,9 @@ class Checked:
     """What each root has become, for whoever watches."""
 
 
-def inputs_of(
-    arguments: Sequence[str], read_standard_input: Callable[[], bytes], *, as_project: bool = False
-) -> Inputs:
-    """The files that a command line means; without any, those that the project here names, or else has.
-
-    `as_project`: a folder means the files that its own pyproject.toml names, if it does.
-    """
-    if not arguments:
-        configuration, diagnostics = find_configuration(Path())
-        arguments = [str(path) for path in configuration.files] or [str(configuration.folder)]
-    elif as_project and len(arguments) == 1 and (Path(arguments[0]) / FILE).is_file():
-        configuration, diagnostics = read_configuration(Path(arguments[0]) / FILE)
-        arguments = [str(path) for path in configuration.files] or arguments
-    else:
-        diagnostics = ()
-    if has_errors(diagnostics):
-        return Inputs((), (), diagnostics)
-    return find_inputs(arguments, read_standard_input)
+def inputs_of(targets: Sequence[str], read_standard_input: Callable[[], bytes]) -> Inputs:
+    """The files that targets mean (`build/target.py`); without any, those of the project here."""
+    return sources_of(targets or [project_here()], read_standard_input)
 
 
 def options_of(configuration: Configuration, max_states: int | None = None) -> Options:
@@ -102,15 +86,19 @@ def compile_root(
     max_states: int | None = None,
     sources: Mapping[str, str] | None = None,
     activities: Path | None = None,
+    output: Path | None = None,
     workshop: Workshop | None = None,
 ) -> Compiled:
     """Compile a root, and compare the code of its activities with what it says of them.
 
-    `max_states` and the folder of the `activities` go before what the configuration says; without either, the
-    code is looked for where a build would put it. Texts in `sources` (by path) are taken instead of the files
-    on disk. In a `workshop`, what is known of the root from before is not found out again.
+    `max_states`, the folder of the `activities` and the `output` folder go before the configuration.
+    Without activities, the code is looked for where a build would put it. Texts in `sources` (by path) are
+    taken instead of the files on disk. In a `workshop`, what is known of the root from before is not found
+    out again.
     """
     configuration, problems = configuration_for(Path(path_of(root)))
+    if output is not None:
+        configuration = replace(configuration, output=output)
     options = options_of(configuration, max_states)
     known = None if workshop is None else workshop.about(path_of(root))
     if workshop is None or known is None:
@@ -128,6 +116,7 @@ def compile_root(
         memory, look = (None, stamp_of) if workshop is None or known is None else (known.code, workshop.look)
         problems, allowed = code_problems(system, configuration, activities, memory, look)
         problems += check_functions(system, configuration.folder, look)
+        problems += check_configured(configuration, look)
         problems = tuple(map(layout.diagnostic, problems))
         diagnostics = without_read(diagnostics, system, configuration, activities, memory, look)
         diagnostics = in_order((*diagnostics, *configuration.diagnostics.apply(problems)))
@@ -215,7 +204,10 @@ def check(
     nothing is generated. Texts in `sources` (by path) are taken instead of the files on disk.
     """
     found = list(inputs.diagnostics)
-    compiled = [compile_root(root, sources=sources, workshop=workshop) for root in inputs.roots]
+    compiled = [
+        compile_root(root, sources=sources, output=inputs.output_of(root), workshop=workshop)
+        for root in inputs.roots
+    ]
     for item in compiled:
         found += [one for one in item.diagnostics if not (item.is_library and one.code == "E008")]
     seen = {os.path.realpath(path) for item in compiled for path in item.files}

@@ -26,6 +26,7 @@ from aseme_dsl.build.manifest import (
     is_inside,
     manifest_text,
     read_manifest,
+    seen_from_here,
 )
 from aseme_dsl.build.stamp import Look, Stamp, stamp_of
 from aseme_dsl.diagnostics import Diagnostic
@@ -349,7 +350,8 @@ class _Plan:
             return None
         if before.system not in (None, system) and before.source != source and not self.force:
             hint = f"choose another folder with --output, or use --force to replace {before.system}"
-            self.refuse(self.folder, f"holds the build of {before.system} (from {before.source})", hint)
+            where = "" if before.source is None else f" (from {seen_from_here(self.folder, before.source)})"
+            self.refuse(self.folder, f"holds the build of {before.system}{where}", hint)
             return None
         return before
 

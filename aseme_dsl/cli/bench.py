@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from aseme_dsl.cli.shared import (
+    TARGET_HELP,
     FilePath,
     check_outputs,
     colour_option,
@@ -16,6 +17,7 @@ from aseme_dsl.cli.shared import (
     one_system,
     print_diagnostics,
     print_json,
+    target_argument,
 )
 from aseme_dsl.diagnostics import closest, has_errors
 
@@ -29,11 +31,11 @@ if TYPE_CHECKING:
     help="Generate the code of a system, play inputs to its roles, and say what a step costs: as agents run"
     " it, and as a plain statechart where a role is one. The inputs are what agents got in a recorded run, or"
     " what the roles can take, drawn by a seed. Beside other statechart libraries, a clone of the repository"
-    " measures the same roles: python -m benchmarks.peers --file FILE.",
+    f" measures the same roles: python -m benchmarks.peers --file FILE. {TARGET_HELP}",
     epilog="Example: asemec bench team.aseme   ·   asemec bench team.aseme --role player --steps 9000 --json"
     "   ·   asemec bench team.aseme --inputs out/trace.jsonl -o bench.md --plot bench.svg",
 )
-@click.argument("file", metavar="FILE", type=FilePath())
+@target_argument
 @click.option("--role", "roles", multiple=True, metavar="ROLE", help="Only this role. May be repeated.")
 @click.option(
     "--inputs",
@@ -59,7 +61,7 @@ if TYPE_CHECKING:
 @json_option
 @colour_option
 def command(
-    file: str,
+    target: str,
     roles: tuple[str, ...],
     traces: tuple[Path, ...],
     steps: int | None,
@@ -82,7 +84,7 @@ def command(
     for number, trace in enumerate(traces):
         if os.path.realpath(trace) in map(os.path.realpath, traces[:number]):
             raise click.UsageError(f"{trace} is given twice: its agents would count twice.")
-    compiled = one_system(file)
+    compiled = one_system(target)
     if compiled.system is None or has_errors(compiled.diagnostics):
         print_diagnostics(compiled.diagnostics, colour)
         return 1
@@ -94,7 +96,7 @@ def command(
             raise click.UsageError(f"{compiled.system.name} has no role {role!r}. {hint}")
     outputs: list[tuple[Path | None, Kind]] = [(output, "bench"), (plot, "plot")]
     wanted = [(path, kind) for path, kind in outputs if path is not None]
-    check_outputs(wanted, [file, *compiled.depends, *traces])
+    check_outputs(wanted, [target, *compiled.depends, *traces])
     problems = [problem for path, _ in wanted for problem in check_room(path)]
     if problems:
         print_diagnostics(problems, colour)
@@ -102,7 +104,10 @@ def command(
     from aseme_dsl.build.bench import Different, bench
     from aseme_dsl.build.recorded import NotPlayable
 
-    path = [compiled.configuration.folder, Path(file).parent]
+    path = [
+        compiled.configuration.folder,
+        Path(compiled.root if isinstance(compiled.root, Path) else ".").parent,
+    ]
     with TemporaryDirectory(prefix="asemec-bench-") as folder:
         try:
             found = bench(

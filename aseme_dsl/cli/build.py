@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
@@ -11,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from aseme_dsl.cli.progress import progress_of
 from aseme_dsl.cli.report import Report, form_of, print_report, report_options
 from aseme_dsl.cli.shared import (
-    FILES_HELP,
-    FilePath,
+    TARGETS_HELP,
     activities_option,
     backend_option,
     check_backends,
@@ -26,6 +25,7 @@ from aseme_dsl.cli.shared import (
     print_diagnostics,
     standard_input,
     summary,
+    targets_argument,
     watch_option,
     written_json,
     written_summary,
@@ -44,12 +44,12 @@ if TYPE_CHECKING:
 @click.command(
     short_help="Write models, diagrams, messages and code.",
     help="Write every model (JSON), diagram (SVG), the messages (.proto) and the code of a system into a"
-    f" folder; nothing is written if there is an error. {FILES_HELP} Several systems get a folder each."
+    f" folder; nothing is written if there is an error. {TARGETS_HELP} Several systems get a folder each."
     " Files that asemec did not write, or that were edited, are never overwritten without --force;"
     " activities, which you fill in, not even with it.",
     epilog="Example: asemec build team.aseme -o out   ·   asemec build team.aseme -o out --only diagrams",
 )
-@click.argument("files", nargs=-1, metavar="[FILE]...", type=FilePath())
+@targets_argument
 @folder_option("-o", "--output", text="Where to write.  [default: the project's, else out]")
 @click.option(
     "--only",
@@ -78,7 +78,7 @@ if TYPE_CHECKING:
 @report_options("--report")
 @colour_option
 def command(
-    files: tuple[str, ...],
+    targets: tuple[str, ...],
     output: Path | None,
     only: tuple[str, ...],
     backends: tuple[str, ...],
@@ -102,7 +102,7 @@ def command(
     check_backends(item.rpartition("=")[2] for item in backends)
     do = partial(
         _built,
-        files,
+        targets,
         output,
         {
             "only": only,
@@ -117,8 +117,8 @@ def command(
     if watch:
         from aseme_dsl.cli import watching
 
-        watching.refuse_to_watch(files, form, report)
-        return watching.watch(partial(_once, do), files, activities, templates, colour)
+        watching.refuse_to_watch(targets, form, report)
+        return watching.watch(partial(_once, do), targets, activities, templates, colour)
     inputs, compiled, built, found = do(None)
     told = Report(
         "build",
@@ -145,16 +145,19 @@ _Done = tuple["Inputs", list["Compiled"], list["Built"], list[Diagnostic]]
 
 
 def _built(
-    files: tuple[str, ...], output: Path | None, chosen: dict[str, Any], workshop: Workshop | None
+    targets: tuple[str, ...], output: Path | None, chosen: dict[str, Any], workshop: Workshop | None
 ) -> _Done:
     """Compile and build once; with an error in any of the systems, none is built."""
     from aseme_dsl.build.build import build, choose
     from aseme_dsl.build.configuration import OUTPUT
     from aseme_dsl.build.project import compile_root, inputs_of, path_of
 
-    inputs = inputs_of(files, standard_input)
+    inputs = inputs_of(targets, standard_input)
     compiled = [
-        compile_root(root, activities=chosen["activities"], workshop=workshop) for root in inputs.roots
+        compile_root(
+            root, activities=chosen["activities"], output=output or inputs.output_of(root), workshop=workshop
+        )
+        for root in inputs.roots
     ]
     found = [*inputs.diagnostics, *(problem for item in compiled for problem in item.diagnostics)]
     built: list[Built] = []
@@ -170,15 +173,13 @@ def _built(
             )
             if choice.native:
                 _check_native(choice)
-                if sys.stderr.isatty():
-                    click.echo(
-                        f"{item.system.name}: compiling to machine code, which takes a while", err=True
-                    )
             alone = output or item.configuration.output or Path(OUTPUT)
             among = alone / item.system.name
-            folder, other = (among, alone) if len(compiled) > 1 else (alone, among)
+            several = len(compiled) > 1 and (output is not None or inputs.output_of(item.root) is None)
+            folder, other = (among, alone) if several else (alone, among)
             earlier = None if workshop is None else workshop.about(path_of(item.root)).begin(item.layout)
-            done = build(item.system, folder, choice, earlier=earlier)
+            with progress_of(item.system.name) as told:
+                done = build(item.system, folder, choice, earlier=earlier, told=told)
             built.append(replace(done, notes=(*done.notes, *_left_behind(item.system.name, folder, other))))
             found += built[-1].diagnostics
     return inputs, compiled, built, found

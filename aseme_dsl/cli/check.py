@@ -11,14 +11,14 @@ import click
 
 from aseme_dsl.cli.report import Report, form_of, print_report, report_options
 from aseme_dsl.cli.shared import (
-    FILES_HELP,
-    FilePath,
+    TARGETS_HELP,
     colour_option,
     diagnostics_json,
     plural,
     print_diagnostics,
     standard_input,
     summary,
+    targets_argument,
     watch_option,
 )
 from aseme_dsl.compiler.holes import HOLE
@@ -35,11 +35,10 @@ _INSTALL_Z3 = 'pip install "aseme-dsl[check]"'
 
 @click.command(
     short_help="Say what is wrong with files.",
-    help=f"Say everything that is wrong with files, and what is not said yet. {FILES_HELP}"
-    " Without FILE: what the project's pyproject.toml names, or every file below here.",
+    help=f"Say everything that is wrong with files, and what is not said yet. {TARGETS_HELP}",
     epilog="Example: asemec check team.aseme   ·   asemec check --strict --format sarif -o report.sarif",
 )
-@click.argument("files", nargs=-1, metavar="[FILE]...", type=FilePath())
+@targets_argument
 @click.option("--strict", is_flag=True, help="Let warnings and holes count as errors for the exit code.")
 @click.option("--fix", "mend", is_flag=True, help="Mend what has one right answer, in the files.")
 @click.option("--diff", is_flag=True, help="With --fix: change nothing, show what would change.")
@@ -47,7 +46,7 @@ _INSTALL_Z3 = 'pip install "aseme-dsl[check]"'
 @report_options("-o", "--output")
 @colour_option
 def command(
-    files: tuple[str, ...],
+    targets: tuple[str, ...],
     strict: bool,
     mend: bool,
     diff: bool,
@@ -65,16 +64,16 @@ def command(
         raise click.UsageError("--diff shows what --fix would change: give both.")
     if diff and (form != "text" or report is not None):
         raise click.UsageError("--diff prints a difference, which is no report: leave --format and -o away.")
-    if mend and "-" in files:
+    if mend and "-" in targets:
         raise click.UsageError("--fix changes files, and standard input is none.")
     if watch:
         from aseme_dsl.cli import watching
 
-        watching.refuse_to_watch(files, form, report)
+        watching.refuse_to_watch(targets, form, report)
         if mend:
             raise click.UsageError("--watch only looks, and --fix changes files: give one of them.")
-        return watching.watch(partial(_once, files), files, None, None, colour)
-    inputs = inputs_of(files, standard_input)
+        return watching.watch(partial(_once, targets), targets, None, None, colour)
+    inputs = inputs_of(targets, standard_input)
     if not mend:
         checked = check(inputs)
         failed = _report(checked, None, form, report, colour, strict)
@@ -94,11 +93,11 @@ def command(
     return int(failed or _is_bad(fixed.checked, strict))
 
 
-def _once(files: tuple[str, ...], workshop: Workshop) -> Done:
+def _once(targets: tuple[str, ...], workshop: Workshop) -> Done:
     from aseme_dsl.build.project import check, inputs_of
     from aseme_dsl.cli.watching import Done
 
-    checked = check(inputs_of(files, standard_input), workshop=workshop)
+    checked = check(inputs_of(targets, standard_input), workshop=workshop)
     return Done(checked.diagnostics, checked.compiled, summary(checked.diagnostics, len(checked.files)))
 
 

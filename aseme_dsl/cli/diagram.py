@@ -8,7 +8,9 @@ from pathlib import Path
 
 import click
 
+from aseme_dsl.cli.progress import Progress
 from aseme_dsl.cli.shared import (
+    TARGET_HELP,
     FilePath,
     check_outputs,
     colour_option,
@@ -27,12 +29,12 @@ OTHER_PICTURES = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp
 
 @click.command(
     short_help="Draw the models of a system.",
-    help="Draw the models of the system of TARGET, a file or a folder (without it: the project here): all"
-    " of them, or those that are named, such as sag, iac.player,"
-    " eac or 'srm.*'. A statechart is drawn twice, as states inside states and as a tree (iac.player.tree).",
+    help="Draw the models of a system: all of them, or those that are named, such as sag, iac.player, eac or"
+    " 'srm.*'. A statechart is drawn twice, as states inside states and as a tree (iac.player.tree)."
+    f" {TARGET_HELP}",
     epilog="Example: asemec diagram team.aseme iac.player --at 0.2.5 --depth 2 -o player.svg",
 )
-@target_argument()
+@target_argument
 @click.argument("models", nargs=-1, metavar="[MODEL]...")
 @click.option(
     "-o",
@@ -110,10 +112,15 @@ def command(
             raise click.UsageError(f"{output} takes one drawing, and these are {len(chosen)}: {names}.")
         if to_file and output != "-" and not force:
             check_outputs([(Path(output), "drawing")], [target, *compiled.depends])
+        progress = Progress()
         try:
-            drawn = draw_all(chosen, format_, _show_progress)
+            drawn = draw_all(
+                chosen,
+                format_,
+                lambda number, of, name: progress.say(f"drawing {number} of {of}: {name}"),
+            )
         finally:
-            _show_line("")
+            progress.end()
     except (NoSuchDrawing, NoSuchState) as problem:
         raise click.UsageError(f"{problem}.") from problem
     except DrawingFailed as problem:
@@ -128,13 +135,3 @@ def command(
     else:
         written = into_folder(compiled.system, Path(output), drawn, force=force)
     return print_written(written, drawn.notes, as_json, colour)
-
-
-def _show_progress(number: int, of: int, name: str) -> None:
-    _show_line(f"drawing {number} of {of}: {name}")
-
-
-def _show_line(text: str) -> None:
-    """A line of progress in place of the one before; only on a terminal."""
-    if sys.stderr.isatty():
-        click.echo(f"\r\x1b[K{text}", nl=False, err=True)

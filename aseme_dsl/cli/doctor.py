@@ -8,27 +8,38 @@ from pathlib import Path
 
 import click
 
-from aseme_dsl.cli.shared import colour_option, json_option, print_json, wants_colour
+from aseme_dsl.cli.shared import (
+    TARGET_HELP,
+    colour_option,
+    json_option,
+    print_json,
+    refuse,
+    target_argument,
+    wants_colour,
+)
 
 
 @click.command(
     short_help="Say which extras and tools are there, and what a run opens.",
     help="Say which libraries and tools are there, what each is for, and how to install what is missing;"
-    " and which sockets a run of the current folder's project opens."
+    f" and which sockets a run of a project opens. {TARGET_HELP}"
     " The exit code is 1 if something is missing that asemec cannot do without.",
     epilog="Example: asemec doctor",
 )
+@target_argument
 @json_option
 @colour_option
-def command(as_json: bool, colour: str) -> int:
+def command(target: str, as_json: bool, colour: str) -> int:
     """Print a line a tool, and what a run opens; 1 if a needed one is missing."""
     from aseme_dsl import __version__
-    from aseme_dsl.build.configuration import find_configuration
     from aseme_dsl.build.openings import openings
+    from aseme_dsl.build.target import configuration_of
     from aseme_dsl.build.tools import tools
 
+    configuration, problems = configuration_of(Path(target))
+    if problems:
+        return refuse(problems, as_json, colour)
     found = tools()
-    configuration, _ = find_configuration(Path())  # its mistakes are for `check` to report
     opened = list(openings(configuration))
     broken = any(tool.needed and tool.found is None for tool in found)
     if as_json:
@@ -52,7 +63,7 @@ def command(as_json: bool, colour: str) -> int:
             mark, said = click.style("absent ", fg="yellow"), tool.advice
         line = f"  {mark}  {tool.name:<{width}}  {tool.purpose}\n           {'':<{width}}  {said}"
         click.echo(line, color=painted)
-    click.echo("what a run in this folder opens, by platform")
+    click.echo("what a run opens, by platform")
     width = max(len(opening.platform) for opening in opened)
     for opening in opened:
         click.echo(f"  {opening.platform:<{width}}  {opening.opens}\n  {'':<{width}}  {opening.reach}")

@@ -7,8 +7,7 @@ import sys
 import click
 
 from aseme_dsl.cli.shared import (
-    FILES_HELP,
-    FilePath,
+    TARGETS_HELP,
     colour_option,
     diagnostics_json,
     json_option,
@@ -16,6 +15,7 @@ from aseme_dsl.cli.shared import (
     print_diagnostics,
     print_json,
     standard_input,
+    targets_argument,
     wants_colour,
 )
 
@@ -25,24 +25,24 @@ _COLOURS = {"+": "green", "-": "red", "@": "cyan"}
 @click.command(
     short_help="Lay files out in the one canonical way.",
     help="Lay files out in the one canonical way: the same words in the same order, with all comments. What"
-    f" they mean does not change. {FILES_HELP} Without FILE: every file of the project. The text of standard"
-    " input goes, laid out, to standard output. A file with syntax errors stays as it is.",
+    f" they mean does not change. {TARGETS_HELP} Of a project, every file is laid out. The text of"
+    " standard input goes, laid out, to standard output. A file with syntax errors stays as it is.",
     epilog="Example: asemec fmt   ·   asemec fmt --check --diff examples/",
 )
-@click.argument("files", nargs=-1, metavar="[FILE]...", type=FilePath())
+@targets_argument
 @click.option(
     "--check", is_flag=True, help="Change nothing; list what would change; exit code 1 if any would."
 )
 @click.option("--diff", is_flag=True, help="Change nothing; print what would change.")
 @json_option
 @colour_option
-def command(files: tuple[str, ...], check: bool, diff: bool, as_json: bool, colour: str) -> int:
+def command(targets: tuple[str, ...], check: bool, diff: bool, as_json: bool, colour: str) -> int:
     """Lay out each file; 1 if one has errors or cannot be written, or with --check if one would change."""
     from aseme_dsl.build.format import files_to_format, format_file
     from aseme_dsl.build.inputs import STANDARD_INPUT
     from aseme_dsl.diagnostics import has_errors
 
-    inputs = files_to_format(files, standard_input)
+    inputs = files_to_format(targets, standard_input)
     look_only = check or diff
     done = [format_file(file, write=not look_only) for file in (*inputs.roots, *inputs.others)]
     found = [*inputs.diagnostics, *(problem for one in done for problem in one.diagnostics)]
@@ -63,7 +63,7 @@ def command(files: tuple[str, ...], check: bool, diff: bool, as_json: bool, colo
             click.echo(_shown(one.difference, coloured), nl=False, color=coloured)
         if one.changed and not filtered and (check or not diff):
             click.echo(f"{one.path}: {'would be ' if check else ''}laid out", err=diff)
-    if not filtered:
+    if done and not filtered:
         laid_out = [one.changed for one in done if not one.diagnostics]
         click.echo(_summary(laid_out, len(done) - len(laid_out), look_only), err=diff)
     return code

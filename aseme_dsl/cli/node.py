@@ -22,7 +22,6 @@ from aseme_dsl.cli.playing import (
     ending_left_processes,
     input_option,
     platform_option,
-    refuse,
     seed_option,
     state_option,
     telling_options,
@@ -30,6 +29,7 @@ from aseme_dsl.cli.playing import (
 )
 from aseme_dsl.cli.run_end import end_data, end_lines, exit_code
 from aseme_dsl.cli.shared import (
+    TARGET_HELP,
     FilePath,
     activities_option,
     check_choice,
@@ -38,6 +38,8 @@ from aseme_dsl.cli.shared import (
     folder_option,
     leave_at_once,
     play_backend_option,
+    refuse,
+    target_argument,
     wants_colour,
 )
 from aseme_dsl.diagnostics import has_errors
@@ -55,13 +57,13 @@ GRACE = 2.0
 @click.command(
     short_help="Play one robot of a team in this process.",
     help="Play ROBOT, one of the team that TARGET declares, in real time, and talk with the others, which are"
-    " processes of their own. TARGET is a file, a project's folder, or the output folder of a build; without"
-    " it, the project around the working directory. How the robots reach each other stands in"
-    " [tool.asemec.deploy] of the pyproject.toml; without it, only this machine is asked.",
+    f" processes of their own. {TARGET_HELP} Nothing is built if it is an output folder with agents. How the"
+    " robots reach each other stands in [tool.asemec.deploy] of the pyproject.toml; without it, only this"
+    " machine is asked.",
     epilog="Example: asemec node robot1 team.aseme   ·   asemec node robot1 --from out",
 )
 @click.argument("robot")
-@click.argument("target", type=FilePath(), default=".")
+@target_argument
 @folder_option("--from", "source", text="The output folder of a build; nothing is built.")
 @folder_option("-o", "--output", text="Where to build.  [default: the project's, else out]")
 @click.option("--system", metavar="NAME", help="Which of the systems in the output folder.")

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from aseme_dsl.cli.playing import duration_option, refuse
+from aseme_dsl.cli.playing import duration_option
+from aseme_dsl.cli.progress import Progress
 from aseme_dsl.cli.shared import (
+    TARGET_HELP,
     activities_option,
     check_outputs,
     colour_option,
@@ -21,6 +22,7 @@ from aseme_dsl.cli.shared import (
     one_system,
     print_diagnostics,
     print_json,
+    refuse,
     target_argument,
 )
 from aseme_dsl.diagnostics import Diagnostic, has_errors
@@ -48,13 +50,12 @@ def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str
 
 @click.command(
     short_help="Find out how many agents are worth it, and what slows them.",
-    help="Play the team of TARGET in virtual time again and again, with more or fewer agents or other"
-    " settings, and say which are worth it and which activity is the bottleneck. Every variant is played with"
-    " the same seeds. Without TARGET: the project here. The report, its data and its plots"
-    " are left in the output folder.",
+    help="Play a team in virtual time again and again, with more or fewer agents or other settings, and say"
+    " which are worth it and which activity is the bottleneck. Every variant is played with the same seeds."
+    f" The report, its data and its plots are left in the output folder. {TARGET_HELP}",
     epilog="Example: asemec optimise warehouse.aseme --vary carrier=1..8 --measure Deliver --runs 20",
 )
-@target_argument()
+@target_argument
 @click.option(
     "--vary",
     "knobs",
@@ -162,9 +163,10 @@ def command(
     in_the_way = _in_the_way(folder)
     if in_the_way:
         return refuse(in_the_way, as_json, colour)
-    progress = _Progress(quiet or as_json or not sys.stderr.isatty())
+    progress = Progress(quiet or as_json)
+    counted = _Counted(progress)
     try:
-        study = optimise(compiled.system, question, plan, choice, total=progress.total, told=progress.told)
+        study = optimise(compiled.system, question, plan, choice, total=counted.total, told=counted.told)
     except (StudyError, VariationError) as problem:
         if as_json:
             print_json({"result": None, "problem": str(problem), **diagnostics_json(())})
@@ -212,11 +214,11 @@ def _measures(system: System) -> str:
     return "\n  ".join(lines)
 
 
-class _Progress:
-    """How many of the runs are done, on one line that is written over."""
+class _Counted:
+    """How many of the runs are done."""
 
-    def __init__(self, silent: bool) -> None:
-        self._silent = silent
+    def __init__(self, progress: Progress) -> None:
+        self._progress = progress
         self._of = 0
         self._done = 0
 
@@ -225,12 +227,7 @@ class _Progress:
 
     def told(self) -> None:
         self._done += 1
-        if not self._silent:
-            click.echo(f"\r{self._done} of {self._of} runs", nl=False, err=True)
-
-    def end(self) -> None:
-        if self._done and not self._silent:
-            click.echo("\r\x1b[K", nl=False, err=True)
+        self._progress.say(f"{self._done} of {self._of} runs")
 
 
 def _leave(study: Study, folder: Path, as_json: bool, colour: str) -> int:

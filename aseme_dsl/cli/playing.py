@@ -10,25 +10,22 @@ from typing import TYPE_CHECKING
 
 import click
 
+from aseme_dsl.cli.progress import progress_of
 from aseme_dsl.cli.shared import (
     CommandT,
     FilePath,
     check_choice,
-    diagnostics_json,
     folder_option,
     one_system,
     print_diagnostics,
-    print_json,
+    refuse,
     written_summary,
 )
 from aseme_dsl.diagnostics import has_errors
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from aseme_dsl.build.build import Choice, Report
     from aseme_dsl.build.configuration import Configuration
-    from aseme_dsl.diagnostics import Diagnostic
 
 INTERRUPTED = 130
 """The exit code of what was ended by a signal."""
@@ -139,22 +136,15 @@ def build_target(
     check_choice(choice, backends, [chart.name for chart in compiled.system.iacs])
     if choice.agents.usual not in choice.backends:  # what the project builds makes no agents
         choice = replace(choice, backends=(*choice.backends, choice.agents.usual))
-    report = build(compiled.system, output or compiled.configuration.output or Path(OUTPUT), choice)
+    folder = output or compiled.configuration.output or Path(OUTPUT)
+    with progress_of(compiled.system.name) as told:
+        report = build(compiled.system, folder, choice, told=told)
     if has_errors(report.diagnostics):
         return refuse(report.diagnostics, as_json, colour)
     if not as_json:
         print_diagnostics(report.diagnostics, colour)
         click.echo(f"{report.system} -> {report.folder}: {written_summary(report.written)}")
     return report, compiled.configuration, choice
-
-
-def refuse(found: Iterable[Diagnostic], as_json: bool, colour: str) -> int:
-    """Print what is wrong; the exit code."""
-    if as_json:
-        print_json({"result": None, **diagnostics_json(found)})
-    else:
-        print_diagnostics(found, colour)
-    return 1
 
 
 def ending_left_processes() -> AbstractContextManager[None]:

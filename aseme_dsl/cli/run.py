@@ -17,7 +17,6 @@ from aseme_dsl.cli.playing import (
     input_option,
     is_function,
     platform_option,
-    refuse,
     seed_option,
     state_option,
     telling_options,
@@ -25,6 +24,7 @@ from aseme_dsl.cli.playing import (
 )
 from aseme_dsl.cli.run_end import allow_option, end_data, end_lines, exit_code
 from aseme_dsl.cli.shared import (
+    TARGET_HELP,
     activities_option,
     check_choice,
     check_outputs,
@@ -36,6 +36,7 @@ from aseme_dsl.cli.shared import (
     leave_at_once,
     play_backend_option,
     print_json,
+    refuse,
     target_argument,
     wants_colour,
 )
@@ -59,13 +60,12 @@ def _world(context: click.Context, parameter: click.Parameter, value: str | None
 
 @click.command(
     short_help="Build a system and play it.",
-    help="Build a system and play its team, in virtual time unless --real is given. TARGET is a file; or a"
-    " project's folder, which is played as its pyproject.toml says; or the output folder of a build, whose"
-    " plans are played as they are. Without TARGET: the project here. Models, diagrams, Python and a trace"
-    " are left in the output folder.",
+    help=f"Build a system and play its team, in virtual time unless --real is given. {TARGET_HELP} A project"
+    " is played as its pyproject.toml says; the plans in an output folder are played as they are. Models,"
+    " diagrams, Python and a trace are left in the output folder.",
     epilog="Example: asemec run team.aseme --for 30s   ·   asemec run out --plan player --real",
 )
-@target_argument()
+@target_argument
 @folder_option("-o", "--output", text="Where to build.  [default: the project's, else out]")
 @click.option("--plan", metavar="ROLE", help="Play one plan alone: ROLE, or SYSTEM.ROLE.")
 @click.option("--agent", metavar="NAME", help="What the agent of --plan is called.")

@@ -7,8 +7,7 @@ import sys
 import click
 
 from aseme_dsl.cli.shared import (
-    FILES_HELP,
-    FilePath,
+    TARGETS_HELP,
     colour_option,
     diagnostics_json,
     json_option,
@@ -16,28 +15,29 @@ from aseme_dsl.cli.shared import (
     print_diagnostics,
     print_json,
     standard_input,
+    targets_argument,
 )
 
 
 @click.command(
     short_help="Write what is missing into a file.",
     help="Write skeletons of what is still missing (protocols, roles, formulas, control) into a file, and"
-    f" touch nothing else in it; you fill them in. {FILES_HELP} The text of standard input is completed on"
+    f" touch nothing else in it; you fill them in. {TARGETS_HELP} The text of standard input is completed on"
     " standard output. A file with errors stays as it is.",
     epilog="Example: asemec scaffold --diff team.aseme   ·   asemec scaffold team.aseme",
 )
-@click.argument("files", nargs=-1, required=True, metavar="FILE...", type=FilePath())
+@targets_argument
 @click.option("--diff", is_flag=True, help="Change nothing; print what would be added.")
 @json_option
 @colour_option
-def command(files: tuple[str, ...], diff: bool, as_json: bool, colour: str) -> int:
+def command(targets: tuple[str, ...], diff: bool, as_json: bool, colour: str) -> int:
     """Complete each file; 1 if one has errors or cannot be written."""
     from aseme_dsl.build.complete import complete
     from aseme_dsl.build.inputs import STANDARD_INPUT
     from aseme_dsl.build.project import inputs_of
     from aseme_dsl.diagnostics import Severity, has_errors, render_json
 
-    inputs = inputs_of(files, standard_input)
+    inputs = inputs_of(targets, standard_input)
     completed = [complete(root, write=not diff) for root in inputs.roots]
     # What is missing is written now, or was left out of the file on purpose: `check` says it.
     found = [*inputs.diagnostics, *(item for one in completed for item in one.diagnostics)]

@@ -24,6 +24,7 @@ from aseme_dsl.diagnostics import (
 if TYPE_CHECKING:
     from aseme_dsl.build.build import Choice
     from aseme_dsl.build.counting import Count
+    from aseme_dsl.build.inputs import Inputs
     from aseme_dsl.build.outputs import Kind
     from aseme_dsl.build.project import Compiled
     from aseme_dsl.build.write import Written
@@ -115,6 +116,15 @@ def _page(code: str) -> str | None:
     return path.as_uri() if path is not None else None
 
 
+def refuse(found: Iterable[Diagnostic], as_json: bool, colour: str) -> int:
+    """Print what is wrong; the exit code."""
+    if as_json:
+        print_json({"result": None, **diagnostics_json(found)})
+    else:
+        print_diagnostics(found, colour)
+    return 1
+
+
 def print_json(result: dict[str, Any]) -> None:
     """A result for programs: one JSON document, which begins with the version of its format."""
     import json
@@ -151,7 +161,7 @@ def summary(diagnostics: Iterable[Diagnostic], files: int) -> str:
     said = ", ".join(plural(number, noun) for number, noun in counts if number)
     if not said:
         return "1 file is fine" if files == 1 else f"{files} files are fine"
-    return f"{said} in {plural(files, 'file')}"
+    return f"{said} in {plural(files, 'file')}" if files else said
 
 
 def standard_input() -> bytes:
@@ -161,37 +171,50 @@ def standard_input() -> bytes:
     return sys.stdin.buffer.read(LARGEST + 1)
 
 
-FILES_HELP = (
-    "FILE is a file, a folder (all .aseme files in it), a pattern in quotes, or - for standard input."
+TARGET_HELP = (
+    "TARGET is a file, a project's folder or the output folder of a build. Without TARGET: the project here."
+)
+TARGETS_HELP = (
+    "TARGET is a file, a project's folder, another folder (all .aseme files in it), the output folder of a"
+    " build, a pattern in quotes, or - for standard input. Without TARGET: the project here."
 )
 
 
-def one_system(file: str) -> Compiled:
-    """The one system that FILE means, compiled; what is more or less than one is wrong use."""
+def one_system(target: str) -> Compiled:
+    """The one system that a target means, compiled; what is more or less than one is wrong use."""
     from aseme_dsl.build.configuration import Configuration
     from aseme_dsl.build.project import Compiled, compile_root, inputs_of
 
-    inputs = inputs_of([file], standard_input, as_project=True)
+    inputs = inputs_of([target], standard_input)
     if inputs.diagnostics:
-        return Compiled(Path(file), Configuration(Path()), None, inputs.diagnostics)
+        return Compiled(Path(target), Configuration(Path()), None, inputs.diagnostics)
     if len(inputs.roots) != 1:
-        names = ", ".join(str(getattr(root, "path", root)) for root in inputs.roots)
-        raise click.UsageError(f"{file} means {len(inputs.roots)} systems ({names}): name one of them.")
-    return compile_root(inputs.roots[0])
+        raise click.UsageError(_not_one(target, inputs))
+    return compile_root(inputs.roots[0], output=inputs.output_of(inputs.roots[0]))
 
 
-def one_root(target: str) -> Path:
-    """The one file that declares the system that a folder means; what is more or less is wrong use."""
+def one_file(target: str) -> Path | tuple[Diagnostic, ...]:
+    """The one file that declares the system that a target means, or what is wrong with that; more or less
+    than one is wrong use."""
     from aseme_dsl.build.project import inputs_of
+    from aseme_dsl.compiler.load import read_source
 
-    inputs = inputs_of([target], standard_input, as_project=True)
+    if target == "-":
+        raise click.UsageError("Standard input is not a file that can be looked at again.")
+    inputs = inputs_of([target], standard_input)
     if inputs.diagnostics:
-        raise click.UsageError(f"{inputs.diagnostics[0].message}.")
-    roots = [item for item in inputs.roots if isinstance(item, Path)]
-    if len(roots) != 1:
-        names = ", ".join(map(str, roots))
-        raise click.UsageError(f"{target} means {len(roots)} systems ({names}): name one of them.")
-    return roots[0]
+        return inputs.diagnostics
+    if len(inputs.roots) != 1:
+        raise click.UsageError(_not_one(target, inputs))
+    (root,) = inputs.roots
+    assert isinstance(root, Path)
+    source = read_source(root)
+    return (source,) if isinstance(source, Diagnostic) else root
+
+
+def _not_one(target: str, inputs: Inputs) -> str:
+    names = ", ".join(str(getattr(root, "path", root)) for root in inputs.roots) or "no `system` declaration"
+    return f"{target} means {len(inputs.roots)} systems ({names}): name one of them."
 
 
 def check_outputs(outputs: Iterable[tuple[Path, Kind]], inputs: Iterable[Path | str] = ()) -> None:
@@ -241,15 +264,20 @@ def written_summary(written: Written) -> str:
     return f"files: {', '.join(said)}" if said else "no files"
 
 
-def target_argument() -> Callable[[CommandT], CommandT]:
+def target_argument(command: CommandT) -> CommandT:
     """`TARGET`: what the command works on (see `build/target.py`); without it, the project here."""
+    return click.argument("target", required=False, type=FilePath(), default=_project_here)(command)
 
-    def default() -> str:
-        from aseme_dsl.build.target import project_here
 
-        return project_here()
+def targets_argument(command: CommandT) -> CommandT:
+    """`[TARGET]...`: the same of what works on several; empty without one."""
+    return click.argument("targets", nargs=-1, metavar="[TARGET]...", type=FilePath())(command)
 
-    return click.argument("target", required=False, type=FilePath(), default=default)
+
+def _project_here() -> str:
+    from aseme_dsl.build.target import project_here
+
+    return project_here()
 
 
 def folder_option(*names: str, text: str) -> Callable[[CommandT], CommandT]:

@@ -14,7 +14,17 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from aseme_dsl.cli.shared import FilePath, check_outputs, json_option, moment_of, plural, print_json
+from aseme_dsl.cli.shared import (
+    FilePath,
+    check_outputs,
+    colour_option,
+    json_option,
+    moment_of,
+    plural,
+    print_diagnostics,
+    print_json,
+    targets_argument,
+)
 
 if TYPE_CHECKING:
     from aseme_dsl.build.sniff import Wanted
@@ -35,7 +45,7 @@ _SUFFIX_OF = {"svg": ".svg", "mermaid": ".mmd", "text": ".txt"}
     " What they leave out is counted.",
     epilog="Example: asemec sniff out --protocol contract_net -o talk.svg   ·   asemec sniff out --follow",
 )
-@click.argument("traces", nargs=-1, metavar="[TARGET]...", type=FilePath(path_type=Path))
+@targets_argument
 @click.option("-f", "--follow", is_flag=True, help="Show them as they come, until the run ends.")
 @click.option(
     "--conversation",
@@ -63,8 +73,9 @@ _SUFFIX_OF = {"svg": ".svg", "mermaid": ".mmd", "text": ".txt"}
 )
 @click.option("--each", is_flag=True, help="A picture for each conversation: FILE-CONVERSATION.")
 @json_option
+@colour_option
 def command(
-    traces: tuple[Path, ...],
+    targets: tuple[str, ...],
     follow: bool,
     conversations: tuple[str, ...],
     protocols: tuple[str, ...],
@@ -75,10 +86,11 @@ def command(
     output: Path | None,
     each: bool,
     as_json: bool,
+    colour: str,
 ) -> int:
     """Show or write; 1 if a trace cannot be read or is not whole."""
     from aseme_dsl.build.sniff import Wanted
-    from aseme_dsl.build.target import project_here, traces_of
+    from aseme_dsl.build.target import all_traces_of
     from aseme_dsl.runtime.trace_files import TraceError
 
     format_ = _format(format_, output)
@@ -87,8 +99,10 @@ def command(
     if follow and (output is not None or format_ != "text"):
         raise click.UsageError("--follow shows text as it comes: leave --format and -o out.")
     wanted = Wanted(conversations, protocols, agents, since, until)
-    targets = traces or (Path(project_here()),)
-    paths = [found for path in targets for found in traces_of(path, following=follow)]
+    paths, problems = all_traces_of(targets, following=follow)
+    if problems:
+        print_diagnostics(problems, colour)
+        return 1
     try:
         if follow:
             return _follow(paths, wanted, as_json)
@@ -124,7 +138,7 @@ def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool) -> int:
         while not all(item.finished for item in followers):
             for number, item in enumerate(followers):
                 if item.path.is_dir():  # whoever begins before the first run cannot know it
-                    item = followers[number] = TraceFollower(*traces_of(item.path, following=True))
+                    item = followers[number] = TraceFollower(*traces_of(item.path, following=True)[0])
                 for record in item.poll():
                     if record["kind"] == "header":
                         began[item.path] = _start(record)

@@ -8,7 +8,7 @@ import click
 
 from aseme_dsl.cli.reaching import key_option, reached
 from aseme_dsl.cli.shared import (
-    FilePath,
+    TARGET_HELP,
     colour_option,
     diagnostics_json,
     folder_option,
@@ -16,7 +16,7 @@ from aseme_dsl.cli.shared import (
     one_system,
     print_diagnostics,
     print_json,
-    running_option,
+    target_argument,
 )
 from aseme_dsl.diagnostics import has_errors
 
@@ -32,13 +32,16 @@ def _seconds(context: click.Context, parameter: click.Parameter, value: str) -> 
 
 @click.command(
     short_help="Change a running team to another version of its model.",
-    help="Compile FILE, and have the agents that run in real time from the output folder go on under it: each"
-    " in the states in which it is, with what it knows. It is done between two steps, for all agents or for"
-    " none; it is refused, with the reason, where an agent is in a state that FILE does not have.",
+    help="Compile TARGET, and have the agents that run in real time from the output folder go on under it:"
+    " each in the states in which it is, with what it knows. It is done between two steps, for all agents or"
+    " for none; it is refused, with the reason, where an agent is in a state that TARGET does not have."
+    f" {TARGET_HELP}",
     epilog="Example: asemec swap team.aseme   ·   asemec swap half_time.aseme -o out --within 5s",
 )
-@click.argument("file", type=FilePath())
-@running_option
+@target_argument
+@folder_option(
+    "-o", "--output", text="The output folder that it runs from.  [default: the project's, else out]"
+)
 @key_option
 @click.option(
     "--within",
@@ -46,15 +49,15 @@ def _seconds(context: click.Context, parameter: click.Parameter, value: str) -> 
     default="10s",
     show_default=True,
     callback=_seconds,
-    help="How long to wait for conversations that FILE plays differently to end.",
+    help="How long to wait for conversations that TARGET plays differently to end.",
 )
 @click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only this agent. May be repeated.")
 @folder_option("--activities", text="Where the new version's activities are.  [default: as those that run]")
 @json_option
 @colour_option
 def command(
-    file: str,
-    output: Path,
+    target: str,
+    output: Path | None,
     key: Path | None,
     within: float,
     agents: tuple[str, ...],
@@ -64,10 +67,11 @@ def command(
 ) -> int:
     """Change it; 1 if the file has errors or the change is refused."""
     from aseme_dsl.build.build import activities_folder, choose
+    from aseme_dsl.build.configuration import OUTPUT
     from aseme_dsl.build.operate import OperateError, PartlyDone, activities_of, nodes, swap, write_version
     from aseme_dsl.diagnostics import Severity
 
-    compiled = one_system(file)
+    compiled = one_system(target)
     found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
     if not as_json:
         print_diagnostics(found, colour)
@@ -75,6 +79,7 @@ def command(
         if as_json:
             print_json({"ok": False, "reasons": ["the file has errors"], **diagnostics_json(found)})
         return 1
+    output = output or compiled.configuration.output or Path(OUTPUT)
     try:
         with reached(key, output, compiled.system.name) as robots:
             there = nodes(output, robots)  # before anything is written

@@ -9,6 +9,7 @@ from typing import IO, TYPE_CHECKING, Any
 
 import click
 
+from aseme_dsl.cli.progress import shows_progress
 from aseme_dsl.cli.shared import plural
 from aseme_dsl.runtime.acl import NOT_UNDERSTOOD
 
@@ -73,7 +74,7 @@ class Telling:
 
     def tick(self, moment: int) -> None:
         """It is `moment`: shown at the bottom of a terminal, if enough has passed since the last time."""
-        if not self._progress or not self._stream.isatty():
+        if not self._progress or not shows_progress(self._stream):
             return
         now = time.monotonic()
         if now - self._shown_at >= _STATUS_SECONDS:

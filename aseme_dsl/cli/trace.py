@@ -9,7 +9,18 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from aseme_dsl.cli.shared import FilePath, check_outputs, json_option, moment_of, plural, print_json
+from aseme_dsl.cli.shared import (
+    FilePath,
+    check_outputs,
+    colour_option,
+    json_option,
+    moment_of,
+    plural,
+    print_diagnostics,
+    print_json,
+    targets_argument,
+)
+from aseme_dsl.diagnostics import has_errors
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -51,7 +62,7 @@ def _known_kinds(
     " together: a line is taken that all let through; of several of one kind, any.",
     epilog="Example: asemec trace out/trace.jsonl --lines --agent robot1 --from 12.5s --to 14s",
 )
-@click.argument("files", nargs=-1, metavar="[TARGET]...", type=FilePath(path_type=Path))
+@targets_argument
 @click.option("--lines", is_flag=True, help="List the lines rather than sum them up.")
 @click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only what is about this agent.")
 @click.option(
@@ -87,8 +98,9 @@ def _known_kinds(
     help="Write the lines into this file: MCAP if it is called .mcap, else JSON lines.",
 )
 @json_option
+@colour_option
 def command(
-    files: tuple[Path, ...],
+    targets: tuple[str, ...],
     lines: bool,
     agents: tuple[str, ...],
     kinds: tuple[str, ...],
@@ -98,15 +110,15 @@ def command(
     until: int | None,
     output: Path | None,
     as_json: bool,
+    colour: str,
 ) -> int:
     """Sum up, list or convert; 1 if a file cannot be read or written, or is not whole."""
-    from aseme_dsl.build.target import project_here, traces_of
+    from aseme_dsl.build.target import all_traces_of
     from aseme_dsl.build.traces import Filter
     from aseme_dsl.runtime.trace_files import TraceError
     from aseme_dsl.runtime.trace_reading import TraceReader
 
-    targets = files or (Path(project_here()),)
-    files = tuple(trace for target in targets for trace in traces_of(target))
+    files, problems = all_traces_of(targets)
     if output is not None and len(files) > 1:
         raise click.UsageError("-o writes one trace: name one.")
     if output is not None and lines:
@@ -115,7 +127,8 @@ def command(
         check_outputs([(output, "trace")], files)
     wanted = Filter(agents, kinds, channels, states, since, until)
     sums: list[dict[str, Any]] = []
-    code = 0
+    print_diagnostics(problems, colour)
+    code = int(has_errors(problems))
     for number, path in enumerate(files):
         try:
             reader = TraceReader(path)

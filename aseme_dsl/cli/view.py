@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from aseme_dsl.cli.shared import one_root, target_argument
+from aseme_dsl.cli.shared import TARGET_HELP, colour_option, one_file, print_diagnostics, target_argument
 
 if TYPE_CHECKING:
     from aseme_dsl.editor.diagram import Diagrams, LiveDrawing
@@ -21,25 +21,29 @@ if TYPE_CHECKING:
 
 @click.command(
     short_help="Show the models of a system in a browser, live.",
-    help="Show the models of the system of TARGET, a file or a folder (without it: the project here), on a"
-    " page in a browser of this machine, and again whenever a file changes. A click on a state or transition"
-    " shows its place in the text, a double click on a state what is in it. Ctrl-C ends it.",
+    help="Show the models of a system on a page in a browser of this machine, and again whenever a file"
+    " changes. A click on a state or transition shows its place in the text, a double click on a state what"
+    f" is in it. Ctrl-C ends it. {TARGET_HELP}",
     epilog="Example: asemec view team.aseme   ·   asemec view team.aseme iac.player --open",
 )
-@target_argument()
+@target_argument
 @click.argument("model", required=False)
 @click.option(
     "--port", type=click.IntRange(0, 65535), default=0, help="The port.  [default: any that is free]"
 )
 @click.option("--open", "opens", is_flag=True, help="Open the page in the browser.")
-def command(target: str, model: str | None, port: int, opens: bool) -> int:
-    """Serve until somebody ends it."""
+@colour_option
+def command(target: str, model: str | None, port: int, opens: bool, colour: str) -> int:
+    """Serve until somebody ends it; 1 if there is nothing to show."""
     from aseme_dsl.cli.lsp import project
     from aseme_dsl.editor.diagram import Diagrams
     from aseme_dsl.editor.viewer import Viewer
     from aseme_dsl.editor.workspace import Workspace
 
-    file = Path(target) if Path(target).is_file() else one_root(target)
+    file = one_file(target)
+    if not isinstance(file, Path):
+        print_diagnostics(file, colour)
+        return 1
     said: queue.SimpleQueue[Mapping[str, Any]] = queue.SimpleQueue()
     try:
         viewer = Viewer(said.put, port)

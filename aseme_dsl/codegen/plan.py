@@ -333,7 +333,10 @@ def plan_sections(system: System, chart: Statechart, versions: Mapping[str, str]
         ),
         (
             "functions",
-            [repr((key, functions[key].target, str(functions[key].result))) for key in sorted(functions)],
+            [
+                repr((key, found.target, str(found.result), place(found.span)))
+                for key, found in sorted(functions.items())
+            ],
         ),
         ("branches", _branches(system, chart, flat, versions)),
         ("settings", [repr(item) for item in _settings(system, chart)]),

@@ -27,6 +27,9 @@ LANGUAGE = 1
 """The version of the language that this compiler knows."""
 
 
+TARGET_FORMS = "name a .aseme file, a project's folder or an output folder (or, for trace and sniff, a trace)"
+"""What a command works on: the hint where that is named and not there."""
+
 UNREAD = ("E001", "E002", "E003", "E004", "E006", "E007")
 """What leaves a file unread."""
 
@@ -359,7 +362,8 @@ def _content(
             missing = fail("E004", f"there is no file {place.shown}", hint)
             return replace(missing, fix=library)
         code = "E001" if item is None else "E004"
-        return fail(code, f"there is no file {place.shown}", _neighbour(place))
+        forms = TARGET_FORMS if item is None else None
+        return fail(code, f"there is no file {place.shown}", _neighbour(place) or forms)
     except (OSError, ValueError) as problem:  # ValueError: a path with a NUL character
         reason = problem.strerror if isinstance(problem, OSError) and problem.strerror else str(problem)
         return fail("E001", f"{place.shown} cannot be read: {reason}")

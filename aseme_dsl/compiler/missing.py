@@ -42,7 +42,8 @@ def insertions(text: str, missing: Missing) -> list[tuple[int, str]]:
 def _insertion(text: str, missing: Missing) -> tuple[int, str] | None:
     """Where a skeleton goes in the text of its file, and what is written; None if it is there already."""
     lines = missing.skeleton.split("\n")
-    if lines[0].startswith("//") and lines[0] in text:
+    around = text if missing.inside is None else text[missing.inside.start : missing.inside.end]
+    if lines[0].startswith("//") and lines[0] in around:
         return None
     at, piece = _at_end(text, lines) if missing.inside is None else in_block(text, missing.inside, lines)
     return at, piece.replace("\n", "\r\n" if "\r\n" in text else "\n")

@@ -84,24 +84,29 @@ def aip_skeleton(cases: UseCases, case: UseCase) -> str:
     """An `aip` to start from. A participant does what the use case includes and is not others' alone."""
     lines = [f"aip {case.name} {{"]
     for name in cases.parties(case):
-        own = [cases.case(item) for item in case.includes]
-        own = [item for item in own if not item.participants or name in item.participants]
-        terms = [_term(cases, item) for item in own] or [activity_name(case.name)]
-        formulas = [formula_line("process", terms)]
-        formulas += helper_formulas(cases, own, lambda item: _term(cases, item))
-        lines += [
-            f"  participant {name} {{",
-            '    engage  "When does it take part?"',
-            *(f"    {line}" for line in formulas),
-            "  }",
-        ]
+        lines += (f"  {line}" for line in participant_skeleton(cases, case, name))
     lines += ['  outcome "What is reached?"', "}"]
     return "\n".join(lines)
 
 
-def _term(cases: UseCases, case: UseCase) -> str:
-    """A participant plays no other protocol: there it is an activity."""
+def participant_skeleton(cases: UseCases, case: UseCase, name: str) -> list[str]:
+    """The lines of a participant to start from."""
+    own = [cases.case(item) for item in case.includes]
+    own = [item for item in own if not item.participants or name in item.participants]
+    terms = [participant_term(cases, item) for item in own] or [activity_name(case.name)]
+    formulas = [formula_line("process", terms)]
+    formulas += helper_formulas(cases, own, lambda item: participant_term(cases, item))
+    return [
+        f"participant {name} {{",
+        '  engage  "When does it take part?"',
+        *(f"  {line}" for line in formulas),
+        "}",
+    ]
+
+
+def participant_term(cases: UseCases, case: UseCase) -> str:
+    """How a process uses a use case. A participant plays no other protocol: there it is an activity."""
     return activity_name(case.name) if cases.is_protocol(case) else cases.spelling(case)
 
 
-__all__ = ["aip_skeleton", "read_aip", "suc_to_aip"]
+__all__ = ["aip_skeleton", "participant_skeleton", "participant_term", "read_aip", "suc_to_aip"]

@@ -13,6 +13,7 @@ from aseme_dsl.compiler.formulas import named_formulas
 from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.names import declared_twice, unknown
 from aseme_dsl.compiler.srm_to_iac import Role
+from aseme_dsl.compiler.suc_to_aip import participant_skeleton, participant_term
 from aseme_dsl.compiler.usecases import (
     UseCases,
     activity_name,
@@ -142,7 +143,8 @@ def suc_to_srm(
         for case in _cases_of([name], None, cases):
             if case.includes and not _is_realised(case, role, written):
                 found.append(_no_formula(case, role, written))
-                noted |= _included([case], cases)
+                if written.protocol_of(case) is None:  # else its participants do what it includes
+                    noted |= _included([case], cases)
     for case in cases.suc.usecases:
         if cases.is_protocol(case) and written.protocol_of(case) is None:
             noted |= _included([case], cases)  # N701
@@ -152,7 +154,9 @@ def suc_to_srm(
         if left_to_others or specified or folded(case.name) in noted:
             continue
         hint = f"let a formula use `{cases.spelling(case)}`, or say what it `realises`"
-        near = next((near for name in cases.names_of(case) if (near := closest(name, cases.spellings))), None)
+        others = {name for other in cases.suc.usecases if other is not case for name in cases.names_of(other)}
+        free = [name for name in cases.spellings if name not in others]
+        near = next((near for name in cases.names_of(case) if (near := closest(name, free))), None)
         if near is not None:
             meant = cases.spellings[near]
             hint = f"is it `{meant}`? Then call it so, or write `realises {meant}`"
@@ -160,17 +164,32 @@ def suc_to_srm(
         note = Diagnostic("N700", message, case.span, hint=hint)
         doer = next((roles[name] for name in case.participants if name in roles), None)
         inside = doer.written.span if doer is not None else None
-        edits = () if near is not None else _used_in(case, doer, roles, cases)
+        edits = () if near is not None else _used_in(case, doer, roles, written)
         found.append(Missing(note, f"// The use case {case.name}: {hint}.", inside, edits))
     return tuple(found)
 
 
 def _used_in(
-    case: UseCase, doer: Role | None, roles: Mapping[str, Role], cases: UseCases
+    case: UseCase, doer: Role | None, roles: Mapping[str, Role], written: _Written
 ) -> tuple[Edit, ...]:
-    """Insertions that let a formula use the use case: that of a use case which includes it, or the doer's."""
+    """Insertions that let a formula use the use case: that of a use case which includes it, or the doer's.
+
+    A use case that is a protocol has a process of each participant; of those, whoever may do it.
+    """
+    cases = written.cases
     for outer in cases.suc.usecases:
         if case.name in outer.includes:
+            protocol = written.protocol_of(outer)
+            edits = tuple(
+                edit
+                for participant in (protocol.participants if protocol is not None else ())
+                if not case.participants or participant.name.text in case.participants
+                for formula in participant.formulas
+                if formula.name.text == "process"
+                for edit in _joined_to(formula.formula, participant_term(cases, case))
+            )
+            if edits:
+                return edits
             wanted = cases.names_of(outer)
             for role in roles.values():
                 for item in role.written.formulas:
@@ -275,6 +294,12 @@ def _no_formula(case: UseCase, role: Role, written: _Written) -> Missing:
     place = role.written.name.span
     protocol = written.protocol_of(case)
     plays = written.plays(case, role.name)
+    if protocol is not None and _lacks(protocol, role.name, case):
+        lines = participant_skeleton(written.cases, case, role.name)
+        message = f"{role.name} takes part in the use case `{case.name}`, but is no participant of it"
+        hint = "\n".join(["add", *lines])
+        note = Diagnostic("N702", message, place, (Related(protocol.name.span, "the protocol"),), hint=hint)
+        return Missing(note, "\n".join(lines), protocol.span)
     if protocol is not None and plays is not None:
         lines = [f"plays {item}" for item in plays.values()]
         message = f"{role.name} takes part in the use case `{case.name}`, but plays none of {protocol.name}"
@@ -296,6 +321,12 @@ def _no_formula(case: UseCase, role: Role, written: _Written) -> Missing:
         edits = _joined_to(formulas[0].formula, written.cases.spelling(case))
         edits = (*edits, *_lines_after(formulas[-1], lines))
     return Missing(note, skeleton, role.written.span, edits)
+
+
+def _lacks(protocol: tree.Aip, role: str, case: UseCase) -> bool:
+    """Whether a protocol whose participants are called like the roles of its use case has none for a role."""
+    names = {item.name.text for item in protocol.participants}
+    return role in case.participants and role not in names and names.issubset(case.participants)
 
 
 def _lines_after(formula: tree.NamedFormula, lines: Sequence[str]) -> tuple[Edit, ...]:

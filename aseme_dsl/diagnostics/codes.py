@@ -28,6 +28,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E010": ("error", "the project's configuration is wrong"),
     "E015": ("error", "robots on several machines without certificates"),
     "E016": ("error", "a network setting without `hosts`"),
+    "E020": ("error", "the source of an output folder cannot be found"),
     "W001": ("warning", "the file is empty"),
     "W002": ("warning", "a generated file was edited and is left alone"),
     "W003": ("warning", "a diagram cannot be drawn"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 
@@ -55,11 +55,18 @@ Result = Drawn | DrawingFailed
 """What came of a drawing."""
 
 
+def _silently(number: int, of: int) -> None:
+    """No progress is shown."""
+
+
 @contextmanager
-def drawing(drawings: Sequence[Drawing], format: str = "svg") -> Iterator[Callable[[], list[Result]]]:
+def drawing(
+    drawings: Sequence[Drawing], format: str = "svg", done: Callable[[int, int], None] = _silently
+) -> Iterator[Callable[[], list[Result]]]:
     """Draw while something else is done; what is given waits, and says what came of each drawing.
 
-    As many are drawn at a time as there are processors: Graphviz is what takes long.
+    As many are drawn at a time as there are processors: Graphviz is what takes long. While they are
+    waited for, `done` is called with how many are there, and of how many.
     """
     if not drawings:
         yield list
@@ -67,11 +74,17 @@ def drawing(drawings: Sequence[Drawing], format: str = "svg") -> Iterator[Callab
     with ThreadPoolExecutor(min(len(drawings), os.cpu_count() or 1)) as workers:
         waiting = [workers.submit(_result, item, format) for item in drawings]
         try:
-            yield lambda: [item.result() for item in waiting]
+            yield lambda: list(_results(waiting, done))
         except BaseException:  # Ctrl-C, say: nobody wants the others any more
             workers.shutdown(wait=False, cancel_futures=True)
             end_all()
             raise
+
+
+def _results(waiting: Sequence[Future[Result]], done: Callable[[int, int], None]) -> Iterator[Result]:
+    for number, item in enumerate(waiting):
+        done(number, len(waiting))
+        yield item.result()
 
 
 def _result(drawing: Drawing, format: str) -> Result:

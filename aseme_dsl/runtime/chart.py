@@ -423,7 +423,7 @@ class Chart:
         """
         known = self._functions.get(name)
         if known is None:
-            target, result = next((t, r) for n, t, r in self.PLAN.functions if n == name)
+            target, result = next((t, r) for n, t, r, _ in self.PLAN.functions if n == name)
             known = self._functions[name] = (find_function(target), results_of(result))
         value = checked(name, known[0](*arguments), known[1])
         self.effects.append(FunctionResult(name, value))

@@ -36,18 +36,18 @@ def find_function(target: str) -> Callable[..., Any]:
     return function  # type: ignore[no-any-return]
 
 
-def function_errors(plan: str, functions: Iterable[tuple[str, str, str]]) -> list[str]:
-    """Why functions of a plan cannot be called, each `(name, "module:name", result)`."""
+def function_errors(plan: str, functions: Iterable[tuple[str, str, str, str]]) -> list[str]:
+    """Why functions of a plan cannot be called, each `(name, "module:name", result, place)`."""
     errors: list[str] = []
-    for name, target, _ in functions:
+    for name, target, _, at in functions:
         try:
             find_function(target)
         except FunctionError as problem:
-            errors.append(f"{plan}: E541: the function {name}: {problem}")
+            errors.append(f"{plan}: {at}: E541: the function {name}: {problem}")
         except Exception as problem:  # its module raises when it is imported
             module = target.partition(":")[0]
             text = f"module {module} cannot be imported: {type(problem).__name__}: {problem}"
-            errors.append(f"{plan}: E541: the function {name}: {text}")
+            errors.append(f"{plan}: {at}: E541: the function {name}: {text}")
     return errors
 
 

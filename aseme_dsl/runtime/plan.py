@@ -179,8 +179,8 @@ class Plan:
     regions: tuple[Region, ...] = ()
     activities: tuple[ActivityInfo, ...] = ()
     channels: tuple[ChannelInfo, ...] = ()
-    functions: tuple[tuple[str, str, str], ...] = ()
-    """Functions as (name in call terms, "module:name", result type)."""
+    functions: tuple[tuple[str, str, str, str], ...] = ()
+    """Functions as (name in call terms, "module:name", result type, place of the declaration)."""
     branches: tuple[BranchInfo, ...] = ()
     modules: tuple[ModuleInfo, ...] = ()
     settings: tuple[tuple[str, str, Any], ...] = ()

@@ -126,5 +126,103 @@ def test_a_run_that_lacks_a_function_does_not_begin(
     (tmp_path / "places.py").write_text("def __getattr__(name):\n    raise AttributeError(name)\n")
     assert main(["run", str(tmp_path / "team.aseme"), "--for", "3s", "--output", str(tmp_path / "out")]) != 0
     said = "".join(capsys.readouterr())
-    assert "E541: the function near(int): no function near in module places" in said
+    assert "team.aseme:2:10: E541: the function near(int): no function near in module places" in said
     assert "Look" not in said
+
+
+# ---- what the configuration names ----------------------------------------------------------------
+
+
+def of_run(folder: Path, written: str) -> list[tuple[str, str, str]]:
+    """Code, place and message of what a `[tool.asemec.run]` gets wrong."""
+    (folder / "team.aseme").write_text(
+        "system Team\nsrm r { liveness { r = A }  activities { A takes 1s } }\n"
+    )
+    (folder / "pyproject.toml").write_text(
+        f'[tool.asemec]\nfiles = ["team.aseme"]\n\n[tool.asemec.run]\n{written}\n'
+    )
+    found = compile_root(folder / "team.aseme").diagnostics
+    return [(item.code, str(item.span).rpartition("/")[2], item.message) for item in found]
+
+
+NOT_GIVEN = "the Python function `{}` takes `{}`, which a world is not given"
+GAME = """
+from functools import partial
+def world(seed, size=3): ...
+def any_world(**named): ...
+def no_seed(number): ...
+def needs_more(seed, size): ...
+def by_name(*, seed): ...
+def progress(world): ...
+def progress_of_all(world, doing): ...
+def nothing(): ...
+def three(a, b, c): ...
+bound = partial(world, size=4)
+LIMIT = 3
+"""
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        'world = "game:world"',
+        'world = "game:any_world"',
+        'world = "game:by_name"',
+        'world = "game:bound"',
+        'progress = "game:progress"',
+        'progress = "game:progress_of_all"',
+        'summary = "game:progress"',
+        'world = "aseme_dsl.field:no_such_thing_known_without_import"',
+    ],
+)
+def test_what_the_configuration_names_is_there(tmp_path: Path, written: str) -> None:
+    (tmp_path / "game.py").write_text(GAME)
+    if "no_such" in written:
+        assert [code for code, *_ in of_run(tmp_path, written)] == ["E541"]
+        return
+    assert of_run(tmp_path, written) == []
+
+
+@pytest.mark.parametrize(
+    ("written", "code", "message"),
+    [
+        ('world = "gme:world"', "E541", "there is no Python module `gme`"),
+        ('seed = 3\nworld = "game:wrld"', "E541", "the module `game` has no `wrld`"),
+        ('summary = "game:LIMIT"', "E541", "`LIMIT` of the module `game` is no function"),
+        (
+            'world = "game:no_seed"',
+            "E542",
+            "the Python function `no_seed` takes `number`, which a world is not given",
+        ),
+        (
+            'world = "game:needs_more"',
+            "E542",
+            "the Python function `needs_more` takes `size`, which a world is not given",
+        ),
+        ('world = "game:nothing"', "E542", "the Python function `nothing` takes no `seed`"),
+        ('progress = "game:three"', "E542", "the Python function `three` takes 3 arguments, and gets 1"),
+        ('summary = "game:nothing"', "E542", "the Python function `nothing` takes 0 arguments, and gets 1"),
+        (
+            'summary = "game:progress_of_all"',
+            "E542",
+            "the Python function `progress_of_all` takes 2 arguments, and gets 1",
+        ),
+    ],
+)
+def test_what_the_configuration_names_is_not_there(
+    tmp_path: Path, written: str, code: str, message: str
+) -> None:
+    (tmp_path / "game.py").write_text(GAME)
+    line = 5 + written.count("\n")
+    found = of_run(tmp_path, written)
+    assert [(item[0], item[2]) for item in found] == [(code, message)]
+    assert found[0][1].startswith(f"pyproject.toml:{line}:")
+
+
+def test_two_systems_of_a_project_say_it_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    of_run(tmp_path, 'world = "gme:world"')
+    (tmp_path / "two.aseme").write_text((tmp_path / "team.aseme").read_text().replace("Team", "Two"))
+    project = tmp_path / "pyproject.toml"
+    project.write_text(project.read_text().replace('"team.aseme"', '"team.aseme", "two.aseme"'))
+    assert main(["check", str(tmp_path)]) == 1
+    assert capsys.readouterr().out.count("E541") == 1

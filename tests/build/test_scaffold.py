@@ -125,3 +125,82 @@ def test_a_use_case_with_parts_gets_a_formula_that_is_used() -> None:
     assert "robot = (tidy | Rest) ? report  // decided\r\n" in done.text
     assert "    tidy = Look . Grasp  // in this order\r\n    report = Call ? Write\r\n" in done.text
     assert run(done.text).text == done.text
+
+
+SHOP = """\
+system Shop
+suc {
+  role clerk
+  usecase haggle by customer, seller includes offer, answer
+  usecase earn by seller includes open_shop, serve
+}
+srm customer {
+  plays haggle.customer as buying
+  liveness { customer = buying }
+}
+srm seller {
+  plays haggle.seller as selling
+  liveness {
+    seller = selling . earn  // decided
+    earn = OpenShop . Serve
+  }
+}
+srm clerk { liveness { clerk = Rest } }
+aip haggle {
+  participant customer {
+    engage  "always"
+    process = Offer . Answer
+  }
+  participant seller {
+    engage  "always"
+    process = Offer | Answer  // either
+  }
+  outcome "sold"
+}
+"""
+
+
+def test_a_use_case_that_a_protocol_includes_later_is_joined_to_its_processes() -> None:
+    text = SHOP.replace("offer, answer", "offer, answer, shake")
+    done = run(text)
+    assert is_kept(text, done.text)
+    assert "    process = Offer . Answer ? Shake\n" in done.text
+    assert "    process = (Offer | Answer) ? Shake  // either\n" in done.text
+    assert {item.code for item in done.diagnostics} == {"E109"}
+    assert run(done.text).text == done.text
+
+
+def test_one_that_only_one_participant_does_is_joined_to_that() -> None:
+    text = SHOP.replace("offer, answer", "offer, answer, shake\n  usecase shake by seller")
+    done = run(text)
+    assert "    process = Offer . Answer\n" in done.text
+    assert "    process = (Offer | Answer) ? Shake  // either\n" in done.text
+
+
+def test_a_role_that_takes_part_later_becomes_a_participant() -> None:
+    text = SHOP.replace("by customer, seller", "by customer, seller, clerk")
+    done = run(text)
+    assert is_kept(text, done.text)
+    assert "  participant clerk {\n" in done.text and "    process = Offer ? Answer\n" in done.text
+    assert "//   plays haggle.clerk as haggle_clerk\n" in done.text
+    assert run(done.text).text == done.text
+
+
+def test_the_term_of_another_use_case_is_not_meant() -> None:
+    text = SHOP.replace("open_shop, serve", "open_shop, serve, close_shop")
+    assert "    earn = OpenShop . Serve ? CloseShop\n" in run(text).text
+
+
+def test_the_advice_for_one_role_does_not_stand_in_for_anothers() -> None:
+    once = run(SHOP.replace("  plays haggle.customer as buying\n", "").replace("= buying", "= Rest")).text
+    again = run(once.replace("  plays haggle.seller as selling\n", "").replace("selling . ", "")).text
+    assert again.count("// The use case haggle; let a formula use the participant:") == 2
+
+
+def test_a_use_case_that_is_renamed_or_removed() -> None:
+    renamed = SHOP.replace("usecase earn", "usecase trade")
+    done = run(renamed)
+    assert is_kept(renamed, done.text)
+    assert run(done.text).text == done.text
+    removed = SHOP.replace("  usecase earn by seller includes open_shop, serve\n", "")
+    assert run(removed).text.count("earn") == removed.count("earn")

@@ -90,7 +90,10 @@ def test_the_same_bytes_whatever_the_process_and_the_folder(folder: Path) -> Non
     one = asemec("build", "good.aseme", "-o", "one", PYTHONHASHSEED="1")
     two = asemec("build", "good.aseme", "-o", "deep/two", cwd=folder / "else", PYTHONHASHSEED="2")
     assert (one.code, two.code) == (0, 0)
-    assert tree(folder / "one") == tree(folder / "else/deep/two")
+    first, second = tree(folder / "one"), tree(folder / "else/deep/two")
+    manifests = [json.loads(item.pop(".asemec.json")) for item in (first, second)]
+    assert [item.pop("source") for item in manifests] == ["../good.aseme", "../../good.aseme"]
+    assert (first, manifests[0]) == (second, manifests[1])
 
 
 def test_a_second_build_touches_nothing(here: Here, folder: Path) -> None:
@@ -500,7 +503,7 @@ def test_the_manifest_is_documented_and_stable(here: Here, folder: Path) -> None
     here("build", "good.aseme", "-o", "out", "--only", "proto")
     document = json.loads((folder / "out/.asemec.json").read_text())
     assert document["format"] == 1
-    assert (document["system"], document["source"]) == ("Walker", "good.aseme")
+    assert (document["system"], document["source"]) == ("Walker", "../good.aseme")
     assert list(document["files"]) == ["proto/Walker.proto"]
     assert set(document["files"]["proto/Walker.proto"]) == {"part", "hash"}
 

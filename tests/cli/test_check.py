@@ -364,7 +364,8 @@ class TestConfiguration:
     def test_its_files_are_checked_if_none_are_named(self, here: Here, folder: Path) -> None:
         (folder / "pyproject.toml").write_text('[tool.asemec]\nfiles = ["good.aseme"]\n')
         assert here("check").out == "1 file is fine\n"
-        assert here("check", ".").code == 1
+        assert here("check", ".").out == "1 file is fine\n"
+        assert here("check", "*.aseme").code == 1
 
     def test_its_size_limit_counts(self, here: Here, folder: Path) -> None:
         (folder / "pyproject.toml").write_text("[tool.asemec]\nmax_states = 3\n")

@@ -182,5 +182,7 @@ def test_progress_is_shown_on_a_terminal_alone(
     arguments = ("diagram", "good.aseme", "iac", "--format", "dot")
     assert here(*arguments).err == ""
     monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("CI", "")
     said = here(*arguments).err
     assert "drawing 1 of 2: iac.robot" in said and said.endswith("\r\x1b[K")

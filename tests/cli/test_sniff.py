@@ -403,7 +403,7 @@ def test_a_team_that_runs_is_followed(run: Path) -> None:
 
 
 def test_what_cannot_be_shown_is_said(folder: Path, here: Here) -> None:
-    assert "no such file" in here("sniff", "no.jsonl").err.lower()
+    assert "there is no file no.jsonl" in here("sniff", "no.jsonl").err
     Path("torn.jsonl.part").write_text(
         f"{json.dumps(header('one'))}\n{json.dumps(mail(1, 'one', [], 1))}\n", "utf-8"
     )

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import os
+import shutil
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
+from typing import NoReturn
 
+import click
 import pytest
 
-from tests.cli.support import GOOD, Here
+from aseme_dsl.cli import view
+from aseme_dsl.cli.program import program
+from tests.cli.support import GOOD, Done, Here
 
 PROJECT = '[tool.asemec]\nfiles = ["src/walker.aseme"]\noutput = "made"\n'
 
@@ -52,3 +60,185 @@ def test_of_two_systems_one_is_named(here: Here, folder: Path) -> None:
     for command in ("run", "diagram", "view"):
         done = here(command, ".")
         assert done.code == 2 and "means 2 systems" in done.err, (command, done.err)
+
+
+# ---- every command -------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Use:
+    """A command with a target: what comes before and after that, how it ends, and what it says then."""
+
+    before: tuple[str, ...] = ()
+    after: tuple[str, ...] = ()
+    code: int = 0
+    says: str = ""
+
+
+USES = {
+    "check": Use(says="1 file is fine\n"),
+    "fmt": Use(after=("--check",), code=1, says="1 file would be laid out\n"),
+    "build": Use(says="Walker -> made: "),
+    "diagram": Use(after=("--format", "dot", "-o", "drawn"), says="files: "),
+    "view": Use(says="src/walker.aseme: http://"),
+    "run": Use(after=("--for", "2s", "--allow", "waiting"), says="  trace: made/trace.jsonl\n"),
+    "node": Use(("one",), ("--for", "1ms", "--trace", "one.jsonl"), says="  trace: one.jsonl\n"),
+    "swap": Use(code=1, says="nothing runs from made: "),
+    "trace": Use(says="made/trace.jsonl: Walker, seed 1, virtual time\n"),
+    "sniff": Use(says="nobody says anything\n"),
+    "optimise": Use(after=("--measure", "Walk", "--runs", "1", "--quicker", "1", "--for", "1s"), says="# "),
+    "bench": Use(after=("--steps", "5", "--rounds", "1"), says="# "),
+    "scaffold": Use(says="src/walker.aseme: 0 skeletons written\n"),
+    "doctor": Use(says="what a run opens, by platform\n"),
+}
+"""The commands that take a target."""
+OTHERS = {"new", "explain", "lsp", "status", "select", "key", "import", "completion"}
+"""Those that take none: `status` and `select` are about what runs from an output folder (-o)."""
+FORMS = (
+    "   hint: name a .aseme file, a project's folder or an output folder (or, for trace and sniff, a trace)\n"
+)
+TRACES = ("trace", "sniff")
+
+
+@pytest.fixture(autouse=True)
+def _views_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    def wait(*_: object) -> NoReturn:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(view.Watched, "wait", wait)
+
+
+def commands() -> Iterator[tuple[str, bool]]:
+    """The name of each command, and whether it takes a target."""
+    context = click.Context(program)
+    for name in program.list_commands(context):
+        command = program.get_command(context, name)
+        assert command is not None
+        yield name, any(parameter.name in ("target", "targets") for parameter in command.params)
+
+
+def test_every_command_is_known_here() -> None:
+    assert {name for name, takes in commands() if takes} == USES.keys()
+    assert {name for name, takes in commands() if not takes} == OTHERS
+
+
+def use(here: Here, name: str, *target: object) -> Done:
+    return here(name, *USES[name].before, *target, *USES[name].after)
+
+
+@pytest.mark.parametrize("name", USES)
+def test_a_target_has_the_same_forms_everywhere(here: Here, project: Path, name: str) -> None:
+    """A file, a project's folder, an output folder, the project here; from elsewhere by the whole path."""
+    assert here("run", "--for", "2s", "--allow", "waiting").code == 0
+    for target in (["src/walker.aseme"], ["."], ["made"], []):
+        done = use(here, name, *target)
+        assert done.code == USES[name].code, (target, done)
+        assert USES[name].says in done.out + done.err, (target, done)
+    (project / "elsewhere").mkdir()
+    os.chdir(project / "elsewhere")
+    for target in ([project / "src/walker.aseme"], [project], [project / "made"], []):
+        done = use(here, name, *target)
+        assert done.code == USES[name].code, (target, done)
+
+
+@pytest.mark.parametrize("name", USES)
+def test_a_wrong_target_gives_one_text_everywhere(here: Here, project: Path, name: str) -> None:
+    (project / "empty").mkdir()
+    (project / "src/notes.txt").write_text("nothing")
+    for target, text in (
+        ("nowhere", f"nowhere: error[E001]: there is no file nowhere\n{FORMS}"),
+        (
+            "src/wolker.aseme",
+            "src/wolker.aseme: error[E001]: there is no file src/wolker.aseme\n"
+            "   hint: did you mean `walker.aseme`?\n",
+        ),
+        ("empty", f"empty: error[E001]: there is no .aseme file in empty\n{FORMS}"),
+        ("", "Error: Invalid value for '[TARGET]"),
+    ):
+        done = use(here, name, target)
+        assert done.code == (1 if target else 2), (target, done)
+        assert text in done.out + done.err, (target, done)
+
+
+@pytest.mark.parametrize("name", [name for name in USES if name not in TRACES])
+def test_a_trace_is_no_source(here: Here, project: Path, name: str) -> None:
+    (project / "some.jsonl").write_text("{}")
+    done = use(here, name, "some.jsonl")
+    assert done.code == 1
+    assert "some.jsonl: error[E001]: some.jsonl is a trace, not a .aseme file\n" in done.out + done.err
+
+
+@pytest.mark.parametrize("name", [name for name in USES if name not in (*TRACES, "doctor")])
+def test_an_output_folder_whose_source_is_gone(here: Here, project: Path, name: str) -> None:
+    assert here("build", "-o", "other", "--only", "models").code == 0
+    (project / "src").rename(project / "moved")
+    done = use(here, name, "other")
+    assert done.code == 1
+    assert "other: error[E020]: the source of this build, src/walker.aseme, cannot be found\n" in (
+        done.out + done.err
+    )
+
+
+def test_a_build_that_makes_no_agents_is_an_output_folder_too(here: Here, project: Path) -> None:
+    assert here("build", "-o", "other", "--only", "models").code == 0
+    done = here("run", "other", "--for", "1s", "--allow", "waiting")
+    assert (done.code, "trace: other/trace.jsonl" in done.out) == (0, True), done
+
+
+def test_what_is_made_of_an_output_folder_goes_there(here: Here, project: Path) -> None:
+    assert here("build", "-o", "other").code == 0
+    done = here("optimise", "other", *USES["optimise"].after)
+    assert done.code == 0 and (project / "other/optimise/report.md").is_file(), done
+    assert "Walker -> other: " in here("build", "other").out
+    assert not (project / "made").exists()
+
+
+def test_the_activities_of_an_output_folder_are_its_own(here: Here, project: Path) -> None:
+    assert here("build", "-o", "other").code == 0
+    activity = project / "other/monas/activities/walk.py"
+    activity.write_text(activity.read_text() + "\ndef broken(:\n")
+    assert here("check", "src/walker.aseme").code == 0
+    assert "walk.py" in here("check", "other").out
+
+
+def test_an_output_folder_may_be_moved_with_its_sources(here: Here, project: Path) -> None:
+    assert here("build").code == 0
+    (project / "there").mkdir()
+    for name in ("src", "made", "pyproject.toml"):
+        shutil.move(project / name, project / "there" / name)
+    assert here("check", "there/made").out == "1 file is fine\n"
+
+
+def test_an_output_folder_behind_a_link(here: Here, project: Path, tmp_path: Path) -> None:
+    (project / "disk/builds").mkdir(parents=True)
+    (project / "made").symlink_to(project / "disk/builds")
+    assert here("build").code == 0
+    assert json.loads((project / "made/.asemec.json").read_text())["source"] == "../../src/walker.aseme"
+    assert here("check", "made").out == "1 file is fine\n"
+
+
+def test_several_systems_of_one_output_folder(here: Here, folder: Path) -> None:
+    (folder / "one.aseme").write_text(GOOD.replace("Walker\n", "One\n"))
+    (folder / "two.aseme").write_text(GOOD.replace("Walker\n", "Two\n"))
+    assert here("build", "one.aseme", "two.aseme").code == 0
+    assert here("check", "out").out == "2 files are fine\n"
+    done = here("diagram", "out")
+    assert done.code == 2 and "out means 2 systems (one.aseme, two.aseme)" in done.err, done
+    assert here("diagram", "out/Two", "-o", "drawn").code == 0
+
+
+def test_without_a_project_the_output_folder_is_where_one_works(here: Here, folder: Path) -> None:
+    (folder / "src").mkdir()
+    (folder / "src/walker.aseme").write_text(GOOD)
+    assert here("run", "src/walker.aseme", "--for", "2s", "--allow", "waiting").code == 0
+    for target in ("src/walker.aseme", "src", "out"):
+        assert here("trace", target).out.startswith("out/trace.jsonl: Walker"), target
+
+
+def test_two_sources_of_one_name_do_not_replace_each_other(here: Here, folder: Path) -> None:
+    for name in ("one", "two"):
+        (folder / name).mkdir()
+        (folder / name / "main.aseme").write_text(GOOD.replace("Walker\n", f"{name.title()}\n"))
+    assert here("build", "one/main.aseme").code == 0
+    done = here("build", "two/main.aseme")
+    assert done.code == 1 and "holds the build of One (from one/main.aseme)" in done.err, done

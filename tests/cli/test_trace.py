@@ -194,7 +194,7 @@ def test_what_cannot_be_read_is_named(here: Here, trace: Path) -> None:
     done = here("trace", "bad.jsonl", "nowhere.jsonl", "run.jsonl")
     assert done.code == 1 and "run.jsonl: Walker" in done.out
     assert "asemec: bad.jsonl:10: a line of a trace is wanted, not 'oops" in done.err
-    assert "asemec: nowhere.jsonl cannot be read: No such file or directory" in done.err
+    assert "nowhere.jsonl: error[E001]: there is no file nowhere.jsonl\n" in done.err
     done = here("trace", "bad.jsonl", "-o", "x.mcap")
     assert done.code == 1 and not Path("x.mcap").exists() and not Path("x.mcap.part").exists()
     done = here("trace", "run.jsonl", "--kind", "activty")

@@ -10,14 +10,20 @@ from pathlib import Path
 import pytest
 
 
-def shown(command: list[str], env: dict[str, str] | None = None, cwd: Path | None = None) -> str:
-    """What somebody sees who starts the command at a terminal."""
+def shown(
+    command: list[str], env: dict[str, str] | None = None, cwd: Path | None = None, columns: int | None = None
+) -> str:
+    """What somebody sees who starts the command at a terminal, of a width if that matters."""
     try:
         import pty
 
         controller, terminal = pty.openpty()
     except (ImportError, OSError) as error:
         pytest.skip(f"there is no pseudo-terminal here: {error}")
+    if columns is not None:
+        import termios
+
+        termios.tcsetwinsize(terminal, (40, columns))
     with subprocess.Popen(command, stdout=terminal, stderr=terminal, env=env, cwd=cwd):
         os.close(terminal)
         said = b""
