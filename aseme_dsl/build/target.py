@@ -9,7 +9,6 @@ from pathlib import Path
 
 from aseme_dsl.build.configuration import FILE, OUTPUT, Configuration, find_configuration, read_configuration
 from aseme_dsl.build.inputs import STANDARD_INPUT, Inputs, find_inputs, is_folder
-from aseme_dsl.build.manifest import NAME, DamagedManifest, read_manifest, seen_from_here
 from aseme_dsl.compiler.load import TARGET_FORMS, read_source
 from aseme_dsl.diagnostics import Diagnostic, has_errors
 
@@ -61,6 +60,8 @@ def _sources(
 
 def builds_in(folder: Path) -> list[Path]:
     """The output folders that a folder is, or has for several systems; none for one with sources."""
+    from aseme_dsl.build.manifest import NAME
+
     if any(folder.glob("*.aseme")):
         return []
     if (folder / NAME).is_file():
@@ -76,6 +77,8 @@ def _has_sources(folder: Path) -> bool:
 
 def _source(output: Path) -> Path | Diagnostic:
     """The file that was built into an output folder, or why it cannot be known."""
+    from aseme_dsl.build.manifest import NAME, DamagedManifest, read_manifest, seen_from_here
+
     try:
         source = read_manifest(output).source
     except (DamagedManifest, OSError) as problem:
@@ -94,17 +97,18 @@ def _source(output: Path) -> Path | Diagnostic:
 
 
 def configuration_of(target: Path) -> tuple[Configuration, tuple[Diagnostic, ...]]:
-    """The configuration that applies to a target, which may be an output folder without its source."""
+    """The configuration that applies to a target, which may be an output folder without its source, and what
+    is wrong with the target. The configuration's own mistakes are for `check` to report.
+    """
+    problems: tuple[Diagnostic, ...] = ()
     if is_folder(target):
         if not (target / FILE).is_file() and not builds_in(target) and not _has_sources(target):
-            return Configuration(target), find_inputs([str(target)], bytes).diagnostics
-        return find_configuration(target)
+            problems = find_inputs([str(target)], bytes).diagnostics
+        return find_configuration(target)[0], problems
     inputs = find_inputs([str(target)], bytes)
     source = read_source(target) if inputs.roots else None
-    found = (source,) if isinstance(source, Diagnostic) else inputs.diagnostics
-    if has_errors(found):
-        return Configuration(target.parent), found
-    return find_configuration(target.parent)
+    problems = (source,) if isinstance(source, Diagnostic) else inputs.diagnostics
+    return find_configuration(target.parent)[0], problems
 
 
 def traces_of(target: Path, *, following: bool = False) -> tuple[tuple[Path, ...], tuple[Diagnostic, ...]]:
@@ -139,6 +143,11 @@ def traces_of(target: Path, *, following: bool = False) -> tuple[tuple[Path, ...
         folder = configuration.output or Path(OUTPUT)
     whole = folder / "trace.jsonl"
     each = sorted(folder.glob("trace.*.jsonl"))
+    if not following and not each and not _is_there(whole) and not _is_there(folder / "trace.jsonl.part"):
+        problem = Diagnostic(
+            "E001", f"there is no trace {whole}", None, hint="`asemec run` writes it", path=str(target)
+        )
+        return (), (problem,)
     if following or not each:
         return (whole,), ()
     last = max(item.stat().st_mtime for item in each)

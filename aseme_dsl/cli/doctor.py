@@ -10,11 +10,11 @@ import click
 
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
+    FilePath,
     colour_option,
     json_option,
     print_json,
     refuse,
-    target_argument,
     wants_colour,
 )
 
@@ -26,18 +26,18 @@ from aseme_dsl.cli.shared import (
     " The exit code is 1 if something is missing that asemec cannot do without.",
     epilog="Example: asemec doctor",
 )
-@target_argument
+@click.argument("target", required=False, type=FilePath())
 @json_option
 @colour_option
-def command(target: str, as_json: bool, colour: str) -> int:
+def command(target: str | None, as_json: bool, colour: str) -> int:
     """Print a line a tool, and what a run opens; 1 if a needed one is missing."""
     from aseme_dsl import __version__
     from aseme_dsl.build.openings import openings
-    from aseme_dsl.build.target import configuration_of
+    from aseme_dsl.build.target import configuration_of, project_here
     from aseme_dsl.build.tools import tools
 
-    configuration, problems = configuration_of(Path(target))
-    if problems:
+    configuration, problems = configuration_of(Path(target or project_here()))
+    if problems and target is not None:  # without a project, too, there are tools
         return refuse(problems, as_json, colour)
     found = tools()
     opened = list(openings(configuration))

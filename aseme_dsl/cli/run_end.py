@@ -102,13 +102,14 @@ def _member_lines(member: Member) -> list[str]:
 
 def _waits(item: Waiting) -> str:
     """Where an agent waits and for what: `after Ask (a.aseme:4) for agree Offer from seller (a.aseme:9)`."""
+    if item.where == "in" and any(found.kind == "activity" for found in item.awaits):
+        # What may interrupt it, too, is in --json.
+        return f"for its activity {_cut(item.name)}{_place(item.at)} to end"
     awaited = _few([_awaited(found) for found in item.awaits], _MOST_AWAITED, " or ")
     return f"{item.where} {_cut(item.name)}{_place(item.at)}" + (f" for {awaited}" if awaited else "")
 
 
 def _awaited(item: Awaited) -> str:
-    if item.kind == "activity":
-        return f"activity {item.what}"
     return f"{_cut(item.what)}{_place(item.at)}"
 
 
@@ -118,10 +119,10 @@ def _unread_line(item: Unread) -> str:
 
 
 def _fault_line(item: FaultCount) -> str:
-    times = f"{item.count} times, " if item.count > 1 else ""
-    who = f"{item.agent}, " if item.agent else ""
+    times = f"{item.count} times, first " if item.count > 1 else ""
+    who = f"{'by ' if times else ''}{item.agent} " if item.agent else ""
     at = f" ({_short(item.at)})" if item.at else (f" (activity {item.activity})" if item.activity else "")
-    return f"  {times}{who}{item.time / 1e9:g} s: {item.reason}{at}"
+    return f"  {times}{who}at {item.time / 1e9:g} s: {item.reason}{at}"
 
 
 def _few(texts: list[str], most: int, between: str) -> str:

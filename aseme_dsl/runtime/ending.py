@@ -212,7 +212,7 @@ def _compound(plan: Plan, first: Transition) -> Iterator[Transition]:
 def _without_actions(text: str) -> str:
     """The trigger and condition of a transition expression: what stands before the first free `/`."""
     depth = 0
-    for part in re.finditer(r'"(?:[^"\\]|\\.)*"|.', text, re.DOTALL):
+    for part in re.finditer(r'"(?:[^"\\]|\\.)*"|\[>|.', text, re.DOTALL):
         if part[0] in "([{":
             depth += 1
         elif part[0] in ")]}":

@@ -561,4 +561,4 @@ class TestTheEnd:
         done = here("run", "faulty.aseme", "--quiet", "--for", "10s")
         lines = done.out.splitlines()
         first = next(number for number, line in enumerate(lines) if "faults; the first of each kind:" in line)
-        assert re.fullmatch(r"\s+\d+ times, r, 1 s: .* \(faulty.aseme:8\)", lines[first + 1])
+        assert re.fullmatch(r"\s+\d+ times, first by r at 1 s: .* \(faulty.aseme:8\)", lines[first + 1])

@@ -53,7 +53,10 @@ def test_the_project_around_the_current_folder_is_meant(here: Here, project: Pat
 def test_a_project_without_a_run_has_no_trace(here: Here, project: Path) -> None:
     for command in ("trace", "sniff"):
         done = here(command)
-        assert done.code == 1 and "made/trace.jsonl" in done.err, done.err
+        assert done.code == 1
+        assert done.err.endswith(
+            "error[E001]: there is no trace made/trace.jsonl\n   hint: `asemec run` writes it\n"
+        )
 
 
 def test_of_two_systems_one_is_named(here: Here, folder: Path) -> None:
@@ -242,3 +245,26 @@ def test_two_sources_of_one_name_do_not_replace_each_other(here: Here, folder: P
     assert here("build", "one/main.aseme").code == 0
     done = here("build", "two/main.aseme")
     assert done.code == 1 and "holds the build of One (from one/main.aseme)" in done.err, done
+
+
+HOLES = GOOD.replace("Walk | Stand", "Walk ? Stand").replace(": else\n    leave", ": [?]\n    leave")
+REFUSE_HOLES = USES.keys() - {"check", "fmt", "scaffold", "view", "trace", "sniff", "doctor"}
+"""Those that would have to decide what is left open; `view` shows the problem on its page."""
+
+
+@pytest.mark.parametrize("name", sorted(REFUSE_HOLES))
+def test_what_is_left_open_is_refused(here: Here, project: Path, name: str) -> None:
+    (project / "src/walker.aseme").write_text(HOLES)
+    done = use(here, name)
+    assert (done.code, done.out) == (1, "")
+    assert "src/walker.aseme:5:28: error[E109]: an operator is still to be chosen here\n" in done.err
+    assert not (project / "made").exists()
+
+
+@pytest.mark.parametrize("name", sorted({"check", "fmt", "scaffold", "view", "doctor"}))
+def test_what_is_left_open_is_noted_or_left_alone(here: Here, project: Path, name: str) -> None:
+    (project / "src/walker.aseme").write_text(HOLES)
+    done = use(here, name)
+    assert done.code == USES[name].code, done
+    assert "error" not in done.out + done.err
+    assert ("note[E109]" in done.out) == (name == "check")

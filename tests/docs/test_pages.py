@@ -8,7 +8,7 @@ import pytest
 
 from tests.docs.pages import Page
 
-USAGE = "Usage: asemec fmt [OPTIONS] [FILE]..."
+USAGE = "Usage: asemec fmt [OPTIONS] [TARGET]..."
 
 
 @pytest.fixture

@@ -173,7 +173,8 @@ srm r {{
         ),
         (
             "(A . B) [> C",
-            "enter B : [t.state.Go.n > 1]\n    enter C : when [t.state.Go.n < 1]",
+            "enter B : [t.state.Go.n > 1]\n"
+            "    enter C : when [t.state.Go.n < 1] / write_messages.t.signal.Go",
             ["me after A for [t.state.Go.n > 1] | [> when [t.state.Go.n < 1]"],
         ),
     ],
