@@ -152,7 +152,7 @@ def test_the_folder_of_another_system_is_refused(tmp_path: Path) -> None:
     put(tmp_path, {"models/a.json": "a"})
     written = put(tmp_path, {"models/a.json": "b"}, system="Other", source="other.aseme")
     assert codes(written) == ["E009"]
-    assert "holds the build of Team (from team.aseme)" in written.diagnostics[0].message
+    assert f"holds the build of Team (from {tmp_path}/team.aseme)" in written.diagnostics[0].message
     forced = put(tmp_path, {"models/c.json": "c"}, system="Other", source="other.aseme", force=True)
     assert forced.removed == (tmp_path / "models/a.json",)
 
