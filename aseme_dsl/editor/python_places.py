@@ -45,7 +45,7 @@ def outcome_places(folder: Path | None, activity: str, outcome: str) -> tuple[Sp
                 value = returned.value if isinstance(returned, ast.Return) else None
                 for part in ast.walk(value) if value is not None else ():
                     if isinstance(part, ast.Constant) and part.value == outcome:
-                        start = _offset(source, part.lineno, part.col_offset) + 1
+                        start = offset_of(source, part.lineno, part.col_offset) + 1
                         span = Span(source, start, start + len(outcome))
                         found += [span] if span.text == outcome else []
     return tuple(sorted(found, key=lambda span: span.start))
@@ -59,7 +59,7 @@ def read_python(path: Path) -> Source | None:
         return None
 
 
-def _offset(source: Source, line: int, column: int) -> int:
+def offset_of(source: Source, line: int, column: int) -> int:
     """The offset of a place as `ast` tells it: the column in bytes."""
     return source.line_start(line) + len(source.line(line).encode()[:column].decode(errors="replace"))
 
@@ -79,7 +79,7 @@ def _defined(path: Path, name: str) -> Span | None:
         found = next((item for item in body if _defines(item, part)), None)
         if found is None:
             return place
-        start = _offset(source, found.lineno, found.col_offset)
+        start = offset_of(source, found.lineno, found.col_offset)
         begin = text.find(part, start)
         place = Span(source, begin, begin + len(part)) if begin >= 0 else Span(source, start, start)
         body = found.body if isinstance(found, ast.ClassDef) else []

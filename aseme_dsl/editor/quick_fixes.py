@@ -31,8 +31,7 @@ class Fix:
 
 def fixes(view: View, item: Diagnostic) -> Iterator[Fix]:
     """What can be done about a problem of the file."""
-    if item.changes:
-        yield Fix(_title(item), item.changes, is_the_one=True)
+    yield from mending(item)
     yield from _operators(item)
     yield from (Fix(title, edits) for title, edits in declarations(view, item))
     skeleton = _skeleton(view, item)
@@ -43,6 +42,12 @@ def fixes(view: View, item: Diagnostic) -> Iterator[Fix]:
         cursor = allowed.span.start + len(allowed.text) - 1
         yield Fix(f"Allow {item.code} here, and say why", (allowed,), mends=False, cursor=cursor)
     yield Fix(f"Explain {item.code}: {CODES[item.code].title}", mends=False, explains=item.code)
+
+
+def mending(item: Diagnostic) -> Iterator[Fix]:
+    """What mends a problem that has one right answer, wherever it is."""
+    if item.changes:
+        yield Fix(_title(item), item.changes, is_the_one=True)
 
 
 def _operators(item: Diagnostic) -> Iterator[Fix]:
@@ -108,4 +113,4 @@ def _allow(view: View, span: Span, code: str) -> Edit:
     return Edit(Span(view.source, line, line), f"{indent}// asemec: allow({code}) \n")
 
 
-__all__ = ["Fix", "fixes"]
+__all__ = ["Fix", "fixes", "mending"]

@@ -31,6 +31,7 @@ from aseme_dsl.editor.following import Page
 from aseme_dsl.editor.index import Kind, Symbol, Use
 from aseme_dsl.editor.positions import Change, Lines, Position, changed
 from aseme_dsl.editor.program import Program
+from aseme_dsl.editor.python_answers import answer_in_python
 from aseme_dsl.editor.view import View
 from aseme_dsl.editor.workspace import Project, Workspace
 from aseme_dsl.grammar.parts import TooSlow
@@ -137,18 +138,35 @@ class Server(LanguageServer):
         """Whether the process is the server's own, and so is Python's collector of cycles."""
         self.idle: asyncio.TimerHandle | None = None
         self.kept = self.grown = 0
+        self.code: dict[str, str] = {}
+        self.of_python: dict[str, Callable[[Any], Awaitable[Any]]] = {}
 
     # ---- requests ----------------------------------------------------------------------------------
 
     def feature(self, feature_name: str, options: Any | None = None) -> Callable[[Any], Any]:
         """Register the answer to a request, which may have to wait for what is read elsewhere."""
         register = super().feature(feature_name, options)
-        return lambda handler: register(self._patient(handler))
+        return lambda handler: register(self._patient(self._apart_from_python(feature_name, handler)))
 
     def command(self, command_name: str) -> Callable[[Any], Any]:
         """The same for a command."""
         register = super().command(command_name)
         return lambda handler: register(self._patient(handler))
+
+    def _apart_from_python(self, name: str, handler: Callable[..., Any]) -> Callable[..., Any]:
+        """Of the Python of activities, only some requests are answered, and those by other functions."""
+        if not asyncio.iscoroutinefunction(handler):
+            return handler
+
+        @functools.wraps(handler)
+        async def answered(*arguments: Any) -> Any:
+            document = getattr(arguments[0], "text_document", None) if arguments else None
+            if document is None or not is_python(document.uri):
+                return await handler(*arguments)
+            own = self.of_python.get(name)
+            return None if own is None else await own(*arguments)
+
+        return answered
 
     def _patient(self, handler: Callable[..., Any]) -> Callable[..., Any]:
         """Begins anew when what was missing has been read. Notifications are none of these coroutines."""
@@ -279,10 +297,11 @@ class Server(LanguageServer):
 
     def now(self, path: str, span: Span) -> Span:
         """The same place in the text of this moment, if the file is open."""
-        text = self.files.buffers[path].text if path in self.files.buffers else None
+        is_model = path in self.files.buffers
+        text = self.files.buffers[path].text if is_model else self.code.get(path)
         if text is None or text.removeprefix("\ufeff") == span.source.text:
             return span
-        view = self.files.recent(path)
+        view = self.files.recent(path) if is_model else None
         if view is not None and view.file is not None and view.file.source.text == span.source.text:
             return view.whole(Span(view.file.source, span.start, span.end))
         source = self.source(path, text)
@@ -449,6 +468,12 @@ class Server(LanguageServer):
 UNUSED = frozenset({"N727", "E302", "W301"})
 """Codes of what is there and never used: editors show it pale."""
 
+
+def is_python(uri: str) -> bool:
+    """Whether a document is Python and no `.aseme` file."""
+    return uri.endswith(".py")
+
+
 FoldersOf = Callable[[Path], navigation.PythonFolders]
 """Where the Python of a root's activities, functions and modules is."""
 
@@ -475,6 +500,7 @@ def make_server(
     _hierarchy(server)
     _drawings(server)
     answer_authors(server)
+    answer_in_python(server)
     return server
 
 
@@ -494,14 +520,20 @@ def _documents(server: Server) -> None:
         document = params.text_document
         path = server.path(document.uri)
         server.uris[path] = document.uri
+        if is_python(document.uri):
+            server.code[path] = document.text
+            return
         server.files.open(path, document.text, document.version)
         server.soon(path)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CHANGE)
     def did_change(params: lsp.DidChangeTextDocumentParams) -> None:
         path = server.path(params.text_document.uri)
-        text = server.files.text(path) or ""
         changes = tuple(map(_change, params.content_changes))
+        if is_python(params.text_document.uri):
+            server.code[path] = changed(server.code.get(path, ""), changes, server.encoding)
+            return
+        text = server.files.text(path) or ""
         for change in changes:
             text = changed(text, (change,), server.encoding)
             server.files.open(path, text, params.text_document.version)
@@ -511,11 +543,17 @@ def _documents(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_DID_SAVE)
     def did_save(params: lsp.DidSaveTextDocumentParams) -> None:
         server.files.forget()
-        server.soon(server.path(params.text_document.uri))
+        saved = server.path(params.text_document.uri)
+        for path in server.files.buffers if is_python(params.text_document.uri) else (saved,):
+            server.soon(path)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
     def did_close(params: lsp.DidCloseTextDocumentParams) -> None:
         path = server.path(params.text_document.uri)
+        if is_python(params.text_document.uri):
+            server.code.pop(path, None)
+            server.uris.pop(path, None)
+            return
         others = [other for other in server.files.affected(path) if other != path]
         server.hush(path)
         server.files.close(path)

@@ -67,7 +67,12 @@
     (eglot-format-buffer)
     (saw 'formatted (buffer-string))
     (set-buffer-modified-p nil)
-    (eglot-shutdown (eglot-current-server))))
+    (let ((server (eglot-current-server)))
+      (find-file "activities/look.py")
+      (go-to "context")
+      (aseme-where)
+      (with-current-buffer "*xref*" (saw 'where (buffer-substring-no-properties (point-min) (point-max))))
+      (eglot-shutdown server))))
 
 (condition-case problem (walk) (error (saw 'problem (format "%S" problem))))
 (with-temp-file (getenv "EMACS_RESULT") (insert (json-encode seen)))

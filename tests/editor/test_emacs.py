@@ -24,7 +24,9 @@ def seen(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     if shutil.which("emacs") is None:
         pytest.skip("NOT TRIED, for there is no emacs here: apt install emacs-nox elpa-eglot")
     folder = tmp_path_factory.mktemp("project")
-    (folder / "pyproject.toml").write_text("[tool.asemec]\n")
+    (folder / "pyproject.toml").write_text('[tool.asemec]\nactivities = "activities"\n')
+    (folder / "activities").mkdir()
+    (folder / "activities/look.py").write_text("class Look:\n    def execute(self, context): ...\n")
     (folder / "world.aseme").write_text(WORLD)
     (folder / "team.aseme").write_text("// The team.\n" + TEAM)
     result = folder / "result.json"
@@ -65,6 +67,13 @@ def test_the_server_answers(seen: dict[str, Any]) -> None:
     assert any("Kik" in each for each in seen["mistakes"])
     assert seen["renamed"].count("Shoot") == 2
     assert "srm player {\n" in seen["formatted"]
+
+
+def test_the_class_of_an_activity_leads_to_the_model(seen: dict[str, Any]) -> None:
+    if not seen["eglot"]:
+        pytest.skip("NOT TRIED, for this Emacs has no eglot: apt install elpa-eglot, or Emacs 29")
+    assert "team.aseme" in seen["where"]
+    assert "Look every 100ms" in seen["where"] and "liveness {" in seen["where"]
 
 
 REINDENT = """

@@ -123,3 +123,45 @@ def test_the_file_is_laid_out(seen: dict[str, Any]) -> None:
     )
     assert seen["formatted"] == done.stdout
     assert seen["files"]["team.aseme"] == seen["formatted"]
+
+
+WHERE = """
+local result = vim.env.NVIM_RESULT
+local function walk()
+  vim.cmd("edit activities/look.py")
+  vim.wait(60000, function() return next(vim.lsp.buf_get_clients(0)) ~= nil end, 20)
+  vim.fn.search("context")
+  vim.lsp.buf.declaration()
+  vim.wait(60000, function() return vim.fn.expand("%:t") == "team.aseme" end, 20)
+  local there = vim.fn.expand("%:t") .. ": " .. vim.trim(vim.fn.getline("."))
+  vim.lsp.buf.implementation()
+  vim.wait(60000, function() return vim.fn.expand("%:t") == "look.py" end, 20)
+  vim.fn.writefile({ there, vim.fn.expand("%:t") .. ": " .. vim.fn.getline(".") }, result)
+end
+local fine, problem = xpcall(walk, debug.traceback)
+if not fine then vim.fn.writefile({ tostring(problem) }, result) end
+vim.cmd("qall!")
+"""
+
+
+def test_the_class_of_an_activity_leads_to_the_model(tmp_path: Path) -> None:
+    if shutil.which("nvim") is None:
+        pytest.skip("NOT TRIED, for there is no nvim here: apt install neovim")
+    (tmp_path / "pyproject.toml").write_text('[tool.asemec]\nactivities = "activities"\n')
+    (tmp_path / "world.aseme").write_text(WORLD)
+    (tmp_path / "team.aseme").write_text(TEAM.replace("Kik ", "Kick"))
+    (tmp_path / "activities").mkdir()
+    (tmp_path / "activities/look.py").write_text("class Look:\n    def execute(self, context): ...\n")
+    (tmp_path / "init.lua").write_text(settings([sys.executable, "-m", "aseme_dsl", "lsp"]))
+    (tmp_path / "where.lua").write_text(WHERE)
+    environment = {**os.environ, "NVIM_RESULT": str(tmp_path / "result"), "PYTHONPATH": str(ROOT)}
+    environment |= {f"XDG_{name}_HOME": str(tmp_path / name) for name in ("CONFIG", "DATA", "STATE", "CACHE")}
+    command = ["nvim", "--headless", "-i", "NONE", "-n", "-u", "init.lua", "-c", "luafile where.lua"]
+    done = subprocess.run(
+        command, cwd=tmp_path, env=environment, capture_output=True, text=True, stdin=subprocess.DEVNULL
+    )
+    assert (tmp_path / "result").exists(), done.stdout + done.stderr
+    assert (tmp_path / "result").read_text().splitlines() == [
+        "team.aseme: activities { Look every 100ms writes vision.state.Ball }",
+        "look.py: class Look:",
+    ]

@@ -20,6 +20,8 @@ _TEXT = """\
 ;;; Code:
 
 (require 'seq)
+(require 'subr-x)
+(require 'url-util)
 
 (defgroup aseme nil "Multi-agent systems in text." :group 'languages)
 
@@ -108,6 +110,57 @@ _TEXT = """\
 
 ;;;###autoload
 (add-to-list 'auto-mode-alist '("\\\\.aseme\\\\'" . aseme-mode))
+
+;; From the Python class of an activity to the model. (Back leads `eglot-find-implementation'.)
+(declare-function eglot-current-server "eglot")
+(declare-function jsonrpc-request "jsonrpc")
+(declare-function xref-make "xref")
+(declare-function xref-make-file-location "xref")
+(declare-function xref-show-xrefs "xref")
+
+(defun aseme--server ()
+  "The language server of an .aseme file that is open in the project of this file."
+  (let ((file (file-truename buffer-file-name)) found)
+    (dolist (buffer (buffer-list) found)
+      (with-current-buffer buffer
+        (when (and (derived-mode-p 'aseme-mode) buffer-file-name (fboundp 'eglot-current-server)
+                   (string-prefix-p
+                    (file-truename (or (locate-dominating-file default-directory "pyproject.toml")
+                                       default-directory))
+                    file))
+          (setq found (or found (eglot-current-server))))))))
+
+(defun aseme--xref (place)
+  "What xref shows for PLACE, a location of the language server."
+  (let* ((file (url-unhex-string (substring (plist-get place :uri) (length "file://"))))
+         (start (plist-get (plist-get place :range) :start))
+         (line (plist-get start :line))
+         (text (with-current-buffer (find-file-noselect file)
+                 (save-excursion
+                   (save-restriction
+                     (widen)
+                     (goto-char (point-min))
+                     (forward-line line)
+                     (string-trim (buffer-substring (point) (line-end-position))))))))
+    (xref-make text (xref-make-file-location file (1+ line) (plist-get start :character)))))
+
+;;;###autoload
+(defun aseme-where ()
+  "Show where the models have the activity whose Python class point is in.
+Some .aseme file of the project must be open, with its language server."
+  (interactive)
+  (let* ((server (or (aseme--server)
+                     (user-error "No language server: open an .aseme file of the project first")))
+         (uri (concat "file://" (url-encode-url (file-truename buffer-file-name))))
+         (places (jsonrpc-request
+                  server :textDocument/references
+                  (list :textDocument (list :uri uri)
+                        :position (list :line (1- (line-number-at-pos nil t))
+                                        :character (- (point) (line-beginning-position)))
+                        :context '(:includeDeclaration t)))))
+    (when (seq-empty-p places) (user-error "This is no class of an activity"))
+    (let ((found (mapcar #'aseme--xref places)))
+      (xref-show-xrefs (lambda () found) nil))))
 
 (defvar eglot-server-programs)
 (with-eval-after-load 'eglot

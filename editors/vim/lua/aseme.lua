@@ -1,4 +1,4 @@
--- Starts `asemec lsp` for the files of ASEME, in Neovim 0.7 and newer:
+-- Starts `asemec lsp` for the files of ASEME, and for the Python of their projects, in Neovim 0.7 and newer:
 --
 --   require("aseme").setup()                                      asemec of the .venv above the file, or of the PATH
 --   require("aseme").setup({ cmd = { "uv", "run", "asemec", "lsp" } })
@@ -64,12 +64,28 @@ function M.start(buffer, config)
   vim.lsp.buf_attach_client(buffer, id)
 end
 
+-- Whether a file is in a project of ASEME: the classes of its activities lead to the model.
+function M.in_project(file)
+  local found = above("pyproject.toml", file)
+  if not found then
+    return false
+  end
+  for _, line in ipairs(vim.fn.readfile(found)) do
+    if line:match("^%s*%[tool%.asemec") then
+      return true
+    end
+  end
+  return false
+end
+
 function M.setup(config)
   vim.api.nvim_create_autocmd("FileType", {
     group = vim.api.nvim_create_augroup("aseme", { clear = true }),
-    pattern = "aseme",
+    pattern = { "aseme", "python" },
     callback = function(event)
-      M.start(event.buf, config)
+      if vim.bo[event.buf].filetype == "aseme" or M.in_project(vim.api.nvim_buf_get_name(event.buf)) then
+        M.start(event.buf, config)
+      end
     end,
   })
 end

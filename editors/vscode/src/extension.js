@@ -9,6 +9,7 @@ import { AsemecTasks, run } from "./tasks.js";
 const SELECTOR = [
   { scheme: "file", language: "aseme" },
   { scheme: "untitled", language: "aseme" },
+  { scheme: "file", language: "python" }, // the classes of activities: from there to the model
 ];
 
 /** @type {LanguageClient | undefined} */
