@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tests.behaviour.conftest import Play
+from tests.behaviour.test_conversations import PROTOCOL
 from tests.behaviour.test_waking import settled
 
 AND = """
@@ -203,3 +204,40 @@ def test_into_another_and(play: Play) -> None:
     ).step()
     run.step(run.event("e"))
     assert run.active == ["F", "G"]
+
+
+def test_a_part_beside_it_is_left_in_another_way_than_by_its_end(play: Play) -> None:
+    """ "If it is left in any other way (an outer transition, …)": its conversation is given up."""
+    run = play(
+        PROTOCOL
+        + """srm R { plays p.a  liveness { R = (W || a) . D }
+          control R { 0.2.2.1.2 -> 0.3 : e } }"""
+    ).step()
+    branch = run.plan.branches[0].label
+    assert sorted(run.active) == ["A", "W"]
+    run.step(run.event("e"), run.mail("inform", "Note"))
+    assert run.active == ["D"]
+    assert run.did[-4:] == ["cancel W", "cancel A", f"part {branch}", "start D"]
+
+
+def test_a_state_around_remembers_where_its_and_was(play: Play) -> None:
+    """ "T continues in the configuration in which it was last cut short" """
+    run = play("""
+        srm R {
+          liveness { R = (shift | Charge)+  shift = A . ((B1 . B2) || C) }
+          control R {
+            resume shift : [!has(t.state.M)]
+            enter Charge : else
+            repeat (shift | Charge) :
+            leave (shift | Charge) : halt
+            0.2.3.3.2.1.2.3 -> 0.2.4 : e
+          }
+        }
+    """).step()
+    run.step(run.done("A"))
+    run.step(run.done("B1"))
+    assert sorted(run.active) == ["B2", "C"]
+    run.step(run.event("e"))
+    assert run.active == ["Charge"]
+    run.step(run.done("Charge"))
+    assert sorted(run.active) == ["B2", "C"]
