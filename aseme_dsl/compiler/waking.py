@@ -99,6 +99,8 @@ class _Regions:
     def _may_be_left(self) -> bool:
         """Whether what is around may end it at once, as far as is known."""
         around = [self.node, *self.chart.ancestors(self.node.label)]
+        if any(self.chart.outgoing(child.label) for child in self.chart.children(self.node.label)):
+            return True
         return any(
             transition.expression.when or any(map(_is_there_at_once, transition.expression.events))
             for state in around
@@ -185,6 +187,8 @@ class _Regions:
         if any(self.chart.exits_of(state.label) for state in left):
             raise _Unknown
         target = self.chart.node(way[-1].target)
+        if self.chart.region_of(target.label) != region:
+            raise _Unknown  # it leads out of the AND, or into a region
         while target.type is NodeType.OR:
             start = self.chart.start_of(target.label)
             if start is None or way[-1].resume:

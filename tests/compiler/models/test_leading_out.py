@@ -116,3 +116,17 @@ def test_what_only_such_a_transition_leads_to_is_reached() -> None:
 
 def test_an_and_that_restarts_itself_without_waiting_is_reported() -> None:
     assert codes(PAIR.format(line="0.2.2.1 -> 0.2 : when [true]")) == ["W403"]
+
+
+@pytest.mark.parametrize("line", ["0.2.1.1 -> 0.5 : when [n == 0]", "0.2.1 -> 0.5 : when [n == 0]"])
+def test_regions_that_wake_each_other_until_one_of_them_leaves(line: str) -> None:
+    text = f"""system S statechart r {{
+      var n : int = 0  var m : int = 0
+      state 0 OR  state 0.1 START  state 0.2 AND  state 0.5 END
+      state 0.2.1 OR  state 0.2.1.1 START  state 0.2.1.2 BASIC A  state 0.2.1.3 END
+      state 0.2.2 OR  state 0.2.2.1 START  state 0.2.2.2 BASIC B  state 0.2.2.3 END
+      0.1 -> 0.2 :  0.2 -> 0.5 :  {line}
+      0.2.1.1 -> 0.2.1.2 : [n == 1] / m = m + 1  0.2.1.2 -> 0.2.1.3 :
+      0.2.2.1 -> 0.2.2.2 : [m >= 0] / n = n + 1  0.2.2.2 -> 0.2.2.3 :
+    }}"""
+    assert "W436" not in codes(text)
