@@ -106,6 +106,7 @@ class Hostile:
         self.generated = generated
         self.name = name
         self.life = time.time_ns()
+        self.answers = self.session.declare_subscriber(f"asemec/{WIRE}/to/{name}/bob/ping", self.answer)
         self.token = self.session.liveliness().declare_token(self.link.token(name, self.life))
 
     def send(self, attachment: bytes | None, payload: bytes, way: str = "team/signal/M") -> None:
@@ -113,6 +114,13 @@ class Hostile:
         if attachment is not None and secret is not None:
             attachment = envelopes.proven(attachment, payload, secret, f"asemec/{WIRE} bob {self.name}")
         self.session.put(f"asemec/{WIRE}/to/bob/{self.name}/{way}", payload, attachment=attachment)
+
+    def answer(self, sample: Any) -> None:
+        """Say that one is there, as robots do."""
+        ping = envelopes.read(sample.attachment.to_bytes(), b"")
+        now = time.monotonic_ns()
+        pong = Envelope(envelopes.PONG, ping.model, self.life, time=now, asked=ping.time, heard=now)
+        self.send(envelopes.written(pong, b"", addressee=ping.incarnation), b"", "pong")
 
     def message(self, bob: Part, n: int, place: int, **members: Any) -> None:
         payload = members.pop("payload", None) or self.generated.messages.SCHEMA.encode(

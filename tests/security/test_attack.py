@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 import random
 import socket
 from collections import Counter
@@ -12,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.runtime.control_socket import endpoints
+from aseme_dsl.runtime.control_socket import ask, endpoints
 from aseme_dsl.runtime.transport import Network
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport import meeting as meetings
@@ -54,6 +55,23 @@ def noise(chance: random.Random) -> bytes:
     return chance.choice(shapes)().replace(b"\n", b" ")
 
 
+def wishes(chance: random.Random) -> bytes:
+    """The same, or a request as an operator would make it."""
+    if chance.random() < 0.5:
+        return noise(chance)
+    plan = {"agent": chance.choice(ROBOTS), "plan": "robot"}
+    swap = {"phase": chance.choice(("ready", "prepare")), "hash": chance.randbytes(32).hex()}
+    kinds: tuple[dict[str, object], ...] = (
+        {"request": "stop"},
+        {"request": "status"},
+        {"request": "select", **plan},
+        {"request": "swap", **swap},
+        {"request": "swap", "phase": "commit", "id": chance.randrange(3)},
+        {"control": "challenge"},
+    )
+    return json.dumps({"version": 1, **chance.choice(kinds)}).encode()
+
+
 def forged(chance: random.Random, robot: str) -> tuple[str, bytes]:
     """A key to a robot with an envelope that another one might have sent, but for the proof."""
     sender = chance.choice([name for name in ROBOTS if name != robot])
@@ -67,15 +85,51 @@ def forged(chance: random.Random, robot: str) -> tuple[str, bytes]:
     return f"asemec/{NAME}/to/{robot}/{sender}/{way}", data[: chance.randrange(1, 200)]
 
 
+def token(chance: random.Random) -> str:
+    """A key that says that a robot is there, but for the proof."""
+    name = chance.choice((*ROBOTS, "mallory", "x" * 200, "\x1b[31mred"))
+    life = chance.choice(("0", "ffffffffffffffff", f"{chance.getrandbits(64):x}", "whenever", "-"))
+    return f"asemec/{NAME}/here/{name}/{life}{chance.choice(('', '-', '-' + chance.randbytes(32).hex()))}"
+
+
+def latest(run: Started, robot: str) -> dict[str, int]:
+    """The last signal that has come from each other robot, by the end of a long trace."""
+    with (run.folder / "out" / f"trace.{robot}.jsonl.part").open("rb") as file:
+        file.seek(-min(1 << 17, file.seek(0, os.SEEK_END)), os.SEEK_END)
+        records = [json.loads(text) for text in file.read().split(b"\n")[1:-1]]
+    found = {other: signals_from(records, other)[-1:] for other in ROBOTS if other != robot}
+    return {other: numbers[0] for other, numbers in found.items() if numbers}
+
+
 def goes_on(run: Started) -> None:
     """Each robot hears each other one say more."""
-    before = {
-        (mine, other): len(signals_from(run.trace(mine), other))
-        for mine in ROBOTS
-        for other in ROBOTS
-        if mine != other
-    }
-    run.wait_for(lambda: all(len(signals_from(run.trace(m), o)) > n for (m, o), n in before.items()))
+    before = {robot: latest(run, robot) for robot in ROBOTS}
+    run.wait_for(
+        lambda: all(
+            latest(run, mine).get(other, -1) > before[mine].get(other, -1)
+            for mine in ROBOTS
+            for other in ROBOTS
+            if mine != other
+        )
+    )
+
+
+def state(run: Started) -> dict[str, object]:
+    """What an operator may change of each agent: what it follows, and whether it is over or has failed."""
+    found: dict[str, object] = {}
+    for path in endpoints(run.folder / "out"):
+        reply = ask(path, {"request": "status"}, LONG)
+        for agent in reply["agents"]:
+            found[agent["name"]] = (
+                reply["model"],
+                *(agent[x] for x in ("role", "system", "model", "over", "failure")),
+            )
+    return found
+
+
+def kinds(run: Started) -> set[str]:
+    """What kinds of things have happened to the robots."""
+    return {record["kind"] for robot in ROBOTS for record in run.trace(robot)} - {"control", "peer"}
 
 
 def nobody_was_ended_or_late(run: Started) -> bool:
@@ -84,10 +138,13 @@ def nobody_was_ended_or_late(run: Started) -> bool:
 
 
 def refusals(run: Started, robot: str) -> Counter[str]:
-    """How many control requests were refused, by origin, floods summed up."""
+    """How many control requests were refused, by origin, floods summed up; none but `status` was accepted."""
     found: Counter[str] = Counter()
     for record in run.trace(robot):
         if record["kind"] == "control":
+            if record["what"] == "accepted":
+                assert record.get("request") == "status", record
+                continue
             assert record["what"] == "refused", record
             found[record["origin"]] += record.get("count", 1)
     return found
@@ -121,6 +178,8 @@ def test_another_user_opens_nothing(run: Started, as_other: AsOther) -> None:
 def test_a_flood_from_the_same_user_changes_nothing_and_is_traced(run: Started) -> None:
     chance = random.Random(1)
     bus, control = sockets(run)
+    assert len(bus) == len(ROBOTS)
+    before, happened = state(run), kinds(run)
     for path in bus:
         for _ in range(MANY):
             with socket.socket(socket.AF_UNIX) as raw:
@@ -137,17 +196,32 @@ def test_a_flood_from_the_same_user_changes_nothing_and_is_traced(run: Started) 
                 assert json.loads(replies.readline())["ok"] is False
     with ZenohLink(NAME, Network()).connected("mallory") as session:
         wait_until(lambda: len(list(session.info.peers_zid())) == len(bus))
+        names = {token(chance) for _ in range(4 * MANY)}
+        tokens = [session.liveliness().declare_token(name) for name in sorted(names)[:MANY]]
         for robot in ROBOTS:
             for _ in range(MANY):
                 key, data = forged(chance, robot)
                 session.put(key, b"", attachment=data, congestion_control=zenoh.CongestionControl.BLOCK)
-                asked = session.get(f"asemec/{NAME}/control/{robot}", payload=noise(chance), timeout=LONG)
+                asked = session.get(f"asemec/{NAME}/control/{robot}", payload=wishes(chance), timeout=LONG)
                 assert all(b"off" in reply.ok.payload.to_bytes() for reply in asked if reply.ok)
+                what = chance.choice(("history", "here", "*", "swap"))
+                mark = chance.choice((None, chance.randbytes(48)))
+                key = f"asemec/{NAME}/{what}/{robot}"
+                asked = session.get(key, payload=noise(chance), attachment=mark, timeout=LONG)
+                assert list(asked) == []
+        goes_on(run)
+        assert state(run) == before
+        for item in tokens:
+            item.undeclare()
     goes_on(run)
+    assert state(run) == before and kinds(run) == happened
     assert nobody_was_ended_or_late(run)
     assert run.end() == 130
     for robot in ROBOTS:
         assert refusals(run, robot) == {"bus": MANY, "socket": MANY}
         counts = [r["counts"] for r in run.trace(robot) if r["kind"] == "peer" and r["what"] == "count"]
-        assert sum(count.get("unreadable", 0) for count in counts) == MANY
+        count = Counter(what for found in counts for what in found for _ in range(found[what]))
+        assert count["unreadable"] + count["refused"] == 3 * MANY  # messages, questions and tokens
         assert len([r for r in run.trace(robot) if r["kind"] == "control"]) < 2 * MANY
+        assert len([r for r in run.trace(robot) if r["kind"] == "peer"]) < MANY
+        assert "late" not in count

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import time
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +17,7 @@ from tests.faults.test_network import WIRE, Hostile, Mouth, certificates, heard,
 from tests.runtime.transport.net import Part, part
 from tests.security.lines import line
 from tests.support.generated import Generated
-from tests.support.waiting import wait_until
+from tests.support.waiting import LONG, wait_until
 
 zenoh = pytest.importorskip("zenoh")
 
@@ -105,6 +106,111 @@ def test_forged_answers_are_not_taken(wire: Generated, mouth: Mouth) -> None:
     ann.stop()
     bob.stop()
     assert [[message.n for _, message in one] for one in found] == [[1]] * 5
+
+
+@line("a process without the secret", "hold up or silence an answer")
+def test_who_takes_questions_neither_delays_nor_silences_the_answer(wire: Generated, mouth: Mouth) -> None:
+    ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, Network())).start()
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, Network())).start()
+    wait_until(lambda: bob.team.transport.is_there("ann"))
+    mouth.say += [("team.data.M", 1)]
+    wait_until(lambda: heard(bob, "team.data.M") == [1])
+    session = ZenohLink(WIRE, Network()).connected("mallory")
+    held: list[Any] = []
+    found = []
+    for complete in (False, True):  # who claims to know all would be asked alone
+        queryable = session.declare_queryable(f"asemec/{WIRE}/**", held.append, complete=complete)
+
+        def ask() -> bool:
+            began = time.monotonic()
+            found.append(
+                [m.n for _, m in bob.team.transport.history("ann", "team.data.M", 0, 2**62, 2 * LONG)]
+            )
+            assert time.monotonic() - began < LONG  # not as long as mallory likes
+            return bool(held)
+
+        wait_until(ask)
+        held.clear()
+        queryable.undeclare()
+    session.close()
+    ann.stop()
+    bob.stop()
+    assert found == [[1]] * len(found)
+
+
+def test_a_question_is_the_team_s_and_counts_once(wire: Generated, mouth: Mouth) -> None:
+    ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, Network())).start()
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, Network())).start()
+    wait_until(lambda: bob.team.transport.is_there("ann"))
+    session = ZenohLink(WIRE, Network()).connected("mallory")
+    recorded: list[tuple[bytes, bytes]] = []
+    spy = session.declare_queryable(
+        f"asemec/{WIRE}/history/ann",
+        lambda query: recorded.append((query.payload.to_bytes(), query.attachment.to_bytes())),
+    )
+
+    def ask() -> bool:
+        bob.team.transport.history("ann", "team.data.M", 0, 2**62, LONG)
+        return bool(recorded)
+
+    wait_until(ask)
+    spy.undeclare()
+    question, mark = recorded[0]
+    chance = random.Random(1)
+    asked = [(question, mark), (question, None), (b"", mark), (question[:-1], mark), (question, mark[:-1])]
+    asked += [(question, mark[:15] + bytes((mark[15] ^ 1,)) + mark[16:])]
+    asked += [(chance.randbytes(chance.randrange(99)), chance.randbytes(48)) for _ in range(94)]
+    answers = [
+        reply
+        for payload, attachment in asked
+        for reply in session.get(
+            f"asemec/{WIRE}/history/ann", payload=payload, attachment=attachment, timeout=LONG
+        )
+    ]
+    for key in ("**", "asemec/**", f"asemec/{WIRE}/*/ann", f"asemec/{WIRE}/here/ann"):
+        answers += session.get(key, payload=question, attachment=mark, timeout=LONG)
+    session.close()
+    ann.stop()
+    bob.stop()
+    assert answers == []
+    (count,) = ann.of("peer", peer="?", what="count")
+    assert count["counts"]["refused"] == 100 + 4
+
+
+def test_a_copied_token_is_nobody(wire: Generated, mouth: Mouth) -> None:
+    """Neither of a robot that has ended, to one that comes later, nor of a newer life of one's own."""
+    keeper = ZenohLink(WIRE, Network())
+    session = keeper.connected("mallory")  # the secret stays the same, and so do proofs
+    ended = keeper.token("ann", time.time_ns())
+    kept = [session.liveliness().declare_token(ended)]
+    kept += [session.liveliness().declare_token(keeper.token("bob", LAST))]
+    kept += [session.liveliness().declare_token(keeper.token("ann", life)) for life in range(1, 9)]
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, Network())).start()
+    wait_until(lambda: "ann" in bob.post._others and len(bob.post._others["ann"].present) == 9)
+    ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, Network())).start()
+    wait_until(lambda: bob.team.transport.is_there("ann"))
+    talks_on(mouth, ann, bob, 1)
+    session.close()
+    talks_on(mouth, ann, bob, 2)
+    assert bob.news() == ["ann there"]
+    ann.stop()
+    bob.stop()
+
+
+def test_what_an_earlier_run_was_told_ends_nobody(wire: Generated, mouth: Mouth) -> None:
+    """A recorded message of a life with a higher number, as one has whose clock was set back."""
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, Network())).start()
+    ann = Hostile(wire)  # knows the secret
+    wait_until(lambda: bob.team.transport.is_there("ann"))
+    for addressee in (0, bob.post.incarnation - 1):
+        ann.message(bob, 1, 1, incarnation=LAST, addressee=addressee)
+    ann.message(bob, 1, 1)
+    wait_until(lambda: heard(bob) == [1])
+    peer = bob.team.peers()["ann"]
+    ann.close()
+    bob.stop()
+    assert peer.late == 2
+    assert bob.news("restarted") == []
 
 
 @line(

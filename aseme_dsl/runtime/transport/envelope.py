@@ -30,7 +30,8 @@ its payload; sender, receiver and channel are the sample's key. In another langu
       string to = 19;                   // the receiver's part
       repeated Part parts = 20;         // who takes part as what, as far as the sender knows
       repeated string receivers = 21;
-      uint64 upto = 22;                 // ACKNOWLEDGE: all up to this place have come
+      uint64 upto = 22;                 // ACKNOWLEDGE: all up to this place have come;
+                                        // of an answer to a question: how many pieces it has, with this one
       repeated uint64 missing = 23;     // and of those after it, these have not
       sfixed64 asked = 24;              // PONG: the time of the PING
       sfixed64 heard = 25;              // PONG: when that came
@@ -48,11 +49,12 @@ its payload; sender, receiver and channel are the sample's key. In another langu
 
 from __future__ import annotations
 
+import hashlib
 import hmac
 import zlib
-from dataclasses import dataclass, fields
-from functools import cache
-from typing import Any
+from functools import cache, lru_cache
+from operator import attrgetter
+from typing import Any, NamedTuple
 
 FORMAT = 1
 
@@ -66,8 +68,7 @@ class EnvelopeError(ValueError):
     """Bytes that are no envelope, or not the envelope of what came in it; the text says why."""
 
 
-@dataclass(frozen=True, slots=True)
-class Envelope:
+class Envelope(NamedTuple):
     """The members are those of the module's docstring."""
 
     kind: int
@@ -87,19 +88,19 @@ class Envelope:
     conversation: str = ""
     participant: str = ""
     to: str = ""
-    parts: tuple[tuple[str, tuple[str, ...]], ...] = ()
-    receivers: tuple[str, ...] = ()
     upto: int = 0
-    missing: tuple[int, ...] = ()
     asked: int = 0
     heard: int = 0
     in_reply_to: str = ""
     reply_with: str = ""
     reply_by: int = 0
-    reply_to: tuple[str, ...] = ()
     language: str = ""
     encoding: str = ""
     ontology: str = ""
+    parts: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    receivers: tuple[str, ...] = ()
+    missing: tuple[int, ...] = ()
+    reply_to: tuple[str, ...] = ()
 
 
 def written(
@@ -109,8 +110,7 @@ def written(
     proto = _proto()(
         format=FORMAT, check=zlib.crc32(payload), addressee=addressee, place=place, sample=sample
     )
-    for name, default in _SIMPLE:
-        value = getattr(envelope, name)
+    for name, value, default in zip(_SIMPLE, envelope, _DEFAULTS, strict=False):  # the lists are last
         if value != default:
             setattr(proto, name, value)
     if envelope.parts:
@@ -142,20 +142,15 @@ def read(data: bytes, payload: bytes) -> Envelope:
         raise EnvelopeError(f"its envelope has the format {proto.format}; this is {FORMAT}")
     if proto.check != zlib.crc32(payload):
         raise EnvelopeError("it was damaged on its way: its checksum is another")
-    values: dict[str, Any] = {name: getattr(proto, name) for name, _ in _SIMPLE}
-    if values["kind"] not in range(5):
-        raise EnvelopeError(f"there is no kind {values['kind']} of envelope")
+    if proto.kind not in range(5):
+        raise EnvelopeError(f"there is no kind {proto.kind} of envelope")
     if len(proto.missing) > MOST_MISSING:
         raise EnvelopeError(f"it says of {len(proto.missing)} places that they are missing")
+    envelope = Envelope(*_simple(proto))
+    lists: dict[str, Any] = {name: tuple(found) for name in _LISTS if (found := getattr(proto, name))}
     if proto.parts:
-        values["parts"] = tuple((part.participant, tuple(part.agents)) for part in proto.parts)
-    if proto.receivers:
-        values["receivers"] = tuple(proto.receivers)
-    if proto.missing:
-        values["missing"] = tuple(proto.missing)
-    if proto.reply_to:
-        values["reply_to"] = tuple(proto.reply_to)
-    return Envelope(**values)
+        lists["parts"] = tuple((part.participant, tuple(part.agents)) for part in proto.parts)
+    return envelope._replace(**lists) if lists else envelope
 
 
 def proven(data: bytes, payload: bytes, secret: bytes, way: str) -> bytes:
@@ -181,15 +176,33 @@ _PROOF = b"\x8a\x02\x20"
 
 def _proof(data: bytes, payload: bytes, secret: bytes, way: str) -> bytes:
     head = way.encode()
-    return hmac.digest(secret, b"%d %d " % (len(head), len(data)) + head + data + payload, "sha256")
+    return mac(secret, b"%d %d " % (len(head), len(data)), head, data, payload)
+
+
+def mac(secret: bytes, *parts: bytes) -> bytes:
+    """The HMAC-SHA-256 (RFC 2104) of parts that follow each other; of a secret it is begun only once."""
+    inner, outer = (begun.copy() for begun in _begun(secret))
+    for part in parts:
+        inner.update(part)
+    outer.update(inner.digest())
+    found: bytes = outer.digest()
+    return found
+
+
+@lru_cache(maxsize=16)
+def _begun(secret: bytes) -> tuple[Any, Any]:
+    block = secret if len(secret) <= 64 else hashlib.sha256(secret).digest()
+    block = block.ljust(64, b"\0")
+    return (
+        hashlib.sha256(bytes(byte ^ 0x36 for byte in block)),
+        hashlib.sha256(bytes(byte ^ 0x5C for byte in block)),
+    )
 
 
 _LISTS = ("parts", "receivers", "missing", "reply_to")
-_SIMPLE: tuple[tuple[str, Any], ...] = tuple(
-    (field.name, None if field.name == "kind" else field.default)
-    for field in fields(Envelope)
-    if field.name not in _LISTS
-)
+_SIMPLE = Envelope._fields[: -len(_LISTS)]
+_DEFAULTS: tuple[Any, ...] = (None, *Envelope._field_defaults.values())
+_simple = attrgetter(*_SIMPLE)
 
 
 @cache

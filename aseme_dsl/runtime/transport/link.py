@@ -8,6 +8,9 @@ from typing import NamedTuple, Protocol
 from aseme_dsl.runtime.acl import FipaMessage
 from aseme_dsl.runtime.transport.envelope import Envelope
 
+NOBODY = "?"
+"""Stands for a sender that is not said."""
+
 Answer = tuple[Envelope, bytes]
 """A piece of the answer to a question, with its payload."""
 
@@ -83,7 +86,11 @@ class Link(Protocol):
 
     @property
     def lease(self) -> int | None:
-        """Who answers no PING for so many ns is gone; None: the link itself asks who is there."""
+        """Who answers no PING for so many ns is gone; None: the link itself asks who is there.
+
+        With a lease, what `appeared` says may be a copy of something old: it counts when that life says
+        something to this one of ours.
+        """
         ...
 
     def open(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
@@ -103,8 +110,13 @@ class Link(Protocol):
         """Say something to somebody who is not of the team, at that address; False if there is no way."""
         ...
 
-    def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[Answer]:
-        """Put a question and wait for the answers, `timeout` seconds at most."""
+    def ask(
+        self, to: str, what: str, question: bytes, timeout: float, life: int | None = None
+    ) -> list[Answer]:
+        """Put a question and wait for the answers, `timeout` seconds at most.
+
+        With a `life` only that of the asked agent may answer.
+        """
         ...
 
     def close(self) -> None:

@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Mapping
-from dataclasses import fields
 from datetime import datetime
 from typing import Any
 
@@ -38,9 +37,9 @@ _READABLE = {
 """Which fields of an envelope are headers of their own."""
 _NOT_OURS = {*_READABLE, "performative", "ontology", "language"}
 _REST: tuple[tuple[str, Any], ...] = tuple(
-    (field.name, None if field.name == "kind" else field.default)
-    for field in fields(Envelope)
-    if field.name not in _NOT_OURS and field.name not in Stamp._fields
+    (name, Envelope._field_defaults.get(name))
+    for name in Envelope._fields
+    if name not in _NOT_OURS and name not in Stamp._fields
 )
 _TYPES: dict[str, type] = {name: type(default) for name, default in _REST if default is not None}
 _TYPES |= {"kind": int, "check": int, **dict.fromkeys(Stamp._fields, int)}

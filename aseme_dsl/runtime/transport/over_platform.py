@@ -285,7 +285,9 @@ class PlatformLink:
 
     # ---- questions ---------------------------------------------------------------------------
 
-    def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[Answer]:
+    def ask(
+        self, to: str, what: str, question: bytes, timeout: float, life: int | None = None
+    ) -> list[Answer]:
         """Put a question and wait for the answers."""
         known = self._known.get(to)
         if known is None:
@@ -295,7 +297,7 @@ class PlatformLink:
         try:
             self._note(known.address, {"question": name, "what": what}, question.decode())
             put.over.wait(timeout)
-            return list(put.answers)
+            return [answer for answer in put.answers if life in (None, answer[0].incarnation)]
         finally:
             del self._questions[name]
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import hmac
+import itertools
 import json
 import re
 import secrets
@@ -16,13 +17,15 @@ import threading
 import weakref
 from collections.abc import Iterator, Sequence
 from contextlib import nullcontext
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
+from aseme_dsl.runtime.transport.link import NOBODY
 from aseme_dsl.runtime.transport.meeting import Meeting, joining
 from aseme_dsl.runtime.transport.port import TransportError
-from aseme_dsl.runtime.transport.stream import PATIENCE
+from aseme_dsl.runtime.transport.stream import PATIENCE, Samples
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.acl import FipaMessage
@@ -34,10 +37,11 @@ MISSING = (
 )
 
 
-NOBODY = "?"
-"""Stands for a sender whose name is missing in the key."""
 QUESTIONS = ("history", "control")
 _LIFE = re.compile("[0-9a-f]{1,16}")
+_NONCE_BYTES = 16
+_ASKERS = 256
+"""Of so many sessions that have asked it is remembered which of their questions have come."""
 
 
 def import_zenoh() -> Any:
@@ -78,6 +82,9 @@ class ZenohLink:
                 raise TransportError(f"zenoh does not take {key} = {value}: {problem}") from problem
         self._secret: bytes | None = None
         """Who knows it is of the team; None where certificates say so."""
+        self._asker = secrets.token_bytes(_NONCE_BYTES - 8)
+        self._questions = itertools.count(1)
+        self._askers: dict[bytes, Samples] = {}
         self._session: Any = None
         self._kept: list[Any] = []
         """Tokens vanish when nobody refers to them."""
@@ -124,16 +131,25 @@ class ZenohLink:
             if not _LIFE.fullmatch(life):
                 agent, life = NOBODY, "0"
             elif not hmac.compare_digest(proof.encode(), self._token_proof(agent, int(life, 16)).encode()):
-                hears.unreadable(agents[0], agent, "its token does not prove that it is of the team")
+                if sample.kind == put:
+                    hears.unreadable(agents[0], agent, "its token does not prove that it is of the team")
                 return
             (hears.appeared if sample.kind == put else hears.vanished)(agent, int(life, 16))
 
-        def asked(query: Any) -> None:
-            what, to = str(query.key_expr).split("/")[-2:]
-            if to not in agents or what not in QUESTIONS:
-                return  # a query for all that there is
+        def asked(to: str, query: Any) -> None:
+            *_, what, name = ("", *str(query.key_expr).split("/"))
+            if name != to or what not in QUESTIONS:  # it asks for all that there is, say
+                hears.unreadable(to, NOBODY, "it asks for nothing that there is")
+                return
             question = b"" if query.payload is None else query.payload.to_bytes()
-            nonce = "" if query.attachment is None else query.attachment.to_bytes().hex()
+            mark = b"" if query.attachment is None else query.attachment.to_bytes()
+            # Control has proofs of its own, and tells of each request.
+            if self._secret is not None and what != "control":
+                reason = self._improper(what, to, question, mark)
+                if reason is not None:
+                    hears.unreadable(to, NOBODY, reason)
+                    return
+            nonce = mark[:_NONCE_BYTES].hex()
             for envelope, payload in hears.asked(to, what, question):
                 data = envelopes.written(envelope, payload)
                 if self._secret is not None:
@@ -142,7 +158,7 @@ class ZenohLink:
 
         for agent in agents:
             self._kept.append(session.declare_subscriber(f"{self._root}/to/{agent}/**", arrived))
-            self._kept.append(session.declare_queryable(f"{self._root}/*/{agent}", asked))
+            self._kept.append(session.declare_queryable(f"{self._root}/*/{agent}", partial(asked, agent)))
         liveliness = session.liveliness()
         self._kept.append(liveliness.declare_subscriber(f"{self._root}/here/*/*", lives, history=True))
         # Last: who sees the token may send at once.
@@ -211,22 +227,54 @@ class ZenohLink:
         """False: over Zenoh there is only the team."""
         return False
 
-    def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[Answer]:
+    def _improper(self, what: str, to: str, question: bytes, mark: bytes) -> str | None:
+        """Why a question is not answered; None if it proves that it is one of the team's, and a new one."""
+        nonce, proof = mark[:_NONCE_BYTES], mark[_NONCE_BYTES:]
+        if not hmac.compare_digest(proof, self._question_proof(what, to, question, nonce)):
+            return "a question does not prove that it is of the team"
+        with self._lock:
+            asker = nonce[:-8]
+            known = self._askers.get(asker)
+            if known is None:
+                while len(self._askers) >= _ASKERS:
+                    del self._askers[next(iter(self._askers))]
+                known = self._askers[asker] = Samples()
+            if known.take(int.from_bytes(nonce[-8:], "big")) is None:
+                return "a question came twice"
+        return None
+
+    def _question_proof(self, what: str, to: str, question: bytes, nonce: bytes) -> bytes:
+        assert self._secret is not None
+        head = f"question {len(question)} {self._root} {what} {to} ".encode()
+        return envelopes.mac(self._secret, head, nonce, question)
+
+    def ask(
+        self, to: str, what: str, question: bytes, timeout: float, life: int | None = None
+    ) -> list[Answer]:
         """Put a question and wait for the answers."""
         zenoh = self._zenoh
         session = self._session
         if session is None:
             return []
-        nonce = secrets.token_bytes(16)
-        replies = session.get(
-            f"{self._root}/{what}/{to}",
-            payload=question,
-            attachment=nonce,
-            timeout=timeout,
-            # Otherwise of several answers on one key only the last one is kept.
-            consolidation=zenoh.ConsolidationMode.NONE,
-        )
+        nonce = self._asker + next(self._questions).to_bytes(8, "big")
+        mark = nonce
+        if self._secret is not None:
+            mark += self._question_proof(what, to, question, nonce)
+        try:
+            replies = session.get(
+                f"{self._root}/{what}/{to}",
+                payload=question,
+                attachment=mark,
+                timeout=timeout,
+                # Otherwise somebody who claims to know all would be the only one who is asked.
+                target=zenoh.QueryTarget.ALL,
+                # Otherwise of several answers on one key only the last one is kept.
+                consolidation=zenoh.ConsolidationMode.NONE,
+            )
+        except zenoh.ZError:  # the session is being closed
+            return []
         found: list[Answer] = []
+        pieces = 0
         for reply in replies:
             if reply.ok is not None and reply.ok.attachment is not None:
                 payload = reply.ok.payload.to_bytes()
@@ -235,11 +283,17 @@ class ZenohLink:
                     if self._secret is not None:
                         way = f"{self._root} {what} {to} {nonce.hex()}"
                         data = envelopes.unproven(data, payload, self._secret, way)
-                    found.append((envelopes.read(data, payload), payload))
+                    envelope = envelopes.read(data, payload)
                 except EnvelopeError as problem:
                     if self._secret is not None:
                         continue  # somebody answers who was not asked
                     raise TransportError(f"the answer of {to} cannot be read: {problem}") from problem
+                if life is None or envelope.incarnation == life:
+                    found.append((envelope, payload))
+                    if envelope.kind == envelopes.ACKNOWLEDGE:
+                        pieces = envelope.upto
+                    if len(found) == pieces:  # others may hold the question until its time is over
+                        break
         return found
 
     def close(self) -> None:

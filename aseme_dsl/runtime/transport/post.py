@@ -34,7 +34,7 @@ from aseme_dsl.runtime.clock import RealClock
 from aseme_dsl.runtime.inputs import Identity
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope
-from aseme_dsl.runtime.transport.link import Link, Stamp
+from aseme_dsl.runtime.transport.link import NOBODY, Link, Stamp
 from aseme_dsl.runtime.transport.port import Answer, Connected, Peer, Transport, TransportError
 from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing, Samples
 from aseme_dsl.runtime.wire import Schema, WireError
@@ -55,10 +55,16 @@ MOST_WORDS = 10
 """So many times as long as that is waited at the most, as long as something still arrives."""
 SAMPLES = 4096
 """How much data of each channel is kept for those who ask for it."""
+MOST_HOPED = 4
+"""So many lives of an agent are asked whether they are there."""
+TWIN_SECONDS = 2.0
+"""How long a newer life of an agent may take to answer, and after how long it is asked again."""
 QUESTIONS = 8
 """Of so many measurements of another clock the quickest counts."""
 ASK_AGAIN = 5_000_000_000
 """How often, in ns, another machine's clock is measured again."""
+LONGEST_NAME = 100
+"""So many characters of what somebody else has named are told."""
 PINGS = 4
 """So many PINGs in each lease; who answers none of so many is gone."""
 
@@ -170,6 +176,10 @@ class Post(Transport):
         self._resting = False
         self._closing = False
         self._strangers: set[str] = set()
+        self._strange = 0
+        """How much has come from strangers, and from nobody who says a name."""
+        self._twins: set[int] = set()
+        """Newer lives of our own agents of which something says that they are there."""
         self._thread: threading.Thread | None = None
         self._gate = threading.Event()
 
@@ -218,8 +228,10 @@ class Post(Transport):
                 flying, waiting = way.out.restart()
                 self._lose(name, (*flying, *waiting), "the run ended before it could be brought")
             for other in self._others.values():
-                if other.life is not None:
+                if other.life is not None or other.counts:
                     self._tell(other, "count", counts=dict(sorted(other.counts.items())) or None)
+            if self._strange:
+                self._tell(_Other(NOBODY), "count", counts={"refused": self._strange})
 
     def _acknowledge_all(self) -> None:
         """Called with the lock."""
@@ -377,7 +389,7 @@ class Post(Transport):
         shift = self._origin - (self._difference(other) or 0)
         question = json.dumps({"channel": channel, "since": since + shift, "until": until + shift})
         found: list[tuple[int, Any]] = []
-        answers = self._link.ask(sender, "history", question.encode(), timeout)
+        answers = self._link.ask(sender, "history", question.encode(), timeout, other.life)
         for envelope, payload in answers:
             if envelope.kind == envelopes.ACKNOWLEDGE:
                 continue
@@ -455,9 +467,9 @@ class Post(Transport):
         stamp = Stamp(other.life or 0, place, sample)
         self._link.send(other.name, sent.sender, sent.way, sent.envelope, stamp, sent.payload, place > 0)
 
-    def _say(self, mine: str, name: str, way: str, envelope: Envelope) -> None:
-        """Send something of the post's own."""
-        stamp = Stamp(self._others[name].life or 0)
+    def _say(self, mine: str, name: str, way: str, envelope: Envelope, life: int | None = None) -> None:
+        """Send something of the post's own, to the life that the other one leads or to another."""
+        stamp = Stamp(self._others[name].life or 0 if life is None else life)
         self._link.send(name, mine, way, envelope, stamp, b"", True)
 
     def _acknowledge(self, mine: str, name: str, way: _Way) -> None:
@@ -542,6 +554,19 @@ class Post(Transport):
         other.unanswered += 1
         self._say(mine, other.name, "ping", envelope)
 
+    def _hoped(self, other: _Other) -> list[int]:
+        """The lives of an agent that may be its next one, and have said nothing to us yet."""
+        found = [life for life in other.present if life != other.life and self._is_next(other, life)]
+        return sorted(found)[-MOST_HOPED:]
+
+    def _knock(self, other: _Other) -> None:
+        """Have lives say themselves that they are there: tokens may be copies. Called with the lock."""
+        mine = next(iter(self._here))
+        for life in self._hoped(other):
+            envelope = self._envelope(envelopes.PING)
+            self._ways[mine, other.name].asked.append(envelope.time)
+            self._say(mine, other.name, "ping", envelope, life)
+
     def _look_after(self) -> bool:
         """Acknowledge, send again, measure clocks; whether that will soon be needed again."""
         busy = False
@@ -555,7 +580,10 @@ class Post(Transport):
             if now >= other.ask_at and self._is_asked(other):
                 pause = ASK_AGAIN if self._lease is None else min(ASK_AGAIN, self._lease // PINGS)
                 other.ask_at = now + (50_000_000 if few else pause)
-                self._ping(mine, other)
+                if other.life is not None:
+                    self._ping(mine, other)
+                if self._lease is not None:
+                    self._knock(other)
             busy = busy or few
             if not other.alive:
                 continue
@@ -568,7 +596,7 @@ class Post(Transport):
     def _is_asked(self, other: _Other) -> bool:
         """Whether another agent is sent PINGs: for its clock, or to prove that it is there."""
         if self._lease is not None:
-            return other.life is not None and self._gate.is_set()
+            return (other.life is not None or bool(other.present)) and self._gate.is_set()
         return other.alive and other.clock != self._clock
 
     def _pump_quietly(self, way: _Way, other: _Other) -> None:
@@ -582,49 +610,56 @@ class Post(Transport):
         if not self._gate.is_set():
             self._gate.wait()
         came = time.monotonic_ns()
-        self._end_before(sender, envelope.incarnation)
+        if self._is_fresh(envelope):
+            self._end_before(sender, envelope.incarnation)
         with self._lock:
             other = self._sender(to, sender)
-            if other is None or not self._is_current(other, envelope):
+            if other is None:
                 return
-            read = envelope
-            other.clock = read.clock
-            way = self._ways[to, sender]
-            if read.kind == envelopes.ACKNOWLEDGE:
-                for place, letter in way.out.acknowledge(read.upto, read.missing, came):
-                    self._hand_over(other, letter.item, place=place)
-                self._pump(way, other)
+            life, alive = other.life, other.alive
+            if not self._is_current(other, envelope):
                 return
-            if read.kind == envelopes.PING:
-                if read.time <= way.pinged:
-                    self._count(other, "doubled", "one came twice; the second was dropped")
-                    return
-                way.pinged = read.time
-                if way.owed:
-                    self._acknowledge(to, sender, way)
-                self._say(to, sender, "pong", self._envelope(envelopes.PONG, asked=read.time, heard=came))
-                return
-            if read.kind == envelopes.PONG:
-                if read.asked not in way.asked:
-                    self._count(other, "doubled", "one came twice; the second was dropped")
-                    return
-                way.asked.remove(read.asked)
-                other.unanswered, other.answered_at = 0, came
-                trip = (came - read.asked) - (read.time - read.heard)
-                other.measured.append((trip, ((read.asked - read.heard) + (came - read.time)) // 2))
-                if other.alive or self._lease is None or self._closing:
-                    return
-                self._come_back(other)
-                ready = None
-            else:
-                # Not before its turn: what comes twice is looked into once.
-                ready = [self._decoded(other, *item) for item in self._sorted(to, other, way, read, payload)]
-        if ready is None:
+            other.clock = envelope.clock
+            ready = self._taken(to, other, envelope, payload, came)
+            comes = other.alive and (not alive or other.life != life)
+        if comes:
             self._team.conversations.appeared(sender)
-            return
         for item in ready:
             if item is not None:
                 self._hand_on(to, other, *item)
+
+    def _taken(
+        self, to: str, other: _Other, read: Envelope, payload: bytes, came: int
+    ) -> Sequence[tuple[Envelope, Any] | None]:
+        """What can be handed on after something has come. Called with the lock."""
+        way = self._ways[to, other.name]
+        if read.kind == envelopes.ACKNOWLEDGE:
+            for place, letter in way.out.acknowledge(read.upto, read.missing, came):
+                self._hand_over(other, letter.item, place=place)
+            self._pump(way, other)
+            return ()
+        if read.kind == envelopes.PING:
+            if read.time <= way.pinged:
+                self._count(other, "doubled", "one came twice; the second was dropped")
+                return ()
+            way.pinged = read.time
+            if way.owed:
+                self._acknowledge(to, other.name, way)
+            self._say(to, other.name, "pong", self._envelope(envelopes.PONG, asked=read.time, heard=came))
+            return ()
+        if read.kind == envelopes.PONG:
+            if read.asked not in way.asked:
+                self._count(other, "doubled", "one came twice; the second was dropped")
+                return ()
+            way.asked.remove(read.asked)
+            other.unanswered, other.answered_at = 0, came
+            trip = (came - read.asked) - (read.time - read.heard)
+            other.measured.append((trip, ((read.asked - read.heard) + (came - read.time)) // 2))
+            if not other.alive and self._lease is not None and not self._closing:
+                self._come_back(other)
+            return ()
+        # Not before its turn: what comes twice is looked into once.
+        return [self._decoded(other, *item) for item in self._sorted(to, other, way, read, payload)]
 
     def unreadable(self, to: str, sender: str, reason: str) -> None:
         """Something has come for one of our agents that is no envelope, or not that of what came in it."""
@@ -681,12 +716,19 @@ class Post(Transport):
         if life != other.life and not self._is_next(other, life):
             self._count(other, "late", "it is of an earlier life of its sender")
             return False
-        if envelope.addressee not in (0, self.incarnation):
-            self._count(other, "late", "it is for an earlier life of its receiver")
+        if not self._is_fresh(envelope):
+            if envelope.kind == envelopes.PING:  # who looks for another life of ours is none of our business
+                other.counts["late"] = other.counts.get("late", 0) + 1
+            else:
+                self._count(other, "late", "it is for an earlier life of its receiver")
             return False
         if life != other.life:
             self._begin_life(other, life)
         return True
+
+    def _is_fresh(self, envelope: Envelope) -> bool:
+        """Whether an envelope was made for this life of ours: what is replayed may be for an earlier one."""
+        return envelope.addressee == self.incarnation or (self._lease is None and envelope.addressee == 0)
 
     def _is_next(self, other: _Other, life: int) -> bool:
         """Whether this life comes after the one that is known.
@@ -828,11 +870,16 @@ class Post(Transport):
         self._gate.wait()
         if agent in self._here:
             if incarnation > self.incarnation:
-                now = self._team.driver.clock.now()
-                self._team.trace.write("peer", now, agent=agent, peer=agent, what="replaced")
-                self._team.driver.stop("replaced")
+                if self._lease is None:
+                    self._replaced(agent)
+                elif incarnation not in self._twins:
+                    self._twins.add(incarnation)
+                    threading.Thread(
+                        target=self._ask_twin, args=(agent, incarnation), name="aseme twin", daemon=True
+                    ).start()
             return
-        self._end_before(agent, incarnation)
+        if self._lease is None:
+            self._end_before(agent, incarnation)
         with self._lock:
             other = self._others.get(agent)
             if other is None:
@@ -840,7 +887,11 @@ class Post(Transport):
                 return
             other.present.add(incarnation)
             if incarnation != other.life and self._is_next(other, incarnation):
-                self._begin_life(other, incarnation)
+                if self._lease is None:
+                    self._begin_life(other, incarnation)
+                else:
+                    self._knock(other)
+                    self._stir()
             elif incarnation == other.life:
                 if other.alive:
                     self._hurry([key for key in self._ways if key[1] == agent])
@@ -850,6 +901,20 @@ class Post(Transport):
                     self._ping(next(iter(self._here)), other)
         if other.alive:
             self._team.conversations.appeared(agent)
+
+    def _replaced(self, agent: str) -> None:
+        """One of our agents is played by a newer process: this one stops."""
+        now = self._team.driver.clock.now()
+        self._team.trace.write("peer", now, agent=agent, peer=agent, what="replaced")
+        self._team.driver.stop("replaced")
+
+    def _ask_twin(self, agent: str, life: int) -> None:
+        """Stop if a newer life of one of our agents answers, as long as something says that it is there."""
+        while not self._closing and life in self._twins:
+            if self._link.ask(agent, "history", b"{}", TWIN_SECONDS, life):
+                self._replaced(agent)
+                return
+            time.sleep(TWIN_SECONDS)
 
     def _come_back(self, other: _Other) -> None:
         """An agent that was gone leads the same life still. Called with the lock."""
@@ -876,6 +941,8 @@ class Post(Transport):
     def vanished(self, agent: str, incarnation: int) -> None:
         """An agent elsewhere is not there any more."""
         self._gate.wait()
+        if agent in self._here:
+            self._twins.discard(incarnation)
         with self._lock:
             other = self._others.get(agent)
             if other is None or self._closing:
@@ -891,6 +958,9 @@ class Post(Transport):
         with self._lock:
             others = other.present - other.ended
             if other.alive or not others:
+                return
+            if self._lease is not None:
+                self._knock(other)
                 return
             self._begin_life(other, max(others))
         self._team.conversations.appeared(agent)
@@ -908,8 +978,7 @@ class Post(Transport):
             flying, waiting = way.out.restart()
             self._lose(name, flying, "it ended while this was on its way")
             way.into, way.samples, way.owed, way.sample = Incoming(), Samples(), 0, 0
-            way.pinged = 0
-            way.asked.clear()
+            way.pinged = 0  # what was asked stays: the answer may be how this life began
             for kept in self._news_for(mine, name):
                 way.out.put(Letter(kept.sent, len(kept.sent.payload), kept.replaces))
             for letter in waiting:
@@ -931,6 +1000,8 @@ class Post(Transport):
 
     def _meet_stranger(self, name: str) -> None:
         """Somebody who is not of the team uses its name on the network."""
+        self._strange += 1
+        name = name[:LONGEST_NAME]
         if name in self._strangers or len(self._strangers) > 100:
             return
         self._strangers.add(name)
@@ -973,21 +1044,23 @@ class Post(Transport):
             return self._history_of(to, request)
         return []
 
-    def _json_answer(self, answer: dict[str, Any]) -> tuple[Envelope, bytes]:
-        return self._envelope(envelopes.ACKNOWLEDGE), json.dumps(answer).encode()
+    def _json_answer(self, answer: dict[str, Any], further: int = 0) -> tuple[Envelope, bytes]:
+        """The first piece of an answer, after which `further` ones come."""
+        return self._envelope(envelopes.ACKNOWLEDGE, upto=1 + further), json.dumps(answer).encode()
 
     def _history_of(self, mine: str, request: dict[str, Any]) -> list[tuple[Envelope, bytes]]:
         channel, since, until = request.get("channel"), request.get("since"), request.get("until")
-        answers = [self._json_answer({})]  # says that there is somebody, also if there is no data
         if not isinstance(channel, str) or not isinstance(since, int) or not isinstance(until, int):
-            return answers
+            return [self._json_answer({})]
         with self._lock:
             samples = list(self._samples.get((mine, channel), ()))
-        for kept in samples:
-            sent = kept.sent
-            if since <= sent.envelope.time <= until:
-                answers.append((sent.envelope, sent.payload))
-        return answers
+        found = [
+            (kept.sent.envelope, kept.sent.payload)
+            for kept in samples
+            if since <= kept.sent.envelope.time <= until
+        ]
+        # The first says that there is somebody, also if there is no data.
+        return [self._json_answer({}, len(found)), *found]
 
 
 @cache

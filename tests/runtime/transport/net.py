@@ -11,7 +11,7 @@ import random
 import threading
 import time
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from aseme_dsl.runtime.acl import FipaMessage
@@ -118,7 +118,7 @@ class _AirLink:
         self, to: str, sender: str, way: str, envelope: Envelope, stamp: Stamp, payload: bytes, sure: bool
     ) -> None:
         air = self.air
-        stamped = replace(envelope, **stamp._asdict())
+        stamped = envelope._replace(**stamp._asdict())
         with air.lock:
             lost = air.chance.random() < air.loss
             copies = 2 if air.chance.random() < air.doubling else 1
@@ -135,7 +135,9 @@ class _AirLink:
     def say(self, to: str, sender: str, message: FipaMessage) -> bool:
         return False
 
-    def ask(self, to: str, what: str, question: bytes, timeout: float) -> list[Answer]:
+    def ask(
+        self, to: str, what: str, question: bytes, timeout: float, life: int | None = None
+    ) -> list[Answer]:
         for end in tuple(self.air.ends):
             if to in end.agents:
                 return list(end.hears.asked(to, what, question))

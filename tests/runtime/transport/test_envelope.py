@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+import hmac
+from typing import get_type_hints
 
 import pytest
 
@@ -13,9 +14,9 @@ from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
 def test_every_member_travels() -> None:
     lists = {"parts": (("asker", ("ann", "cat")),), "missing": (4, 6)}
     given: dict[str, object] = {}
-    for number, item in enumerate(fields(Envelope), 1):
-        plain = number if item.type == "int" else f"text {number}"
-        given[item.name] = lists.get(item.name, (f"a {number}", "b") if "tuple" in str(item.type) else plain)
+    for number, (name, type_) in enumerate(get_type_hints(Envelope).items(), 1):
+        plain = number if type_ is int else f"text {number}"
+        given[name] = lists.get(name, (f"a {number}", "b") if type_ not in (int, str) else plain)
     full = Envelope(**{**given, "kind": envelopes.MAIL})  # type: ignore[arg-type]
     assert envelopes.read(envelopes.written(full, b"x"), b"x").reply_to == full.reply_to
     sent = envelopes.written(full, b"x", addressee=full.addressee, place=full.place, sample=full.sample)
@@ -36,3 +37,9 @@ def test_numbers_of_members_never_change() -> None:
 def test_another_payload_is_refused() -> None:
     with pytest.raises(EnvelopeError):
         envelopes.read(envelopes.written(Envelope(envelopes.MAIL), b"x"), b"y")
+
+
+@pytest.mark.parametrize("size", [0, 32, 64, 65, 200])
+def test_a_proof_is_an_hmac(size: int) -> None:
+    secret = bytes(range(size))
+    assert envelopes.mac(secret, b"a", b"", b"bc" * 99) == hmac.digest(secret, b"a" + b"bc" * 99, "sha256")

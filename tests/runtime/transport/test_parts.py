@@ -6,7 +6,6 @@ import json
 import threading
 import time
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -265,7 +264,7 @@ class OtherMachine:
         self, to: str, sender: str, way: str, envelope: Envelope, stamp: Stamp, payload: bytes, sure: bool
     ) -> None:
         heard = envelope.heard + self.SKEW if envelope.kind == envelopes.PONG else 0
-        ahead = replace(envelope, time=envelope.time + self.SKEW, clock=42, heard=heard)
+        ahead = envelope._replace(time=envelope.time + self.SKEW, clock=42, heard=heard)
         self.link.send(to, sender, way, ahead, stamp, payload, sure)
 
     def __getattr__(self, name: str) -> Any:
