@@ -1,4 +1,4 @@
-"""Openings: what the team of a project opens on this machine and on its network, by platform."""
+"""Openings: what the team and the tools of a project open on this machine and on its network, by platform."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ class Opening:
 
 
 def openings(configuration: Configuration) -> Iterator[Opening]:
-    """What a run of this project would open, for each platform that it may use."""
-    yield Opening(IN_PROCESS, "nothing", "no TCP, no UDP")
+    """What a run of this project would open, for each platform that it may use; and what tools open."""
+    yield Opening(IN_PROCESS, "nothing on the network", "no TCP, no UDP")
     yield Opening("all", "a Unix socket for control, where a run listens for it", "only your user")
     yield from _zenoh(configuration)
     spade = configuration.spade
@@ -39,6 +39,12 @@ def openings(configuration: Configuration) -> Iterator[Opening]:
     else:
         for name, place in configuration.mango.hosts.items():
             yield Opening(MANGO, f"tcp/{place}", f"whoever reaches {name}'s address: there are no passwords")
+    yield Opening("asemec view", "tcp/127.0.0.1, any free port", "who knows the secret in its address")
+    yield Opening(
+        "asemec lsp",
+        "tcp/127.0.0.1, the port of `--tcp`; nothing without it",
+        "one editor, of any user of this machine",
+    )
 
 
 def _zenoh(configuration: Configuration) -> Iterator[Opening]:

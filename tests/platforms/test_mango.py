@@ -14,6 +14,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
+import psutil
 import pytest
 
 pytest.importorskip("mango", reason="mango is not installed: python3 dev.py long")
@@ -26,6 +27,7 @@ from aseme_dsl.runtime.transport.over_platform import PlatformLink
 from aseme_dsl.runtime.transport.settings import Mango
 from tests.runtime.transport.net import Part, part
 from tests.runtime.transport.test_parts import NET, TEAM, Box
+from tests.security.lines import line
 from tests.support.generated import Generated, generate
 from tests.support.network import own_port
 from tests.support.waiting import LONG, wait_until
@@ -68,6 +70,19 @@ def test_a_conversation(net: Generated, started: Callable[..., Part]) -> None:
     assert boss.of("received", performative="propose")
     for item in (boss, bob, cat):
         assert not item.of("fault")
+
+
+@line("team", "`--platform mango` without `hosts`")
+def test_an_agent_listens_on_the_loopback_interface_alone(started: Callable[..., Part]) -> None:
+    talk = generate(TEAM)
+    box = Box(talk)
+    ann = started(talk, "ann", **box.activities)
+    bob = started(talk, "bob", **box.activities)
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    found = [item for item in psutil.Process().net_connections("inet") if item.status == "LISTEN"]
+    assert len(found) == 2 and {item.laddr.ip for item in found} == {"127.0.0.1"}
+    box.stop.set()
+    bob.stop()
 
 
 def test_who_ends_is_gone_at_once_and_who_comes_again_gets_what_waits(started: Callable[..., Part]) -> None:

@@ -22,6 +22,7 @@ from tests.platforms.servers import Server
 from tests.runtime.transport import net as parts
 from tests.runtime.transport.net import Part
 from tests.runtime.transport.test_parts import MOURNING, NET, TEAM, Box
+from tests.security.lines import line
 from tests.support.generated import Generated, generate
 from tests.support.network import own_port
 from tests.support.waiting import LONG, wait_until
@@ -244,8 +245,8 @@ class Outsider:
 
     def _read(self) -> None:
         assert self.process.stdout is not None
-        for line in self.process.stdout:
-            self.heard.append(self.json.loads(line))
+        for text in self.process.stdout:
+            self.heard.append(self.json.loads(text))
 
     def say(self, to: str, metadata: dict[str, str], body: str) -> None:
         assert self.process.stdin is not None
@@ -365,6 +366,7 @@ def test_two_names_that_xmpp_does_not_tell_apart() -> None:
 # ---- the embedded server -----------------------------------------------------------------------
 
 
+@line("team", "`--platform spade` without a `host`")
 def test_the_embedded_server_is_on_the_loopback_interface_alone_and_leaves_nothing(server: Server) -> None:
     assert server.process is not None
     process = psutil.Process(server.process.pid)

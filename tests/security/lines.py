@@ -1,7 +1,7 @@
 """Lines of the tables in `docs/security.md`: each has a test, and each test of a line has its line.
 
 A test says which line it tests: `@line("another user of this machine", "connect to the bus")`, with the first
-two cells of the row as they stand in the page.
+two cells of the row as they stand in the page; for what listens, `@line("team", "in one process")`.
 """
 
 from __future__ import annotations
@@ -26,24 +26,34 @@ def line(who: str, what: str) -> Callable[[F], F]:
 
 
 def lines_of_the_page() -> list[tuple[str, str]]:
-    """The first two cells of each row of the tables with `who`, `what` as their first columns."""
+    """The first two cells of each row of the tables with `who`, `what` as their first columns.
+
+    Of a row of the table with `team`, `opens`, it is "team" and its first cell.
+    """
     found: list[tuple[str, str]] = []
-    inside = False
+    inside = teams = False
     for text in PAGE.read_text("utf-8").splitlines():
         cells = [cell.strip() for cell in text.strip().strip("|").split("|")]
         if not text.startswith("|"):
-            inside = False
+            inside = teams = False
         elif cells[:2] == ["who", "what"]:
             inside = True
-        elif inside and not set(text) <= set("|- :"):
-            found.append((cells[0], cells[1]))
+        elif cells[:2] == ["team", "opens"]:
+            teams = True
+        elif not set(text) <= set("|- :"):
+            if inside:
+                found.append((cells[0], cells[1]))
+            elif teams:
+                found.append(("team", cells[0]))
     return found
 
 
 def lines_of_tests() -> dict[tuple[str, str], str]:
     """Which line is tested by which test."""
     found: dict[tuple[str, str], str] = {}
-    for path in sorted(Path(__file__).parent.glob("test_*.py")):
+    tests = Path(__file__).parents[1]
+    # What needs SPADE or mango is in the second lane.
+    for path in sorted((*tests.glob("security/test_*.py"), *tests.glob("platforms/test_*.py"))):
         for node in ast.parse(path.read_text("utf-8")).body:
             if not isinstance(node, ast.FunctionDef):
                 continue

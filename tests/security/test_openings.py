@@ -24,7 +24,7 @@ def opened(folder: Path, project: str) -> dict[str, list[str]]:
     ("project", "platform", "opens"),
     [
         ("[tool.asemec]\n", "zenoh", ["Unix sockets in a folder with mode 0700"]),
-        ("[tool.asemec]\n", "in_process", ["nothing"]),
+        ("[tool.asemec]\n", "in_process", ["nothing on the network"]),
         ("[tool.asemec]\n", "spade", [LOCAL]),
         ("[tool.asemec]\n", "mango", [f"{LOCAL}, for each agent"]),
         (

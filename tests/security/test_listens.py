@@ -1,0 +1,176 @@
+"""What listens: each line of "What listens" in `docs/security.md`, by looking at what is open."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from importlib.util import find_spec
+from pathlib import Path
+
+import psutil
+import pytest
+
+from aseme_dsl.runtime.control_socket import endpoints
+from aseme_dsl.runtime.transport import meeting as meetings
+from tests.cli.support import asemec
+from tests.faults.team import NAME, PATIENT, ROOT, project, started
+from tests.faults.test_network import certificates, port
+from tests.security.lines import line
+from tests.support.waiting import wait_until
+
+__all__ = ["certificates", "port"]
+
+
+@contextmanager
+def running(*command: str, folder: Path) -> Iterator[psutil.Process]:
+    """`asemec` with these arguments, in a folder."""
+    process = psutil.Popen(
+        [sys.executable, "-c", PATIENT, *command],
+        cwd=folder,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.communicate()
+
+
+def internet(process: psutil.Process) -> set[tuple[str, int]]:
+    """The addresses on which a process and its children take what others send, over TCP and UDP."""
+    found = [
+        item
+        for one in (process, *process.children(recursive=True))
+        for item in one.net_connections("inet")
+        if item.status == psutil.CONN_LISTEN or (item.status == psutil.CONN_NONE and item.laddr)
+    ]
+    return {(item.laddr.ip, item.laddr.port) for item in found}
+
+
+def unix(process: psutil.Process) -> set[Path]:
+    """The names of the Unix sockets of a process and its children; an abstract one has none on the disk."""
+    return {
+        Path(item.laddr)
+        for one in (process, *process.children(recursive=True))
+        for item in one.net_connections("unix")
+        if item.laddr
+    }
+
+
+def listed(folder: Path) -> dict[str, list[str]]:
+    """What `asemec doctor` says."""
+    found: dict[str, list[str]] = {}
+    for opening in asemec("doctor", "--json", cwd=folder).json["opens"]:
+        found.setdefault(opening["platform"], []).append(opening["opens"])
+    return found
+
+
+@line("team", "in one process")
+def test_a_team_in_one_process_opens_a_control_socket_alone(tmp_path: Path) -> None:
+    folder = project(tmp_path)
+    with running("run", "--real", str(folder), folder=folder) as process:
+        (socket,) = wait_until(lambda: endpoints(folder / "out"))
+        assert internet(process) == set()
+        assert {path.parent for path in unix(process)} == {socket.parent}
+    assert listed(folder)["in_process"] == ["nothing on the network"]
+    assert listed(folder)["all"] == ["a Unix socket for control, where a run listens for it"]
+
+
+@line("team", "a process for each robot, or `asemec node`, without `hosts`")
+def test_robots_on_one_machine_open_unix_sockets_alone(tmp_path: Path) -> None:
+    pytest.importorskip("zenoh")
+    folder = project(tmp_path)
+    with started(folder) as run:
+        run.wait_for_talk()
+        robots = run.robots()
+        assert len(robots) == 3
+        whole = psutil.Process(run.process.pid)
+        assert internet(whole) == set()
+        places = {meetings.meeting_place(NAME), endpoints(folder / "out")[0].parent}
+        assert {path.parent for path in unix(whole)} == places
+        assert all(place.parent.name == f"asemec-{os.getuid()}" for place in places)
+        assert run.end() == 130
+    assert listed(folder)["zenoh"] == ["Unix sockets in a folder with mode 0700"]
+
+
+OWN = """
+import sys
+from pathlib import Path
+from tests.faults.test_network import WIRE, secured
+from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
+given = {} if len(sys.argv) == 3 else {"interface": sys.argv[3]}
+network = secured(Path(sys.argv[1]), "bob", listen=(sys.argv[2],), robot="bob", team=("ann", "bob"), **given)
+session = ZenohLink(WIRE, network).connected("bob")
+print("open", flush=True)
+sys.stdin.read()
+"""
+
+
+def opened_with(certificates: Path, port: int, interface: str | None) -> set[tuple[str, int]]:
+    """What a robot with a host of its own opens, in a process of its own."""
+    pytest.importorskip("zenoh")
+    process = psutil.Popen(
+        [
+            sys.executable,
+            "-c",
+            OWN,
+            str(certificates),
+            f"tls/127.0.0.1:{port}",
+            *([interface] if interface else []),
+        ],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        text=True,
+    )
+    assert process.stdout.readline() == "open\n"
+    found = internet(process)
+    process.communicate("")
+    return found
+
+
+@line("team", "with `hosts`")
+def test_a_robot_with_a_host_listens_there_alone(certificates: Path, port: int) -> None:
+    assert opened_with(certificates, port, None) == {("127.0.0.1", port)}
+
+
+@line("team", "with `hosts` and `interface`")
+def test_a_robot_that_looks_for_others_listens_for_multicast_too(certificates: Path, port: int) -> None:
+    found = opened_with(certificates, port, "lo")
+    assert ("127.0.0.1", port) in found
+    # Multicast comes by one socket, its answers by another.
+    rest = {address for address in found if address != ("127.0.0.1", port)}
+    assert {number for address, number in rest if address in ("224.0.0.224", "0.0.0.0")} >= {7446}
+
+
+@line("team", "`asemec view`")
+def test_the_viewer_is_on_the_loopback_interface(tmp_path: Path) -> None:
+    folder = project(tmp_path)
+    with running("view", "talk.aseme", folder=folder) as process:
+        ((address, _),) = wait_until(lambda: internet(process))
+        assert address == "127.0.0.1"
+        assert unix(process) == set()
+    assert listed(folder)["asemec view"] == ["tcp/127.0.0.1, any free port"]
+
+
+@line("team", "`asemec lsp`, `asemec lsp --tcp PORT`")
+def test_the_language_server_is_on_the_loopback_interface_if_it_is_asked_to(
+    tmp_path: Path, port: int
+) -> None:
+    if find_spec("pygls") is None:
+        pytest.skip("pygls is not installed")
+    folder = project(tmp_path)
+    with running("lsp", "--tcp", str(port), folder=folder) as process:
+        assert wait_until(lambda: internet(process)) == {("127.0.0.1", port)}
+    with running("lsp", folder=folder) as process:
+        text = json.dumps({"jsonrpc": "2.0", "id": 1, "method": "shutdown"})
+        process.stdin.write(f"Content-Length: {len(text)}\r\n\r\n{text}".encode())
+        process.stdin.flush()
+        assert internet(process) == set()
+    assert listed(folder)["asemec lsp"] == ["tcp/127.0.0.1, the port of `--tcp`; nothing without it"]
