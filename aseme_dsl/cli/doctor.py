@@ -63,7 +63,7 @@ def command(target: str | None, as_json: bool, colour: str) -> int:
             mark, said = click.style("absent ", fg="yellow"), tool.advice
         line = f"  {mark}  {tool.name:<{width}}  {tool.purpose}\n           {'':<{width}}  {said}"
         click.echo(line, color=painted)
-    click.echo("what a run opens, by platform; and tools")
+    click.echo("what a run opens, by platform")
     width = max(len(opening.platform) for opening in opened)
     for opening in opened:
         click.echo(f"  {opening.platform:<{width}}  {opening.opens}\n  {'':<{width}}  {opening.reach}")
