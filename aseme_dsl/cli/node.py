@@ -256,9 +256,12 @@ def _tell_end(end: dict[str, Any]) -> None:
 
 
 def _end_with_supervisor() -> None:
+    from aseme_dsl.runtime.descendants import kill_descendants
+
     # The file descriptor, not the stream: at the interpreter's end nobody must hold the stream's lock.
     while os.read(0, 4096):
         pass
     os.kill(os.getpid(), signal.SIGTERM)
     time.sleep(GRACE)
+    kill_descendants(lambda line: None)
     os._exit(INTERRUPTED)

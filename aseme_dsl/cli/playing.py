@@ -149,6 +149,6 @@ def build_target(
 
 def ending_left_processes() -> AbstractContextManager[None]:
     """Kill what activities have started and left, when what is inside has ended, and note it."""
-    from aseme_dsl.build.descendants import ending_descendants
+    from aseme_dsl.runtime.descendants import ending_descendants
 
     return ending_descendants(lambda line: click.echo(f"note: {line}", err=True))

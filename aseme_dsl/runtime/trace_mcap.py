@@ -339,7 +339,7 @@ def _unpacked(record: Any) -> Iterator[Any]:
         raise _Damaged(f"a chunk holds more than {LONGEST >> 20} MB")
     if record.uncompressed_crc and zlib.crc32(data) != record.uncompressed_crc:
         raise _Damaged("the checksum of a chunk is another")
-    inside = io.BytesIO(data)
+    inside: Any = _Bounded(io.BytesIO(data))
     with contextlib.suppress(EndOfFile):  # it has no footer
         yield from StreamReader(inside, skip_magic=True, emit_chunks=True, record_size_limit=LONGEST).records
 
@@ -349,11 +349,20 @@ class _Bounded:
 
     def __init__(self, file: IO[bytes]) -> None:
         self._file = file
+        self._is_nothing = False
 
     def read(self, size: int) -> bytes:
         if size > LONGEST:
             raise _Damaged(f"something in it is said to have {size} bytes")
-        return self._file.read(size)
+        data = self._file.read(size)
+        # A record without a kind and without content: a hole in the file, which may have billions of them.
+        if self._is_nothing and data == _NO_SIZE:
+            raise _Damaged("there is nothing in it from here on")
+        self._is_nothing = data == b"\0"
+        return data
+
+
+_NO_SIZE = bytes(8)
 
 
 class _Damaged(Exception):

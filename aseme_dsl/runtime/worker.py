@@ -19,6 +19,7 @@ from typing import IO, Any
 
 from aseme_dsl.runtime.clock import SECOND
 from aseme_dsl.runtime.context import Cancelled, Context
+from aseme_dsl.runtime.descendants import adopt_descendants, kill_descendants
 from aseme_dsl.runtime.loading import know_as
 from aseme_dsl.runtime.processes import get, put
 from aseme_dsl.runtime.returning import as_outcome, frames_of, reason_of
@@ -30,6 +31,7 @@ class _Worker:
     def __init__(self, requests: IO[bytes], answers: IO[bytes]) -> None:
         self.requests = requests
         self.answers = answers
+        self.parent = os.getppid()
         self.jobs: SimpleQueue[bytes | None] = SimpleQueue()
         self.cancelled = threading.Event()
         self.kept: dict[str, Any] = {}
@@ -46,7 +48,13 @@ class _Worker:
         self.cancelled.set()
         self.jobs.put(None)
         time.sleep(_ORPHAN)  # what still runs then runs for nobody
+        self.end_descendants()
         os._exit(1)
+
+    def end_descendants(self) -> None:
+        """Kill what activities have left, if whoever started us has ended and does so no more."""
+        if os.getppid() != self.parent:
+            kill_descendants(lambda line: None)
 
     def work(self) -> None:
         """Run jobs until there are no more."""
@@ -158,10 +166,12 @@ def main() -> None:
     with Path(os.devnull).open("rb") as nothing:
         os.dup2(nothing.fileno(), 0)
     worker = _Worker(requests, answers)
+    adopt_descendants()
     threading.Thread(target=worker.listen, daemon=True).start()
     put(answers, ("begun",))
     with contextlib.suppress(BrokenPipeError):  # nobody listens any more
         worker.work()
+    worker.end_descendants()
 
 
 if __name__ == "__main__":

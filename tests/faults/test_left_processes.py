@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -10,8 +12,8 @@ from pathlib import Path
 import psutil
 import pytest
 
-from aseme_dsl.build.descendants import ending_descendants
-from tests.cli.support import Done, asemec
+from aseme_dsl.runtime.descendants import ending_descendants
+from tests.cli.support import Done, asemec, command
 from tests.support.waiting import long_enough, wait_until
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="processes are adopted on Linux only")
@@ -102,6 +104,61 @@ def test_what_an_activity_started_ends_with_the_run(project: Path, ways: tuple[s
     finally:
         bystander.kill()
         bystander.wait()
+
+
+STUBBORN = """
+import os, signal, time
+from noted import note
+class NAME:
+    def execute(self, context):
+        first = os.fork()
+        if first == 0:
+            os.setsid()
+            for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+                signal.signal(number, signal.SIG_IGN)
+            if os.fork():
+                os._exit(0)
+            note(os.getpid())
+            os.closerange(0, 100)
+            time.sleep(600)
+            os._exit(0)
+        os.waitpid(first, 0)
+        WAIT
+"""
+
+
+@pytest.mark.parametrize("ways", [("--real",), ("--process-per-robot",)], ids=" ".join)
+def test_what_a_daemon_does_does_not_help_against_a_kill(project: Path, ways: tuple[str, ...]) -> None:
+    """Where the run is killed, too, it is what is left of it that ends them: robots and workers."""
+    code = {"fork": "", "work": "context.wait(600)"}
+    for name, wait in code.items():
+        text = STUBBORN.replace("NAME", name.capitalize()).replace("WAIT", wait)
+        (project / "activities" / f"{name}.py").write_text(text)
+    text = TEXT.replace("Fork . Begin . Detach . Work . Stay", "Fork . Work").replace(
+        "  Stay takes 100ms", ""
+    )
+    (project / "starter.aseme").write_text(text)
+    for name in ("begin", "detach", "stay"):
+        (project / "activities" / f"{name}.py").unlink()
+    run = subprocess.Popen(
+        command("run", "starter.aseme", "--activities", "activities", *ways), cwd=project,
+        env={**os.environ, "PYTHONPATH": str(project)}, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    )  # fmt: skip
+    pids = project / "pids"
+    started: list[int] = []
+    try:
+        wait_until(lambda: pids.exists() and pids.read_text().count("\n") == 2)
+        started = [int(line) for line in pids.read_text().split()]
+        run.kill()
+        # Nothing is left of a single process that was killed itself, but for its workers.
+        ended = started if "--process-per-robot" in ways else started[1:]
+        wait_until(lambda: not any(_lives(number) for number in ended))
+    finally:
+        run.kill()
+        run.communicate()
+        for number in started:
+            with contextlib.suppress(psutil.NoSuchProcess):
+                psutil.Process(number).kill()
 
 
 def _lives(number: int) -> bool:

@@ -7,7 +7,7 @@ import os
 import signal
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Set
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -28,29 +28,44 @@ def ending_descendants(tell: Callable[[str], None]) -> Iterator[None]:
         yield
         return
     before = set(_children())
-    adopts = ctypes.c_int()
-    prctl = ctypes.CDLL(None, use_errno=True).prctl
-    prctl(_GET_CHILD_SUBREAPER, ctypes.byref(adopts), 0, 0, 0)
-    prctl(_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+    adopts = adopt_descendants()
     try:
         yield
     finally:
-        _kill(before, tell)
-        prctl(_SET_CHILD_SUBREAPER, adopts.value, 0, 0, 0)
+        kill_descendants(tell, before)
+        ctypes.CDLL(None).prctl(_SET_CHILD_SUBREAPER, adopts, 0, 0, 0)
 
 
-def _kill(spared: set[int], tell: Callable[[str], None]) -> None:
+def adopt_descendants() -> int:
+    """Make this process the parent of its orphaned descendants (on Linux); whether it was, as a number."""
+    if sys.platform != "linux":
+        return 0
+    adopts = ctypes.c_int()
+    prctl = ctypes.CDLL(None).prctl
+    prctl(_GET_CHILD_SUBREAPER, ctypes.byref(adopts), 0, 0, 0)
+    prctl(_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+    return adopts.value
+
+
+def kill_descendants(tell: Callable[[str], None], spared: Set[int] = frozenset()) -> None:
+    """Kill each child but the spared ones, and theirs as they are adopted; tell which they were."""
+    if sys.platform == "linux":
+        _kill(spared, tell)
+
+
+def _kill(spared: Set[int], tell: Callable[[str], None]) -> None:
     """Kill our children, and theirs as they become ours, until there is none."""
     told: set[int] = set()
     deadline = time.monotonic() + _PATIENCE
     while left := [child for child in _children() if child not in spared]:
         for child in left:
             command = _command(child)
-            if command and child not in told:
-                tell(f"process {child} was left behind by the run and has been killed: {command}")
-            told.add(child)
             with suppress(ProcessLookupError, PermissionError):
                 os.kill(child, signal.SIGKILL)
+            if command and child not in told:
+                with suppress(OSError):  # nobody reads any more: all the more reason to go on
+                    tell(f"process {child} was left behind by the run and has been killed: {command}")
+            told.add(child)
             with suppress(ChildProcessError):
                 os.waitpid(child, os.WNOHANG)
         if time.monotonic() > deadline:
