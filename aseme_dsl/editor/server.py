@@ -8,14 +8,18 @@ import functools
 import gc
 import logging
 import os
+import stat
+import sys
+import threading
 import time
 from collections.abc import Awaitable, Callable, Iterable, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, Protocol, TypeVar, cast
+from typing import Any, BinaryIO, Protocol, TypeVar, cast
 
 from lsprotocol import types as lsp
 from pygls.exceptions import JsonRpcException, JsonRpcInvalidParams
+from pygls.io_ import StdoutWriter, run_async
 from pygls.lsp.server import LanguageServer
 from pygls.uris import from_fs_path, to_fs_path
 
@@ -56,7 +60,10 @@ PIECE = 0.008
 """Seconds for which the compiler may work before what has come in is looked at."""
 
 BREAK = 0.001
-"""Seconds in which what has come in is read: a message is read in several steps."""
+"""Seconds in which what has come in is read, where a thread reads it: a message is read in several steps."""
+
+STEPS = 4
+"""How often the event loop goes round until a message that has come in is answered."""
 
 _T = TypeVar("_T")
 
@@ -138,6 +145,7 @@ class Server(LanguageServer):
         """Whether the process is the server's own, and so is Python's collector of cycles."""
         self.idle: asyncio.TimerHandle | None = None
         self.kept = self.grown = 0
+        self.reads_itself = False
         self.code: dict[str, str] = {}
         self.of_python: dict[str, Callable[[Any], Awaitable[Any]]] = {}
 
@@ -238,8 +246,46 @@ class Server(LanguageServer):
             except StopIteration as end:
                 return cast(_T, end.value)
             if time.monotonic() - begun > PIECE:
-                await asyncio.sleep(BREAK)
+                await self.let_in()
                 begun = time.monotonic()
+
+    async def let_in(self) -> None:
+        """Look at what has come in, and answer it."""
+        if not self.reads_itself:
+            await asyncio.sleep(BREAK)
+            return
+        # Without a pause: on a machine that has much to do it would be a long one.
+        for _ in range(STEPS):
+            await asyncio.sleep(0)
+
+    def start_io(self, stdin: BinaryIO | None = None, stdout: BinaryIO | None = None) -> None:
+        """Serve standard input and output, read by the event loop itself where it can read such a file.
+
+        Other files are read by a thread, in several steps for each message, between which it has to wait.
+        """
+        source, target = stdin or sys.stdin.buffer, stdout or sys.stdout.buffer
+        kind, other = os.fstat(source.fileno()), os.fstat(target.fileno())
+        is_own = (kind.st_dev, kind.st_ino) != (other.st_dev, other.st_ino)  # it is read without blocking
+        is_pipe = stat.S_ISFIFO(kind.st_mode) or stat.S_ISSOCK(kind.st_mode)
+        if sys.platform == "win32" or not (is_pipe and is_own):
+            super().start_io(source, target)
+            return
+        self.reads_itself = True
+        self.protocol.set_writer(StdoutWriter(target))
+        try:
+            asyncio.run(self._serve(source))
+        except (BrokenPipeError, KeyboardInterrupt, SystemExit):
+            _log.info("the editor is gone")
+        finally:
+            self.shutdown()  # type: ignore[no-untyped-call]
+
+    async def _serve(self, source: BinaryIO) -> None:
+        reader = asyncio.StreamReader()
+        loop = asyncio.get_running_loop()
+        await loop.connect_read_pipe(lambda: asyncio.StreamReaderProtocol(reader), source)
+        self._stop_event = stop = threading.Event()
+        with contextlib.suppress(asyncio.IncompleteReadError):
+            await run_async(stop, reader, self.protocol, _log, self.report_server_error)
 
     async def settled(self, path: str) -> View | None:
         """The file as it is, compiled."""
