@@ -1201,7 +1201,7 @@ class Reference:
         raise ValueError(term)
 
     def call(self, name: str, values: list[Any]) -> Any:
-        target = next(target for known, target, _ in self.plan.functions if known == name)
+        target = next(function[1] for function in self.plan.functions if function[0] == name)
         module, _, function = target.partition(":")
         result = getattr(import_module(module), function)(*values)
         self.outcome.effects.append(FunctionResult(name, result))
