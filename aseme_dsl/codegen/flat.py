@@ -527,8 +527,10 @@ class FlatChart:
         and_state = self.chart.node(self.regions[region].label).parent
         if and_state is None:
             return False
-        seen = {and_state}
-        stack = [and_state]
+        inside = f"{and_state}."
+        leaving = (self.transition(number).source for number in self.leading_out)
+        stack = [and_state, *(source for source in leaving if source.startswith(inside))]
+        seen = {*stack}
         while stack:
             active = stack.pop()
             for source in (active, *(around.label for around in self.chart.ancestors(active))):
@@ -536,7 +538,7 @@ class FlatChart:
                     entered = [transition.target]
                     while entered:
                         state = entered.pop()
-                        if state == and_state:
+                        if state == and_state or (state.startswith(inside) and not source.startswith(inside)):
                             return True
                         start = self.chart.start_of(state)
                         if start is not None:

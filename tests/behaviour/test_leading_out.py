@@ -241,3 +241,25 @@ def test_a_state_around_remembers_where_its_and_was(play: Play) -> None:
     assert run.active == ["Charge"]
     run.step(run.done("Charge"))
     assert sorted(run.active) == ["B2", "C"]
+
+
+def test_regions_that_are_entered_anew_start_with_the_copy_around(play: Play) -> None:
+    """ "elsewhere from the next step": what one of the regions wrote before is not seen around yet."""
+    run = play("""
+        statechart R {
+          var n : int = 0
+          state 0 OR  state 0.1 START  state 0.9 END
+          state 0.2 AND
+          state 0.2.1 OR  state 0.2.1.1 START  state 0.2.1.2 BASIC A  state 0.2.1.3 OR  state 0.2.1.3.1 START
+          state 0.2.1.4 BASIC B
+          state 0.2.2 OR  state 0.2.2.1 START  state 0.2.2.2 BASIC C
+          0.1 -> 0.2 :  0.2 -> 0.9 : after(9s)  0.2.2.1 -> 0.2.2.2 :
+          0.2.1.1 -> 0.2.1.2 : [n == 0]  0.2.1.1 -> 0.2.1.4 : else
+          0.2.1.2 -> 0.2.1.3 : e / n = 1
+          0.2.1.3.1 -> 0.2 : [n == 1]
+          0.2.1.4 -> 0.2 : after(1s)
+        }
+    """).step()
+    run.step(run.event("e"))
+    assert run.active == ["A", "C"]
+    assert settled(run).variable("n") == 1
