@@ -33,7 +33,7 @@ TLS = '[tool.asemec.deploy.tls]\nauthority = "ca.pem"\ncertificate = "ROBOT.pem"
 @pytest.fixture
 def files(tmp_path: Path) -> Path:
     for name in ("ca.pem", "robot1.pem", "robot1.key"):
-        (tmp_path / name).write_text("")
+        (tmp_path / name).touch(0o600)
     return tmp_path
 
 

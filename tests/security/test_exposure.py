@@ -5,12 +5,13 @@ from __future__ import annotations
 import os
 import shutil
 import stat
+import tempfile
 from pathlib import Path
 
 import psutil
 import pytest
 
-from aseme_dsl.runtime.transport import Network, TransportError
+from aseme_dsl.runtime.transport import Network, Tls, TransportError
 from aseme_dsl.runtime.transport import meeting as meetings
 from tests.faults.team import NAME, project, started
 from tests.security.conftest import AsOther
@@ -80,18 +81,55 @@ def test_sockets_of_processes_that_were_killed_are_removed() -> None:
     assert again.own != meeting.own
 
 
-@pytest.mark.parametrize("how", ["long", "hash", "writable"])
+@pytest.mark.parametrize("how", ["long", "hash", "writable", "around", "around of another"])
 def test_a_folder_that_will_not_do_is_left_for_the_next(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, how: str
 ) -> None:
-    places = {"long": tmp_path / ("l" * 90), "hash": Path("/tmp/a#b"), "writable": tmp_path / "w"}
-    root = places[how]
-    if how != "hash":
-        root.mkdir()
-    if how == "writable":
-        root.chmod(0o777)
-    monkeypatch.setenv("XDG_RUNTIME_DIR", str(root))
-    assert root not in meetings.meeting_place("Any").parents
+    if how.endswith("another") and os.geteuid() != 0:
+        pytest.skip("NOT TESTED: folders of another user need tests that run as root")
+    with tempfile.TemporaryDirectory(dir="/tmp", prefix="r") as name:
+        around = Path(name)
+        root = Path("/tmp/a#b") if how == "hash" else around / ("l" * 90 if how == "long" else "w")
+        if how != "hash":
+            root.mkdir(mode=0o700)
+        if how == "writable":
+            root.chmod(0o777)
+        elif how == "around":
+            around.chmod(0o777)
+        elif how == "around of another":
+            os.chown(around, 65534, 65534)
+        monkeypatch.setenv("XDG_RUNTIME_DIR", str(root))
+        assert root not in meetings.meeting_place("Any").parents
+
+
+@line("another user of this machine", "have robots meet in a folder that holds what this user has put there")
+def test_a_folder_that_others_could_write_in_is_made_anew_or_left(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with tempfile.TemporaryDirectory(dir="/tmp", prefix="r") as name:
+        monkeypatch.setattr(meetings, "_roots", lambda: iter((Path(name),)))
+        folder = meetings.meeting_place("Any")
+        folder.chmod(0o777)
+        assert stat.S_IMODE(meetings.meeting_place("Any").stat().st_mode) == 0o700
+        (folder / "secret").write_bytes(bytes(32))
+        folder.chmod(0o777)
+        for _ in range(2):
+            with pytest.raises(TransportError, match="not empty"):
+                meetings.meeting_place("Any")
+
+
+@line("another user of this machine", "read the private key of a robot's certificate")
+@pytest.mark.parametrize("mode", [0o604, 0o602])
+def test_a_private_key_that_all_may_read_is_refused(tmp_path: Path, mode: int) -> None:
+    for file in ("a.pem", "b.pem", "b.key"):
+        (tmp_path / file).touch(0o600)
+    network = Network(
+        listen=("tls/127.0.0.1:0",), tls=Tls(tmp_path / "a.pem", tmp_path / "b.pem", tmp_path / "b.key")
+    )
+    assert dict(network.settings())
+    (tmp_path / "b.key").chmod(mode)
+    with pytest.raises(TransportError, match="is open to all users"):
+        dict(network.settings())
 
 
 def test_who_takes_the_name_of_the_folder_keeps_nobody_from_meeting(

@@ -112,11 +112,13 @@ def _check_root(root: Path) -> None:
         raise OSError(22, "a socket cannot have such a path", str(root))
     if root.name == ".cache":
         root.mkdir(mode=0o700, exist_ok=True)
-    found = root.stat()
-    if found.st_uid not in (0, os.getuid()):
-        raise OSError(1, "it belongs to somebody else", str(root))
-    if found.st_mode & 0o022 and not found.st_mode & stat.S_ISVTX:
-        raise OSError(1, "others may replace what is in it", str(root))
+    whole = root.resolve()
+    for folder in (whole, *whole.parents):
+        found = folder.stat()
+        if found.st_uid not in (0, os.getuid()):
+            raise OSError(1, "it belongs to somebody else", str(folder))
+        if found.st_mode & 0o022 and not found.st_mode & stat.S_ISVTX:
+            raise OSError(1, "others may replace what is in it", str(folder))
 
 
 def _make_private(folder: Path) -> None:
@@ -125,7 +127,10 @@ def _make_private(folder: Path) -> None:
     found = folder.lstat()
     if not stat.S_ISDIR(found.st_mode) or found.st_uid != os.getuid():
         raise OSError(1, "it belongs to somebody else", str(folder))
-    if stat.S_IMODE(found.st_mode) != 0o700:
+    if found.st_mode & 0o022:  # others may have put something in it
+        folder.rmdir()
+        folder.mkdir(mode=0o700)
+    elif stat.S_IMODE(found.st_mode) != 0o700:
         folder.chmod(0o700)
 
 

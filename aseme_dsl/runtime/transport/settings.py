@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ipaddress
 import json
+import os
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -98,6 +99,7 @@ class Network:
         if self.tls is not None:
             for path in (self.tls.authority, self.tls.certificate, self.tls.key):
                 _readable(path)
+            _check_secret(self.tls.key)
             yield "transport/link/tls/root_ca_certificate", json.dumps(str(self.tls.authority))
             yield "transport/link/tls/listen_certificate", json.dumps(str(self.tls.certificate))
             yield "transport/link/tls/listen_private_key", json.dumps(str(self.tls.key))
@@ -169,6 +171,12 @@ def _is_safe(endpoint: str) -> bool:
         return ipaddress.ip_address(host.partition("%")[0]).is_loopback
     except ValueError:
         return False
+
+
+def _check_secret(path: Path) -> None:
+    """Raises TransportError if any user of this machine may read or write a file, and so be the robot."""
+    if os.name == "posix" and path.stat().st_mode & 0o006:
+        raise TransportError(f"{path} is open to all users of this machine: run `chmod 600` on it")
 
 
 def _readable(path: Path) -> str:
