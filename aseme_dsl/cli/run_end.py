@@ -121,7 +121,9 @@ def _unread_line(item: Unread) -> str:
 def _fault_line(item: FaultCount) -> str:
     times = f"{item.count} times, first " if item.count > 1 else ""
     who = f"{'by ' if times else ''}{item.agent} " if item.agent else ""
-    at = f" ({_short(item.at)})" if item.at else (f" (activity {item.activity})" if item.activity else "")
+    at = _place(item.at)
+    if not item.at and item.activity and item.activity not in item.reason:
+        at = f" (activity {item.activity})"
     return f"  {times}{who}at {item.time / 1e9:g} s: {item.reason}{at}"
 
 

@@ -9,7 +9,8 @@ import pytest
 
 from tests.docs.pages import ROOT, Page
 
-PAGES = sorted((ROOT / "docs" / "tutorial").glob("[1-9]-*.md"))
+FOLDER = ROOT / "docs" / "tutorial"
+PAGES = [*sorted(FOLDER.glob("[1-9]-*.md")), FOLDER / "break-it.md"]
 
 
 def test_one_folder_serves_all_pages(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -18,6 +19,6 @@ def test_one_folder_serves_all_pages(tmp_path: Path, monkeypatch: pytest.MonkeyP
     monkeypatch.delenv("NO_COLOR", raising=False)
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
     monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
-    assert len(PAGES) == 5
+    assert len(PAGES) == 6
     for path in PAGES:
         Page(path, tmp_path, update=False).run()
