@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 from aseme_dsl import outside
 from aseme_dsl.build.deployment import Deployment, TlsFiles, network_mistakes
@@ -105,7 +105,7 @@ def read_configuration(path: Path) -> tuple[Configuration, tuple[Diagnostic, ...
     """The configuration in a pyproject.toml."""
     nothing = Configuration(path.parent, path)
     try:
-        text = outside.read_bytes(path).decode("utf-8")
+        text = outside.read_bytes(path, _LARGEST).decode("utf-8")
     except OSError as problem:
         message = f"{path} cannot be read: {problem.strerror or problem}"
         return nothing, (Diagnostic("E001", message, None, path=str(path)),)
@@ -120,6 +120,13 @@ def configuration_of(source: Source) -> tuple[Configuration, tuple[Diagnostic, .
 
     path = Path(source.path)
     nothing = Configuration(path.parent, path)
+    for number, line in enumerate(source.text.split("\n"), 1):
+        # tomllib takes longer for each further part of a key, and for each of a key's parts again.
+        if line.count(".") > _MOST_PARTS and any(
+            part.count(".") > _MOST_PARTS for part in _KEY_ENDS.split(line)
+        ):
+            message = f"{source.path}:{number}: a key has more than {_MOST_PARTS} parts"
+            return nothing, (Diagnostic("E010", message, None, path=source.path),)
     try:
         document = tomllib.loads(source.text)
     except tomllib.TOMLDecodeError as problem:
@@ -139,6 +146,12 @@ def configuration_of(source: Source) -> tuple[Configuration, tuple[Diagnostic, .
         reader.diagnostics.append(Diagnostic(code, observed, place, hint=hint))
     return Configuration(path.parent, path, **given), tuple(reader.diagnostics)
 
+
+_LARGEST = 1 << 20
+"""The largest pyproject.toml, in bytes."""
+_MOST_PARTS = 200
+"""So many parts a key may have (`a.b.c` has three)."""
+_KEY_ENDS = re.compile("[=,{]")
 
 _LEVELS = {**{str(severity): severity for severity in Severity}, "off": None}
 """What `[tool.asemec.diagnostics]` may say of a code."""
@@ -167,16 +180,20 @@ class _Table:
     needs: tuple[str, ...] = ()
 
 
+def _is_path(value: object) -> TypeGuard[str]:
+    return isinstance(value, str) and bool(value) and "\0" not in value
+
+
 def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
     """Every key of `[tool.asemec]`, with what makes a value of what is written there."""
 
     def path(value: Any) -> Path:
-        if not isinstance(value, str) or not value or "\0" in value:
+        if not _is_path(value):
             raise _Wrong('a path in quotes, such as "out"')
         return folder / value
 
     def paths(value: Any) -> tuple[Path, ...]:
-        if not isinstance(value, list) or not all(isinstance(item, str) and item for item in value):
+        if not isinstance(value, list) or not all(map(_is_path, value)):
             raise _Wrong('a list of paths, such as ["team.aseme"]')
         return tuple(folder / item for item in value)
 

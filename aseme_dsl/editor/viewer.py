@@ -103,9 +103,16 @@ class Viewer:
         return path.removeprefix(start) if host in hosts and path.startswith(start) else None
 
 
+_IDLE = 60.0
+"""A connection on which nothing is asked for so many seconds is closed."""
+
+
 class _Server(ThreadingHTTPServer):
     daemon_threads = True
     block_on_close = False
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """A page that goes away in the midst of something is none."""
 
 
 def page_state(
@@ -148,6 +155,7 @@ def _handler(viewer: Viewer) -> type[BaseHTTPRequestHandler]:
         """Answers the page of one viewer."""
 
         protocol_version = "HTTP/1.1"
+        timeout = _IDLE
 
         def do_GET(self) -> None:
             asked = viewer.is_asked(self.headers.get("Host", ""), self.path)
@@ -170,7 +178,7 @@ def _handler(viewer: Viewer) -> type[BaseHTTPRequestHandler]:
         def do_POST(self) -> None:
             asked = viewer.is_asked(self.headers.get("Host", ""), self.path)
             length = self.headers.get("Content-Length", "")
-            if asked != "act" or not length.isdecimal() or int(length) > _LARGEST:
+            if asked != "act" or not length.isdecimal() or int(length[:18]) > _LARGEST:
                 self.close_connection = True
                 self._answer(HTTPStatus.NOT_FOUND)
                 return

@@ -13,7 +13,8 @@ import pickle
 import threading
 import time
 from collections.abc import Callable, Mapping
-from multiprocessing.connection import Client, Connection, Listener
+from multiprocessing import AuthenticationError
+from multiprocessing.connection import Client, Connection, Listener, answer_challenge, deliver_challenge
 from typing import Any
 
 from aseme_dsl.runtime.body import Body, BodyLost, Heard, World
@@ -36,7 +37,8 @@ class WorldServer:
         self.world = world
         self.doing: dict[str, tuple[tuple[str, ...], ...]] = {}
         """What the agents have told last of what they are doing."""
-        self._listener = Listener(authkey=key)
+        self._key = key
+        self._listener = Listener()  # without a key: who does not answer must not keep others waiting
         self.address = str(self._listener.address)
         """Where the bodies are: for `FarBody`."""
         self._lock = threading.Lock()
@@ -66,16 +68,16 @@ class WorldServer:
         while True:
             try:
                 connection = self._listener.accept()
-            except (OSError, EOFError) as problem:
-                if isinstance(problem, EOFError) or _is_wrong_key(problem):
-                    continue  # somebody hung up, or does not know the key
+            except ConnectionError:
+                continue  # somebody hung up
+            except OSError:
                 return
-            except Exception:  # AuthenticationError is no OSError
-                continue
             threading.Thread(target=self._serve, args=(connection,), daemon=True).start()
 
     def _serve(self, connection: Connection) -> None:
-        with contextlib.suppress(OSError, EOFError), connection:
+        with contextlib.suppress(OSError, EOFError, AuthenticationError), connection:
+            deliver_challenge(connection, self._key)
+            answer_challenge(connection, self._key)
             name = connection.recv()
             body = self.world.bodies.get(name)
             if body is None:
@@ -177,10 +179,6 @@ class FarBody:
 
 def _text(problem: BaseException) -> str:
     return getattr(problem, "strerror", None) or str(problem) or type(problem).__name__
-
-
-def _is_wrong_key(problem: BaseException) -> bool:
-    return isinstance(problem, ConnectionError)
 
 
 def _can_travel(error: Exception) -> bool:

@@ -7,6 +7,7 @@ import json
 import queue
 import re
 import signal
+import socket
 import subprocess
 import threading
 import time
@@ -116,6 +117,19 @@ class TestPage:
         assert status == 200
         assert headers["Content-Security-Policy"].startswith("default-src 'none';")
         assert re.findall(r"<script[^>]*>", text) == [f'<script nonce="{nonce[0]}">']
+
+    @pytest.mark.parametrize("length", ["9" * 5000, "9" * 30, "-1", "x", "100001"])
+    def test_what_is_said_to_be_endless_is_not_waited_for(
+        self, shown: Viewer, capfd: pytest.CaptureFixture[str], length: str
+    ) -> None:
+        where = urlsplit(shown.url)
+        with socket.create_connection(("127.0.0.1", where.port or 0)) as raw:
+            head = (
+                f"POST {where.path}act HTTP/1.1\r\nHost: {where.netloc}\r\nContent-Length: {length}\r\n\r\n"
+            )
+            raw.sendall(head.encode())
+            assert raw.makefile("rb").readline().startswith(b"HTTP/1.1 404")
+        assert "Traceback" not in capfd.readouterr().err
 
     def test_nobody_else_is_answered(self, shown: Viewer, said: queue.SimpleQueue[Mapping[str, Any]]) -> None:
         browser = Browser(shown.url)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 import threading
 import time
 from collections.abc import Iterator
@@ -70,6 +71,12 @@ def test_who_has_no_key_gets_no_body(server: WorldServer) -> None:
     with pytest.raises(BodyLost, match="cannot be reached"):
         FarBody("one", server.address, b"another")
     FarBody("one", server.address, KEY).close()  # and the others are served
+
+
+def test_who_says_nothing_keeps_nobody_waiting(server: WorldServer) -> None:
+    with socket.socket(socket.AF_UNIX) as silent:
+        silent.connect(server.address)
+        FarBody("one", server.address, KEY).close()
 
 
 def test_a_body_that_there_is_not(server: WorldServer) -> None:
