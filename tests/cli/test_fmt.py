@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from aseme_dsl import outside
 from aseme_dsl.build.format import format_file
 from aseme_dsl.build.write import Disk
 from tests.cli.support import Here
@@ -157,16 +158,16 @@ def test_json(here: Here, files: Path) -> None:
 
 def test_a_file_that_changes_meanwhile_stays(files: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     ugly = files / "ugly.aseme"
-    real = Path.read_bytes
+    real = outside.read_bytes
     reads = []
 
-    def read_bytes(path: Path) -> bytes:
+    def read_bytes(path: str | os.PathLike[str], largest: int = outside.LARGEST) -> bytes:
         reads.append(path)
         if len(reads) == 2:
             ugly.write_text("system Other\n")
-        return real(path)
+        return real(path, largest)
 
-    monkeypatch.setattr(Path, "read_bytes", read_bytes)
+    monkeypatch.setattr(outside, "read_bytes", read_bytes)
     done = format_file(ugly, write=True)
     assert [item.code for item in done.diagnostics] == ["E009"]
     assert "has changed since it was read" in done.diagnostics[0].message
@@ -175,14 +176,14 @@ def test_a_file_that_changes_meanwhile_stays(files: Path, monkeypatch: pytest.Mo
 
 def test_a_file_that_vanishes_meanwhile(files: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     ugly = files / "ugly.aseme"
-    real = Path.read_bytes
+    real = outside.read_bytes
 
-    def read_bytes(path: Path) -> bytes:
-        content = real(path)
-        path.unlink()
+    def read_bytes(path: str | os.PathLike[str], largest: int = outside.LARGEST) -> bytes:
+        content = real(path, largest)
+        Path(path).unlink()
         return content
 
-    monkeypatch.setattr(Path, "read_bytes", read_bytes)
+    monkeypatch.setattr(outside, "read_bytes", read_bytes)
     done = format_file(ugly, write=True)
     assert [item.code for item in done.diagnostics] == ["E009"]
     assert not ugly.exists()
