@@ -92,18 +92,23 @@ def called(name: str, arguments: Iterable[str]) -> str:
     return f"{name}({given})" if given else name
 
 
-def canonical(formula: Formula) -> str:
-    """The formula in canonical spelling: blanks around infix operators, none elsewhere."""
+def canonical(formula: Formula, longest: int | None = None) -> str:
+    """The formula in canonical spelling: blanks around infix operators, none elsewhere.
+
+    With `longest` only its beginning, if it is longer: at least one character more than that.
+    """
     parts: list[str] = []
     stack: list[Formula | str] = [formula]
-    while stack:
+    length = 0
+    while stack and (longest is None or length <= longest):
         item = stack.pop()
         if isinstance(item, str):
             parts.append(item)
+            length += len(item)
             continue
         match item.operator:
             case Operator.NAME:
-                parts.append(called(item.name, (argument.text for argument in item.arguments)))
+                stack.append(called(item.name, (argument.text for argument in item.arguments)))
             case Operator.GROUP:
                 stack += [")", item.operands[0], "("]
             case Operator.OPTION:

@@ -101,7 +101,7 @@ def cut(text: str, longest: int = QUOTED) -> str:
 
 def shown(formula: Formula, longest: int = QUOTED) -> str:
     """The formula as a message quotes it: in canonical spelling, cut where it is long."""
-    return cut(canonical(formula), longest)
+    return cut(canonical(formula, longest), longest)
 
 
 def check(
@@ -310,7 +310,8 @@ def _empty_loop(formulas: Formulas, loop: Formula) -> Diagnostic:
     hint = "let the body take at least one activity, or give `repeat` a pace: `every 200ms`"
     if body.operator in (Operator.OPTION, Operator.ZERO_OR_MORE):
         operand = body.operands[0]
-        inside = f"({canonical(operand)})" if operand.operator in INFIX else canonical(operand)
+        inside = canonical(operand, QUOTED)
+        inside = f"({inside})" if operand.operator in INFIX else inside
         simpler = inside + ("~" if loop.operator is Operator.FOREVER else "*")
         hint = f"write `{simpler}`" if len(simpler) <= QUOTED else hint
     return Diagnostic(

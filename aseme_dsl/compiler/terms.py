@@ -24,7 +24,8 @@ Played = Mapping[tuple[str, str], Formulas]
 class Terms:
     """The terms of one formula: each operand and operator of its text, without parentheses.
 
-    `parents` gives the operator around each (None for the whole), `places` those of one spelling in order.
+    `parents` gives the operator around each (None for the whole), `keys` the spelling of each, `places` those
+    of one spelling in order.
     `title` is what the formula is called in `control`: a participant's name for its process. `played` are the
     formulas of the participants that the owner plays, by `protocol` and `participant`.
     """
@@ -34,6 +35,7 @@ class Terms:
     title: str
     whole: Formula
     parents: Mapping[Formula, Formula | None]
+    keys: Mapping[Formula, str]
     places: Mapping[str, tuple[Formula, ...]]
     played: Played
     bare: Mapping[str, tuple[Formula, ...]] = field(default_factory=dict)
@@ -44,19 +46,21 @@ def terms_of(formulas: Formulas, formula: str, control: str, played: Played | No
     """The terms of the formula called `formula`; `control` is the name that its control block has."""
     whole = ungrouped(formulas.named[formula].formula)
     parents: dict[Formula, Formula | None] = {}
+    keys: dict[Formula, str] = {}
     places: dict[str, list[Formula]] = {}
     bare: dict[str, list[Formula]] = {}
     stack: list[tuple[Formula, Formula | None]] = [(whole, None)]
     while stack:
         term, parent = stack.pop()
         parents[term] = parent
-        places.setdefault(canonical(term), []).append(term)
+        keys[term] = canonical(term)
+        places.setdefault(keys[term], []).append(term)
         if term.arguments:
             bare.setdefault(term.name, []).append(term)
         stack += [(ungrouped(operand), term) for operand in reversed(term.operands)]
     found = {key: tuple(terms) for key, terms in places.items()}
     short = {name: tuple(terms) for name, terms in bare.items()}
-    return Terms(formulas, formula, control, whole, parents, found, played or {}, short)
+    return Terms(formulas, formula, control, whole, parents, keys, found, played or {}, short)
 
 
 def way(terms: Terms, verb: tree.Name, written: tree.Term) -> tuple[Way | None, Diagnostic | None]:
@@ -120,13 +124,14 @@ def ways(terms: Terms, term: Formula) -> dict[str, Way]:
 
 def spelling(terms: Terms, term: Formula) -> str:
     """How a control line names the term: `KickBall#2` where it stands several times."""
-    places = terms.places[canonical(term)]
+    places = terms.places[terms.keys[term]]
     return _named(term) if len(places) == 1 else f"{_named(term)}#{places.index(term) + 1}"
 
 
 def _named(term: Formula) -> str:
     """A term in a message: in parentheses where operators stand between its parts, cut where it is long."""
-    return cut(f"({canonical(term)})" if term.operator in INFIX else canonical(term))
+    spelled = canonical(term, QUOTED)
+    return cut(f"({spelled})" if term.operator in INFIX else spelled)
 
 
 _WITH_BODY = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER, Operator.OPTION)

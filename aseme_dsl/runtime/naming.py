@@ -23,5 +23,5 @@ def module_name(name: str) -> str:
 
 
 def class_name(name: str) -> str:
-    """The class of an activity: `kick_ball` and `KickBall` are both `KickBall`."""
-    return "".join(part[:1].upper() + part[1:] for part in name.split("_")) or "_"
+    """The class of an activity: `kick_ball` and `KickBall` are both `KickBall`, and `none` is `None_`."""
+    return usable("".join(part[:1].upper() + part[1:] for part in name.split("_")) or "_")

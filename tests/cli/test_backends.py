@@ -304,3 +304,26 @@ def test_what_plays_agents_has_no_use_for_a_plain_class(here: Here, folder: Path
     done = here("run", "good.aseme", "--backend", "robot=plain")
     assert done.code == 2
     assert "plain makes no agents: robot can have one of monas, jade_like." in done.err
+
+
+NO_NAMES_FOR_PYTHON = """\
+system False_
+message M { int n }
+topic t { state M }
+srm none {
+  liveness { none = None . True . false_ }
+  activities { None reads t.state.M  True takes 1s  false_ takes 1s }
+}
+team T { me : none }
+"""
+
+
+@pytest.mark.parametrize("backend", ["monas", "jade_like", "plain"])
+def test_names_that_python_has_for_its_constants(backend: str, folder: Path, here: Here) -> None:
+    (folder / "odd.aseme").write_text(NO_NAMES_FOR_PYTHON, "utf-8")
+    assert here("build", "odd.aseme", "-o", "out", "--backend", backend).code == 0
+    for path in (folder / "out").rglob("*.py"):
+        compile(path.read_bytes(), str(path), "exec")
+    if backend != "plain":
+        done = here("run", "odd.aseme", "-o", "out", "--backend", backend)
+        assert (done.code, "Traceback" in done.err) == (0, False), done.err

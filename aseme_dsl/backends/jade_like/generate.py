@@ -138,7 +138,8 @@ def _own(system: System, chart: Statechart, taken: set[str]) -> str:
 
     The system's is in it: several systems may have their activities in one folder.
     """
-    wish = name = "".join(dict.fromkeys(map(class_name, (system.name, chart.name)))) + "Agent"
+    names = dict.fromkeys(map(class_name, (system.name, chart.name)))
+    wish = name = class_name("_".join((*names, "Agent")))
     number = 2
     while f"{ACTIVITIES}/{module_name(name)}.py" in taken:
         name, number = f"{wish}{number}", number + 1

@@ -1,0 +1,40 @@
+"""Formulas that are nested deep, and wrong at each level: a message spells what it quotes, and no more."""
+
+from __future__ import annotations
+
+import sys
+from types import FrameType
+
+import pytest
+
+from aseme_dsl.amola.liveness import canonical
+from aseme_dsl.compiler import analyse
+from aseme_dsl.source import Source
+
+DEPTH = 150
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        "system S srm R { liveness { R = FORMULA } }",
+        "system S srm R { liveness { R = FORMULA } control R { enter B : go } }",
+        "system S aip P { participant p { process = FORMULA } }",
+    ],
+    ids=["role", "control", "protocol"],
+)
+@pytest.mark.parametrize("opening", ["(a . ", "(a | "])
+def test_a_term_is_spelled_as_a_whole_a_few_times(program: str, opening: str) -> None:
+    spelled = 0
+
+    def count(frame: FrameType, event: str, argument: object) -> None:
+        nonlocal spelled
+        spelled += event == "c_call" and frame.f_code is canonical.__code__
+
+    before = sys.getprofile()
+    sys.setprofile(count)
+    try:
+        analyse(Source("deep.aseme", program.replace("FORMULA", f"{opening * DEPTH}A . B{')*' * DEPTH}")))
+    finally:
+        sys.setprofile(before)
+    assert spelled < 140 * DEPTH**2
