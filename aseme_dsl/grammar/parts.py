@@ -235,6 +235,8 @@ class Parts:
             self._before |= self._now
             raise
         self._before = self._now
+        heads = {head[1] for _, text, _, _ in self._now if (head := _HEAD.match(text))}
+        self._good = {head: known for head, known in self._good.items() if head in heads}
         self._last = (source, found)
         return found
 

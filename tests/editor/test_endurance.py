@@ -140,6 +140,7 @@ def test_what_a_server_keeps_does_not_grow(monkeypatch: pytest.MonkeyPatch) -> N
         return await objects_kept(30, 100), await objects_kept(60, 200)
 
     monkeypatch.setattr(server, "DEBOUNCE", 0)
+    monkeypatch.setattr(SERVER, "tidies", True)
     monkeypatch.setattr(SERVER, "publish_one", lambda path, view: None)  # nobody is there
     try:
         before, after = asyncio.run(edited_long())
