@@ -21,6 +21,7 @@ from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.access import OPERATOR, access_rules
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
+from aseme_dsl.runtime.transport.settings import LARGEST
 from tests.runtime.transport.net import Part, part
 from tests.support.generated import Generated, generate
 from tests.support.network import own_name, own_port
@@ -464,3 +465,21 @@ def test_a_port_that_is_taken_is_said(wire: Generated, mouth: Mouth) -> None:
         bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, network)).start()
         with pytest.raises(Exception, match="the network cannot be used"):
             bob.join()
+
+
+def test_a_message_that_is_too_large_is_not_put_together(wire: Generated, mouth: Mouth) -> None:
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, Network())).start()
+    ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, Network())).start()
+    wait_until(lambda: bob.team.transport.is_there("ann"))
+    hostile = Hostile(wire, "carol")
+    hostile.name = "ann"
+    for size in (LARGEST + (2 << 20), 10):  # one after the other, and neither is an envelope's
+        key = f"asemec/{WIRE}/to/bob/ann/team/signal/M"
+        hostile.session.put(key, bytes(size), congestion_control=zenoh.CongestionControl.BLOCK)
+    wait_until(lambda: bob.team.peers()["ann"].unreadable >= 1)
+    mouth.say += [("team.signal.M", 1)]
+    wait_until(lambda: heard(bob) == [1])
+    hostile.close()
+    bob.stop()
+    ann.stop()
+    assert bob.team.peers()["ann"].unreadable == 1

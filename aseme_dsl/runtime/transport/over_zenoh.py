@@ -25,6 +25,7 @@ from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
 from aseme_dsl.runtime.transport.link import NOBODY
 from aseme_dsl.runtime.transport.meeting import Meeting, joining
 from aseme_dsl.runtime.transport.port import TransportError
+from aseme_dsl.runtime.transport.settings import LARGEST
 from aseme_dsl.runtime.transport.stream import PATIENCE, Samples
 
 if TYPE_CHECKING:
@@ -65,7 +66,7 @@ class ZenohLink:
 
     readable = False
     patience = PATIENCE
-    largest = None
+    largest = LARGEST
 
     def __init__(self, system: str, network: Network) -> None:
         """Raises TransportError if zenoh is not installed, or the settings do not fit."""

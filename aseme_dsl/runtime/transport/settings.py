@@ -20,6 +20,9 @@ from aseme_dsl.runtime.transport.port import TransportError
 
 _LARGEST = 1 << 20
 """The largest file of a certificate, a key, a password or rules, in bytes."""
+LARGEST = 64 << 20
+"""The largest message that travels between robots, in bytes: a larger one is not sent, nor put together."""
+_ENVELOPE = 1 << 20
 LEASE_MS = 2000
 """How long, in ms, a peer may be silent before it counts as gone."""
 
@@ -96,6 +99,7 @@ class Network:
         yield "adminspace/enabled", "false"
         yield "transport/shared_memory/enabled", "false"
         yield "transport/link/tx/lease", json.dumps(self.lease_ms)
+        yield "transport/link/rx/max_message_size", json.dumps(LARGEST + _ENVELOPE)
         if self.tls is not None:
             for path in (self.tls.authority, self.tls.certificate, self.tls.key):
                 _readable(path)
