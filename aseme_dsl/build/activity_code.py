@@ -21,6 +21,7 @@ from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.build.activity_access import HISTORIES, READS, Access, looks_back, owners, undeclared, used_by
 from aseme_dsl.build.activity_ends import wrong_outcomes
+from aseme_dsl.build.activity_files import Required, as_simulated, check_files, empty_classes, missing_folder
 from aseme_dsl.build.activity_given import wrong_parameters
 from aseme_dsl.build.activity_messages import unfit_messages
 from aseme_dsl.build.activity_talk import Talk, parts_of, talk_in, unfit_talk, unsaid
@@ -47,10 +48,13 @@ def check_code(
     project: Path | None = None,
     memory: Memory | None = None,
     look: Look = stamp_of,
+    required: Required | None = None,
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """What the Python in `folder` gets wrong of the system: E540, W530, W532, W533, W540, W555, W556, N726.
 
-    What is not there is not asked for. Second comes what a comment on the line allows:
+    What is not there is not asked for, unless it is `required`: then a missing folder is E544, and a missing
+    file E543; a file that nothing uses is W541, one of a simulated activity W542, one in which nothing is
+    written yet N740. Second comes what a comment on the line allows:
     `# asemec: allow(CODE) reason`.
     `alone`: the folder belongs to this system only. If other systems share it, a name that nothing here is
     like may be one of theirs. `project` is the folder from which the code of modules is imported that is not
@@ -58,7 +62,7 @@ def check_code(
     as `look` says the same of it.
     """
     if not folder.is_dir():
-        return (), ()
+        return () if required is None else missing_folder(system, folder, required, project), ()
     memory = memory or Memory()
     world = _World.of(system, alone, memory)
     types = memory.same("types", System(system.name, enums=system.enums, messages=system.messages))
@@ -67,11 +71,16 @@ def check_code(
     paths = code_paths(pieces, folder)
     codes = _codes(paths, memory, look)
     found: list[Diagnostic] = []
+    if required is not None:
+        found += check_files(system, folder, required, project, look)
     complete = True
     described: list[tuple[_Code, Activity, str, str]] = []
     worded: list[tuple[_Code, System]] = []
     talks: dict[str, tuple[Talk, ...]] = {}
     for piece in pieces:
+        if piece.said.simulated:  # its code, which is to come, may raise any event
+            complete = False
+            continue
         code = codes.get(piece.path) if piece.path is not None else None
         if code is None or code.module is None:
             complete = False
@@ -81,6 +90,8 @@ def check_code(
                 message += f": there is no `{piece.target.partition(':')[0]}`"
                 found.append(Diagnostic("W533", message, piece.said.span))
             continue
+        if required is not None and piece.wanted in code.empty:
+            found.append(_unwritten(code.read, piece.said, piece.wanted, piece.what))
         is_written = piece.said.takes is not None or piece.wanted not in code.empty
         complete = complete and is_written
         if is_written and piece.what == "activity":
@@ -419,7 +430,7 @@ def _code(name: str, stamp: Stamp) -> _Code:
         if isinstance(target, ast.Name)
     }
     module = _Module(source, tree, constants)
-    return _Code(module, (), _calls(module), _talk_in(module), _empty(module))
+    return _Code(module, (), _calls(module), _talk_in(module), empty_classes(module.tree))
 
 
 _Calls = tuple[_Call, ...]
@@ -451,18 +462,6 @@ def _calls(module: _Module) -> _Calls:
         back = looks_back(node, node.func.attr)
         found.append(_Call(node.func.attr, said, module.span(first), from_host, value, owner, back))
     return tuple(sorted(found, key=lambda call: call.span.start))
-
-
-def _empty(module: _Module) -> frozenset[str]:
-    """The classes whose `execute` is a docstring. `pass` is somebody's word."""
-    return frozenset(
-        node.name
-        for node in module.tree.body
-        if isinstance(node, ast.ClassDef)
-        for item in node.body
-        if isinstance(item, (ast.FunctionDef, ast.AsyncFunctionDef)) and item.name == "execute"
-        if all(isinstance(part, ast.Expr) and isinstance(part.value, ast.Constant) for part in item.body)
-    )
 
 
 def _talk_in(module: _Module) -> tuple[Talk, ...]:
@@ -533,6 +532,16 @@ def _of_piece(
             accesses.append(Access(call.method, call.name, call.span, call.owner, call.back))
     own = world.of_participants.get(activity.name, frozenset())
     yield from undeclared(accesses, activity, what, own, world.roles.get(activity.name, ()))
+
+
+def _unwritten(module: _Module, said: Activity, wanted: str, what: str) -> Diagnostic:
+    """N740 for a class that is as it was started."""
+    node = next(item for item in module.tree.body if isinstance(item, ast.ClassDef) and item.name == wanted)
+    hint = "write its `execute`"
+    if what == "activity":
+        hint += f"; or delete the file and say `{as_simulated(said)}`"
+    message = f"the {what} `{said.name}` is not written yet: its `execute` does nothing"
+    return Diagnostic("N740", message, _named(module, node), (Related(said.span, f"the {what}"),), hint=hint)
 
 
 def _defines(node: ast.ClassDef, name: str) -> bool:

@@ -57,6 +57,8 @@ class Choice:
     native: bool = False
     """Whether the modules of plain statecharts are compiled, too."""
     force: bool = False
+    starts_files: bool = True
+    """Whether a first version is written of each file of the user's that is not there."""
     policy: Policy = NO_POLICY
     """How bad the project finds each kind of problem."""
 
@@ -154,6 +156,8 @@ def build(
                 continue
             files += (file for file in code if file.home not in homes)
         files += _pictures(drawings, results(), known, notes, diagnostics)
+    if not choice.starts_files:
+        files = [file for file in files if file.home is None or file.home.exists()]
     generated = [file for file in files if file.part in backends]
     if choice.native and not refused:
         from aseme_dsl.build.native import NativeError, compiled
@@ -229,7 +233,7 @@ def choose(
         labels or configuration.labels or "plain",
         native,
         force,
-        configuration.diagnostics,
+        policy=configuration.diagnostics,
     )
 
 

@@ -101,6 +101,17 @@ def find_configuration(start: Path) -> tuple[Configuration, tuple[Diagnostic, ..
     return Configuration(start), ()
 
 
+def place_of(configuration: Configuration, key: str) -> Span | None:
+    """Where the project's `[tool.asemec]` has a key."""
+    if configuration.path is None:
+        return None
+    try:
+        text = outside.read_bytes(configuration.path).decode("utf-8").replace("\r\n", "\n")
+    except (OSError, UnicodeDecodeError):
+        return None
+    return _place(Source(str(configuration.path), text), TABLE, key)
+
+
 def read_configuration(path: Path) -> tuple[Configuration, tuple[Diagnostic, ...]]:
     """The configuration in a pyproject.toml."""
     nothing = Configuration(path.parent, path)

@@ -12,9 +12,10 @@ from aseme_dsl.build.configuration import (
     OUTPUT,
     Configuration,
     find_configuration,
+    place_of,
     unknown_roles,
 )
-from aseme_dsl.build.function_code import check_configured, check_functions
+from aseme_dsl.build.function_code import check_configured, check_functions, function_files
 from aseme_dsl.build.inputs import Inputs
 from aseme_dsl.build.stamp import Look, stamp_of
 from aseme_dsl.build.target import project_here, sources_of
@@ -27,6 +28,7 @@ from aseme_dsl.source import Source
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
+    from aseme_dsl.build.activity_files import Required
     from aseme_dsl.build.workshop import Workshop
     from aseme_dsl.compiler.memory import Memory
 
@@ -159,7 +161,35 @@ def code_problems(
     from aseme_dsl.build.activity_code import check_code
 
     alone = len(configuration.files) < 2
-    return check_code(system, folder, alone=alone, project=configuration.folder, memory=memory, look=look)
+    required = None
+    if activities is not None or configuration.activities is not None:
+        required = _required(system, configuration, from_option=activities is not None)
+    return check_code(
+        system,
+        folder,
+        alone=alone,
+        project=configuration.folder,
+        memory=memory,
+        look=look,
+        required=required,
+    )
+
+
+def _required(system: System, configuration: Configuration, *, from_option: bool) -> Required:
+    """Who says that the code has to be there, and who else may use what is in its folder."""
+    from aseme_dsl.build.activity_files import Required
+
+    root = Path(system.span.source.path).parent if system.span is not None else configuration.folder
+    folders = {os.path.realpath(folder): folder for folder in (configuration.folder, root)}.values()
+    users = function_files(system, configuration.folder)
+    users += [str(path) for folder in folders for path in sorted(folder.glob("*.py"))]
+    if configuration.run is not None:
+        functions = (configuration.run.world, configuration.run.progress, configuration.run.summary)
+        modules = [function.partition(":")[0] for function in functions if function is not None]
+        users += [f"{configuration.folder.joinpath(*module.split('.'))}.py" for module in modules]
+    others = [path for folder in folders for path in sorted(folder.glob("*.aseme"))]
+    place = None if from_option else place_of(configuration, "activities")
+    return Required(place, tuple(users), (*configuration.files, *others))
 
 
 def code_folder(configuration: Configuration, activities: Path | None) -> Path | None:

@@ -21,6 +21,7 @@ from aseme_dsl.cli.playing import (
     duration_option,
     ending_left_processes,
     input_option,
+    lines_without_code,
     platform_option,
     seed_option,
     state_option,
@@ -154,7 +155,10 @@ def command(
             built = build_target(target, output, activities, None, False, False, colour, backends)
             if isinstance(built, int):
                 return built
-            report, configuration, choice = built
+            report, configuration, choice, bare = built
+            if not quiet:
+                for line in lines_without_code(bare, target, output):
+                    click.echo(line)
             folder = report.folder
             loaded = load(folder, report.system, configuration, choice)
         if control is not None:

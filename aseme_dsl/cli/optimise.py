@@ -137,9 +137,9 @@ def command(
         raise click.BadParameter("in 0s nothing can be measured.", param_hint="'--for'")
     if measure is not None and ":" in measure and not is_function(measure):
         raise click.BadParameter(f"{measure!r} is not MODULE:FUNCTION.", param_hint="'--measure'")
-    compiled = one_system(target)
+    compiled = one_system(target, activities)
     found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
-    if compiled.system is None:
+    if compiled.system is None or has_errors(found):
         return refuse(found, as_json, colour)
     if measure is None:
         raise click.UsageError(_measures(compiled.system))

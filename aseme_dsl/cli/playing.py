@@ -24,6 +24,7 @@ from aseme_dsl.cli.shared import (
 from aseme_dsl.diagnostics import has_errors
 
 if TYPE_CHECKING:
+    from aseme_dsl.build.activity_files import WithoutCode
     from aseme_dsl.build.build import Choice, Report
     from aseme_dsl.build.configuration import Configuration
 
@@ -117,22 +118,27 @@ def build_target(
     as_json: bool,
     colour: str,
     backends: Sequence[str] = (),
-) -> tuple[Report, Configuration, Choice] | int:
-    """Build the one system that the target means; or the exit code, after saying what is wrong."""
-    from aseme_dsl.build.build import build, choose
+) -> tuple[Report, Configuration, Choice, WithoutCode] | int:
+    """Build the one system that the target means; or the exit code, after saying what is wrong.
+
+    No activity is started: that is what `build` and `scaffold` are for.
+    """
+    from aseme_dsl.build.activity_files import without_code
+    from aseme_dsl.build.build import activities_folder, build, choose
     from aseme_dsl.build.configuration import OUTPUT
     from aseme_dsl.diagnostics import Severity
 
-    compiled = one_system(target)
+    compiled = one_system(target, activities)
     # Notes are about what is still to be written: `check` and `build` say them.
     found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
-    if compiled.system is None:
+    if compiled.system is None or has_errors(found):
         return refuse(found, as_json, colour)
     if not as_json:
         print_diagnostics(found, colour)
     choice = choose(
         compiled.configuration, backends=backends, activities=activities, templates=templates, force=force
     )
+    choice = replace(choice, starts_files=False)
     check_choice(choice, backends, [chart.name for chart in compiled.system.iacs])
     if choice.agents.usual not in choice.backends:  # what the project builds makes no agents
         choice = replace(choice, backends=(*choice.backends, choice.agents.usual))
@@ -144,7 +150,22 @@ def build_target(
     if not as_json:
         print_diagnostics(report.diagnostics, colour)
         click.echo(f"{report.system} -> {report.folder}: {written_summary(report.written)}")
-    return report, compiled.configuration, choice
+    folder = activities_folder(report.folder, choice)
+    return report, compiled.configuration, choice, without_code(compiled.system, folder)
+
+
+def lines_without_code(found: WithoutCode, target: str, output: Path | None) -> list[str]:
+    """Which activities only last, why, and what starts their files."""
+    lines = []
+    if found.simulated:
+        lines.append(f"simulated, as the file says: {', '.join(found.simulated)}")
+    if found.missing:
+        into = "" if output is None else f" -o {click.format_filename(output)}"
+        command = f"`asemec build {click.format_filename(target)}{into}` starts a file for each"
+        lines.append(f"simulated, since there is no code: {', '.join(found.missing)} ({command})")
+    if found.empty:
+        lines.append(f"simulated, since nothing is written in its file: {', '.join(found.empty)}")
+    return lines
 
 
 def ending_left_processes() -> AbstractContextManager[None]:

@@ -16,6 +16,7 @@ from aseme_dsl.cli.playing import (
     ending_left_processes,
     input_option,
     is_function,
+    lines_without_code,
     platform_option,
     seed_option,
     state_option,
@@ -45,6 +46,7 @@ from aseme_dsl.diagnostics import has_errors
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from aseme_dsl.build.activity_files import WithoutCode
     from aseme_dsl.build.build import Report
     from aseme_dsl.build.configuration import Configuration
     from aseme_dsl.build.play import Played, Request
@@ -147,6 +149,7 @@ def command(
     if trace is not None:
         check_outputs([(trace, "trace")], [target, *([script] if script is not None else [])])
     report: Report | None = None
+    bare: WithoutCode | None = None
     try:
         if is_output(Path(target)):
             folder = Path(target)
@@ -160,7 +163,7 @@ def command(
             built = build_target(target, output, activities, templates, force, as_json, colour, backends)
             if isinstance(built, int):
                 return built
-            report, configuration, choice = built
+            report, configuration, choice, bare = built
             folder = report.folder
             systems = (load(folder, report.system, configuration, choice),)
         if list_:
@@ -171,6 +174,9 @@ def command(
         if platform is None and plan is None and (real or process_per_robot):
             platform = configuration.platform
         if platform == ZENOH or process_per_robot:
+            if not quiet and not as_json and bare is not None:
+                for line in lines_without_code(bare, target, output):
+                    click.echo(line)
             request = Request(
                 duration=duration,
                 seed=seed,
@@ -219,7 +225,7 @@ def command(
         raise click.ClickException(str(problem)) from problem
     telling.end()
     code = exit_code(played.result, allowed, INTERRUPTED)
-    _print(played, loaded, report, folder, telling, as_json)
+    _print(played, loaded, report, folder, telling, as_json, bare, target, output)
     if played.result.left:
         leave_at_once(code)
     return code
@@ -331,7 +337,15 @@ def _list(systems: Iterable[Loaded], as_json: bool) -> int:
 
 
 def _print(
-    played: Played, loaded: Loaded, report: Report | None, folder: Path, telling: Telling, as_json: bool
+    played: Played,
+    loaded: Loaded,
+    report: Report | None,
+    folder: Path,
+    telling: Telling,
+    as_json: bool,
+    bare: WithoutCode | None,
+    target: str,
+    output: Path | None,
 ) -> None:
     """How it ended, and what is left behind."""
     from dataclasses import asdict
@@ -354,6 +368,7 @@ def _print(
                     "folder": str(folder),
                     "trace": str(played.trace),
                     "trace_error": result.trace_error,
+                    "without_code": asdict(bare) if bare is not None else None,
                     "count": asdict(report.count) if report is not None and report.count else None,
                 },
                 **diagnostics_json(()),
@@ -373,6 +388,8 @@ def _print(
         elif agent.finished:
             click.echo(f"  {agent.name} ({agent.role}) has finished")
     for line in end_lines(result):
+        click.echo(f"  {line}")
+    for line in lines_without_code(bare, target, output) if bare is not None else ():
         click.echo(f"  {line}")
     if result.trace_error is not None:
         click.echo(f"  {result.trace_error}", err=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 
 import click
 
@@ -10,6 +11,7 @@ from aseme_dsl.cli.shared import (
     TARGETS_HELP,
     colour_option,
     diagnostics_json,
+    folder_option,
     json_option,
     plural,
     print_diagnostics,
@@ -22,15 +24,17 @@ from aseme_dsl.cli.shared import (
 @click.command(
     short_help="Write what is missing into a file.",
     help="Write skeletons of what is still missing (protocols, roles, formulas, control) into a file, and"
-    f" touch nothing else in it; you fill them in. {TARGETS_HELP} The text of standard input is completed on"
-    " standard output. A file with errors stays as it is.",
+    " touch nothing else in it; you fill them in. Where the project has a folder of activities, each activity"
+    f" without a file gets one to fill in, unless it is `simulated`. {TARGETS_HELP} The text of standard"
+    " input is completed on standard output. A file with errors stays as it is.",
     epilog="Example: asemec scaffold --diff team.aseme   ·   asemec scaffold team.aseme",
 )
 @targets_argument
+@folder_option("--activities", text="Where your activities are.  [default: the project's]")
 @click.option("--diff", is_flag=True, help="Change nothing; print what would be added.")
 @json_option
 @colour_option
-def command(targets: tuple[str, ...], diff: bool, as_json: bool, colour: str) -> int:
+def command(targets: tuple[str, ...], activities: Path | None, diff: bool, as_json: bool, colour: str) -> int:
     """Complete each file; 1 if one has errors or cannot be written."""
     from aseme_dsl.build.complete import complete
     from aseme_dsl.build.inputs import STANDARD_INPUT
@@ -38,13 +42,18 @@ def command(targets: tuple[str, ...], diff: bool, as_json: bool, colour: str) ->
     from aseme_dsl.diagnostics import Severity, has_errors, render_json
 
     inputs = inputs_of(targets, standard_input)
-    completed = [complete(root, write=not diff) for root in inputs.roots]
+    completed = [complete(root, write=not diff, activities=activities) for root in inputs.roots]
     # What is missing is written now, or was left out of the file on purpose: `check` says it.
     found = [*inputs.diagnostics, *(item for one in completed for item in one.diagnostics)]
     serious = [item for item in found if item.severity is not Severity.NOTE]
     if as_json:
         rows = [
-            {"file": item.path, "added": render_json(item.added), "difference": item.difference}
+            {
+                "file": item.path,
+                "added": render_json(item.added),
+                "code": [str(path) for path in item.code],
+                "difference": item.difference,
+            }
             for item in completed
         ]
         print_json({"files": rows, **diagnostics_json(found)})
@@ -59,4 +68,8 @@ def command(targets: tuple[str, ...], diff: bool, as_json: bool, colour: str) ->
             for note in item.added:
                 click.echo(f"{note.span or item.path}: {note.message}: written", err=True)
             click.echo(f"{item.path}: {plural(len(item.added), 'skeleton')} written", file=sys.stdout)
+            if item.wait:
+                click.echo(f"{item.path}: when no hole is left, its activities get files")
+            for path in item.code:
+                click.echo(f"{path}: written", file=sys.stdout)
     return int(has_errors(found))

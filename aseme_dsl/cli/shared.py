@@ -180,8 +180,11 @@ TARGETS_HELP = (
 )
 
 
-def one_system(target: str) -> Compiled:
-    """The one system that a target means, compiled; what is more or less than one is wrong use."""
+def one_system(target: str, activities: Path | None = None) -> Compiled:
+    """The one system that a target means, compiled; what is more or less than one is wrong use.
+
+    `activities` is the folder with the code of its activities, if an option says so.
+    """
     from aseme_dsl.build.configuration import Configuration
     from aseme_dsl.build.project import Compiled, compile_root, inputs_of
 
@@ -190,7 +193,7 @@ def one_system(target: str) -> Compiled:
         return Compiled(Path(target), Configuration(Path()), None, inputs.diagnostics)
     if len(inputs.roots) != 1:
         raise click.UsageError(_not_one(target, inputs))
-    return compile_root(inputs.roots[0], output=inputs.output_of(inputs.roots[0]))
+    return compile_root(inputs.roots[0], activities=activities, output=inputs.output_of(inputs.roots[0]))
 
 
 def one_file(target: str) -> Path | tuple[Diagnostic, ...]:

@@ -71,7 +71,7 @@ def command(
     from aseme_dsl.build.operate import OperateError, PartlyDone, activities_of, nodes, swap, write_version
     from aseme_dsl.diagnostics import Severity
 
-    compiled = one_system(target)
+    compiled = one_system(target, activities)
     found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)
     if not as_json:
         print_diagnostics(found, colour)

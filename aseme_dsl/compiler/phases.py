@@ -497,7 +497,7 @@ def _named(block: tree.Srm | tree.Aip) -> frozenset[str]:
     return frozenset(node.name for item in _formulas_of(block) for node in names(item.formula))
 
 
-_OF_CODE = frozenset(("N726",))
+_OF_CODE = frozenset(("N726", "W542"))
 """What is found only where the activities' code is at hand (build/activity_code.py)."""
 
 _IMPORTABLE = (

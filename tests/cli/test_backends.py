@@ -131,8 +131,9 @@ def test_a_class_of_the_user_that_does_not_fit_is_said_before_the_run(
 def test_systems_that_share_a_folder_of_activities_have_agents_of_their_own(here: Here, folder: Path) -> None:
     (folder / "other.aseme").write_text(GOOD.replace("system Walker", "system Runner"))
     for name in ("good", "other"):
+        assert here("scaffold", f"{name}.aseme", "--activities", "mine").code == 0
         done = here(
-            "run",
+            "build",
             f"{name}.aseme",
             "--backend",
             "jade_like",
@@ -140,8 +141,6 @@ def test_systems_that_share_a_folder_of_activities_have_agents_of_their_own(here
             f"out_{name}",
             "--activities",
             "mine",
-            "--for",
-            "1s",
         )
         assert done.code == 0, done.err
     written = {path.name for path in (folder / "mine").glob("*_agent.py")}

@@ -155,6 +155,7 @@ class TestActivities:
     def test_they_may_be_elsewhere(self, here: Here, folder: Path) -> None:
         (folder / "skills").mkdir()
         (folder / "skills/walk.py").write_text("mine")
+        assert here("scaffold", "good.aseme", "--activities", "skills").code == 0
         done = here("build", "good.aseme", "-o", "out", "--activities", "skills")
         assert done.code == 0
         assert {path.name for path in (folder / "skills").iterdir()} == {"walk.py", "stand.py"}
@@ -162,11 +163,12 @@ class TestActivities:
         assert not (folder / "out/monas/activities").exists()
 
     def test_only_for_the_activities_that_have_none(self, here: Here, folder: Path) -> None:
-        here("build", "good.aseme", "-o", "out", "--activities", "skills")
-        (folder / "skills/walk.py").unlink()
+        here("build", "good.aseme", "-o", "out")
+        skills = folder / "out/monas/activities"
+        (skills / "walk.py").unlink()
         (folder / "good.aseme").write_text(GOOD.replace("Stand", "Sit"))
-        here("build", "good.aseme", "-o", "out", "--activities", "skills")
-        assert {path.name for path in (folder / "skills").iterdir()} == {"walk.py", "stand.py", "sit.py"}
+        here("build", "good.aseme", "-o", "out")
+        assert {path.name for path in skills.iterdir()} == {"walk.py", "stand.py", "sit.py"}
 
 
 def test_generated_and_written_lines_are_counted(here: Here, folder: Path) -> None:
@@ -194,6 +196,7 @@ def test_helpers_beside_activities_count_as_written(here: Here, folder: Path) ->
     (folder / "skills").mkdir()
     (folder / "skills/geometry.py").write_text("def angle(): ...\n")
     (folder / "skills/jump.py").write_text("class Jump: ...  # of another system\n")
+    here("scaffold", "good.aseme", "--activities", "skills")
     arguments = ["build", "good.aseme", "-o", "out", "--activities", "skills", "--json"]
     count = here(*arguments).json["systems"][0]["count"]
     assert count["by_hand"] == {"files": 1, "lines": 1, "bytes": 17}
@@ -299,6 +302,7 @@ class TestConfiguration:
         )
         (folder / "deep").mkdir()
         monkeypatch.chdir(folder / "deep")
+        assert here("scaffold", "../good.aseme").code == 0
         assert here("build", "../good.aseme").code == 0
         assert (folder / "made/monas/Walker/robot/step.py").exists()
         assert (folder / "skills/walk.py").exists()
@@ -326,6 +330,7 @@ class TestConfiguration:
 
     def test_the_command_line_goes_first(self, here: Here, folder: Path) -> None:
         (folder / "pyproject.toml").write_text('[tool.asemec]\noutput = "made"\nactivities = "skills"\n')
+        assert here("scaffold", "good.aseme", "--activities", "acts").code == 0
         assert here("build", "good.aseme", "-o", "out", "--activities", "acts").code == 0
         assert {path.name for path in folder.iterdir()} >= {"out", "acts"}
         assert not (folder / "made").exists()

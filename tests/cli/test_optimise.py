@@ -336,6 +336,7 @@ def test_what_was_not_tried_may_be_the_bottleneck(here: Here, trips: Path) -> No
     (trips.parent / "code" / "rest.py").write_text(
         "class Rest:\n    def execute(self, context):\n        context.wait(1.0)\n", "utf-8"
     )
+    trips.write_text(trips.read_text("utf-8").replace("Walk takes 2s", "Walk takes 2s simulated"), "utf-8")
     coded = here(*base, "--measure", "time", "--activities", trips.parent / "code")
     assert f"Not tried, {why}: Rest." in coded.out and "lasts" not in coded.out.replace(why, "")
     trips.write_text(
@@ -417,7 +418,7 @@ srm robot {
   var haste  : double = 0.0
   var chance : double = 0.0
   liveness { robot = (Look . (Go | Fall))~ }
-  activities { Look takes 1s  Go takes 1s  Fall }
+  activities { Look takes 1s simulated  Go takes 1s simulated  Fall }
   control robot {
     enter Look : / chance = random()
     enter Fall : [chance < haste]

@@ -26,14 +26,16 @@ import protocols
 srm boss {
   plays contract_net.manager
   liveness { boss = manager }
-  activities { AnnounceJob takes 1s  CollectProposals takes 2s  AwardContract takes 1s  AwaitOutcome takes 1s
-               LearnOutcome takes 1s }
+  activities { AnnounceJob takes 1s simulated  CollectProposals takes 2s simulated
+               AwardContract takes 1s simulated  AwaitOutcome takes 1s simulated
+               LearnOutcome takes 1s simulated }
 }
 srm cook {
   plays contract_net.contractor
   liveness { cook = contractor }
-  activities { EvaluateJob takes 100ms  MakeProposal takes 100ms  CarryOut takes 3s  ReportOutcome takes 1s
-               DeclineJob takes 1s  StopWork takes 1s }
+  activities { EvaluateJob takes 100ms  MakeProposal takes 100ms simulated  CarryOut takes 3s
+               ReportOutcome takes 1s simulated
+               DeclineJob takes 1s simulated  StopWork takes 1s simulated }
 }
 team Kitchen { ann : boss  bob, cid : cook }
 """
@@ -152,7 +154,8 @@ aip ordering {
   }
 }
 srm service { plays ordering.waiter  liveness { service = waiter . Rest }
-              activities { Order takes 1s  AwaitMeal takes 5min  Rest takes 1min } }
+              activities { Order takes 1s simulated  AwaitMeal takes 5min simulated
+               Rest takes 1min simulated } }
 srm kitchen { plays ordering.cook  liveness { kitchen = cook }  activities { Cook takes 20s } }
 team Orders { ann : service  bob, cat, dan : kitchen }
 """

@@ -11,7 +11,9 @@ from typing import Any
 
 import pytest
 
+from aseme_dsl.build.activity_files import stubs
 from tests.platforms.servers import Server
+from tests.support.compiling import system
 
 pytest.importorskip("spade", reason="SPADE is not installed: python3 dev.py long")
 
@@ -56,6 +58,8 @@ def project(folder: Path, server: Server) -> None:
     # Three carriers are enough for a machine with much else to do.
     text = SOURCE.read_text("utf-8").replace("carrier[1..8]", "carrier[1..3]")
     (folder / "net.aseme").write_text(text)
+    for path, content in stubs(system(text), folder / "activities").items():
+        path.write_bytes(content)
     settings = ""
     if server.kind == "prosody":
         (folder / "password").write_text("secret\n")

@@ -201,7 +201,7 @@ def system_file(
 def activity_files(
     templates: Environment, system: System, options: BackendOptions = DEFAULT
 ) -> Iterator[Artefact]:
-    """First versions of the activities and of the modules whose code is found by their name."""
+    """First versions of the activities, simulated ones left out, and of the modules found by their name."""
     yield from _activities(templates, system, options.known)
     yield from _modules(templates, system)
 
@@ -213,7 +213,8 @@ def _activities(templates: Environment, system: System, known: Known) -> Iterato
         for name in names:
             users.setdefault(name, []).append(chart.name)
     described = {item.name: item for item in system.activities}
-    roles = known.same_values("users", {name: tuple(users[name]) for name in sorted(users)})
+    coded = [name for name in sorted(users) if name not in described or not described[name].simulated]
+    roles = known.same_values("users", {name: tuple(users[name]) for name in coded})
     said = known.same_values("said", {name: described.get(name) for name in roles})
     items = zip(roles, said.values(), roles.values(), strict=True)
     yield from known.each(_activity, items, templates, system.name, source_of(system))
