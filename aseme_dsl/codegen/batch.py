@@ -239,8 +239,8 @@ def _slots(code: PlainCode, variables: Sequence[Array]) -> Iterator[Array]:
 
 
 def _tables(code: PlainCode) -> tuple[str, ...]:
-    """The lines that say which leaves the regions have, which regions an AND has, and what runs."""
-    first = next(place for place, line in enumerate(code.body) if line.startswith("    LEAVES"))
+    """The lines that say which leaves the regions have, which regions an AND has, what runs and circles."""
+    first = next(place for place, line in enumerate(code.body) if line.startswith("    NAMES"))
     last = next(place for place, line in enumerate(code.body) if place > first and not line)
     lines = code.body[first:last]
     return tuple(re.sub(r": ClassVar\[.*\] = ", " = ", line) for line in lines if "MESSAGES" not in line)

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any, ClassVar, TypeAlias
 
-from aseme_dsl.runtime.plain import ROUNDS, Unsettled, leaves_of, unknown_event
+from aseme_dsl.runtime.plain import ROUNDS, SHOWN, Unsettled, leaves_of, names_of, unknown_event
 
 Selection: TypeAlias = Any
 """Which instances: their numbers, in an array; or a slice that is all of them."""
@@ -98,7 +98,10 @@ class Batch:
     INNER: ClassVar[Mapping[tuple[int, int], tuple[int, ...]]] = {}
     RUNNING: ClassVar[Mapping[str, tuple[int, int]]] = {}
     END: ClassVar[int] = -1
-    """These four are the plain class's."""
+    NAMES: ClassVar[tuple[str, ...]] = ()
+    CIRCLING: ClassVar[tuple[str, ...]] = ()
+    WAKING: ClassVar[tuple[str, ...]] = ()
+    """These are the plain class's."""
 
     def __init__(self, size: int, engine: str = "numpy", *, strict: bool = False) -> None:
         """`size` instances, not yet started. `strict`: an event that no transition waits for is a mistake.
@@ -260,9 +263,14 @@ class Batch:
         if self.stuck.any():
             first = int(np.flatnonzero(self.stuck)[0])
             self.stuck[:] = False
-            active = ", ".join(self.configuration(first))
-            raise Unsettled(f"instance {first} does not settle after {ROUNDS} rounds, at {active}")
+            raise self._unsettled(first)
         return moved
+
+    def _unsettled(self, instance: int) -> Unsettled:
+        """The error of an instance that does not settle: where it is, and the lines that may be the cause."""
+        active = ", ".join(self.names(instance) or self.configuration(instance))
+        ways = "; ".join(tuple(dict.fromkeys((*self.CIRCLING, *self.WAKING)))[:SHOWN])
+        return Unsettled(f"instance {instance} does not settle after {ROUNDS} rounds, at {active}: {ways}")
 
     def table(self, name: str) -> tuple[Any, int]:
         """The array in which a variable of `bb` is a row, and which one: `[row, instance]`.
@@ -309,6 +317,18 @@ class Batch:
         Raises:
             IndexError: there is no such instance.
         """
+        return tuple(self._leaves[region][number] for region, number in self._active_in(instance))
+
+    def names(self, instance: int) -> tuple[str, ...]:
+        """The names of an instance's active leaves that have one, in the same order.
+
+        Raises:
+            IndexError: there is no such instance.
+        """
+        return names_of(self.LEAVES, self.NAMES, self._active_in(instance))
+
+    def _active_in(self, instance: int) -> list[tuple[int, int]]:
+        """The regions that are active in an instance, with the numbers of their leaves."""
         self._check_started()
         if not -self.size <= instance < self.size:
             raise IndexError(f"{type(self).__name__} of {self.size} has no instance {instance}")
@@ -319,7 +339,7 @@ class Batch:
             number = int(getattr(self, f"r{region}")[instance]) if len(self._leaves[region]) > 1 else 0
             active.append((region, number))
             stack += self.INNER.get((region, number), ())
-        return tuple(self._leaves[region][number] for region, number in sorted(active))
+        return sorted(active)
 
     @property
     def finished(self) -> Any:

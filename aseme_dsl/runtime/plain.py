@@ -7,7 +7,7 @@ queue, no agent; `Machine` (`machine.py`) makes a complete runtime of it.
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from random import Random
 from typing import Any, ClassVar
@@ -232,29 +232,13 @@ class Plain:
     def names(self) -> tuple[str, ...]:
         """The names of the active leaves that have one, in the same order; with the label where several have
         that name."""
-        named = (item for item in sorted(self._active()) if not self._name(*item).startswith("("))
-        return tuple(self._called(*item) for item in named)
-
-    def _name(self, region: int, number: int) -> str:
-        return leaves_of(self.NAMES[region])[number]
-
-    def _called(self, region: int, number: int) -> str:
-        """The name of a leaf, with its label where others have that name, too."""
-        label, name = leaves_of(self.LEAVES[region])[number], self._name(region, number)
-        others = (
-            place
-            for labels, names in zip(self.LEAVES, self.NAMES, strict=True)
-            for place, other in zip(leaves_of(labels), leaves_of(names), strict=True)
-            if other == name and place != label
-        )
-        alone = next(others, None) is None
-        name = name.strip("()")  # what has no name is called by its type
-        return name if alone else f"{name} {label}"
+        return names_of(self.LEAVES, self.NAMES, sorted(self._active()))
 
     def __repr__(self) -> str:
         """For debuggers: which states are active."""
         try:
-            active = [self._called(*item) for item in sorted(self._active()) if item not in self.INNER]
+            leaves = [item for item in sorted(self._active()) if item not in self.INNER]
+            active = [_called(self.LEAVES, self.NAMES, *item) for item in leaves]
             return f"<{type(self).__name__}: {', '.join(active)}>"
         except (AttributeError, NotStarted):  # a region has no number yet
             return f"<{type(self).__name__}: not started>"
@@ -335,6 +319,28 @@ class Plain:
         )
 
 
+def names_of(
+    leaves: Sequence[str], names: Sequence[str], active: Iterable[tuple[int, int]]
+) -> tuple[str, ...]:
+    """The names of leaves (region, number), where they have one, by a class's `LEAVES` and `NAMES`."""
+    named = [item for item in active if not leaves_of(names[item[0]])[item[1]].startswith("(")]
+    return tuple(_called(leaves, names, *item) for item in named)
+
+
+def _called(leaves: Sequence[str], names: Sequence[str], region: int, number: int) -> str:
+    """The name of a leaf, with its label where others have that name, too."""
+    label, name = leaves_of(leaves[region])[number], leaves_of(names[region])[number]
+    others = (
+        place
+        for labels, words in zip(leaves, names, strict=True)
+        for place, other in zip(leaves_of(labels), leaves_of(words), strict=True)
+        if other == name and place != label
+    )
+    alone = next(others, None) is None
+    name = name.strip("()")  # what has no name is called by its type
+    return name if alone else f"{name} {label}"
+
+
 def unknown_event(kind: type, event: str) -> ValueError:
     """The error of an event that no transition waits for, of a class that has its `EVENTS`."""
     from difflib import get_close_matches
@@ -356,5 +362,6 @@ __all__ = [
     "Plain",
     "Unsettled",
     "leaves_of",
+    "names_of",
     "unknown_event",
 ]

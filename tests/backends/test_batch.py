@@ -282,8 +282,39 @@ def test_an_instance_that_does_not_settle_is_named(tmp_path: Path) -> None:
             batch = kind(3, engine)
         batch.start()
         batch.bb.dizzy = [False, True, False]
-        with pytest.raises(Unsettled, match="instance 1 does not settle after 1000 rounds"):
+        with pytest.raises(Unsettled) as raised:
             batch.send("turn")
+        said, names = str(raised.value), ", ".join(batch.names(1))
+        assert said.startswith(f"instance 1 does not settle after 1000 rounds, at {names}: ")
+        assert batch.names(1) != batch.configuration(1)
+        assert "dizzy" in said and ".aseme:" in said
+
+
+WAKING = """
+system Circles
+srm dancer {
+  var lead : bool = false
+  var dizzy : bool = false
+  liveness { dancer = left || right  left = Left~  right = Right~ }
+  control left { repeat Left : when [dizzy && !lead] / lead = true }
+  control right { repeat Right : when [dizzy && lead] / lead = false }
+}
+"""
+
+
+def test_regions_of_an_instance_that_wake_each_other_are_named(tmp_path: Path) -> None:
+    _, kind = made(system_of(WAKING), tmp_path, "dancer")
+    for engine in ("numpy", "numba"):
+        with without_compiling():
+            sys.modules.pop(f"{kind.__module__}_compiled", None)
+            batch = kind(3, engine)
+        batch.start()
+        batch.bb.dizzy = [False, False, True]
+        with pytest.raises(Unsettled) as raised:
+            batch.step()
+        said = str(raised.value)
+        assert "at Left, Right: " in said
+        assert ".aseme:7:" in said and ".aseme:8:" in said
 
 
 def test_what_arrays_cannot_do_is_refused_with_all_places() -> None:

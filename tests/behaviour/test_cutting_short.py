@@ -151,3 +151,47 @@ def test_a_protocol_may_cut_its_own_process_short(play: Play) -> None:
     """).step()
     run.step(run.mail("inform", "Note"))
     assert run.did[-2:] == ["cancel Ask", "start Give"]
+
+
+MENDED = """
+    srm R {
+      liveness { R = work [> Stop  work = inner || S  inner = A . Mend }
+      control R { enter Stop : error }
+      control inner { enter Mend : error }
+    }
+"""
+
+
+def test_of_two_failures_the_inner_error_transition_comes_before_the_one_that_cuts_short(play: Play) -> None:
+    """ "If two activities fail in one step, the inner `error` transition is tried first." """
+    run = play(MENDED).step()
+    run.step(run.crashed("S"), run.crashed("A"))
+    assert run.did == ["start Mend", "cancel Mend", "start Stop"]
+
+
+def test_a_failure_beside_an_inner_error_transition_goes_outwards(play: Play) -> None:
+    run = play(MENDED).step()
+    assert run.step(run.crashed("S")).active == ["Stop"]
+
+
+def test_a_failure_that_is_mended_inside_does_not_go_outwards(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = ((work [> Halt) [> Stop)  work = inner || S  inner = A . Mend }
+          control R { enter Stop : error  enter Halt : error }
+          control inner { enter Mend : error }
+        }
+    """).step()
+    assert run.step(run.crashed("A")).active == ["Mend", "S"]
+    assert run.step(run.crashed("Mend")).active == ["Halt"]
+    assert run.step(run.crashed("Halt")).active == ["Stop"]
+
+
+def test_of_two_that_cut_short_on_errors_the_inner_one_is_nearer(play: Play) -> None:
+    run = play("""
+        srm R {
+          liveness { R = (A || B) [> Halt [> Stop }
+          control R { enter Stop : error  enter Halt : error }
+        }
+    """).step()
+    assert run.step(run.crashed("A"), run.crashed("B")).active == ["Halt"]

@@ -342,6 +342,52 @@ def test_a_long_queue_does_not_stop_who_reads_it() -> None:
     assert chart.variable("m") == chart.variable("n") > 400
 
 
+LOOP_ON_A_QUEUE = """
+system S
+message M { int n }
+topic t { signal M queued }
+srm Reader {
+  var n : int = 0
+  liveness { Reader = Read~ [> Stop }
+  control Reader { repeat Read : when [t.signal.M.n > 0] / n = n + 1  enter Stop : when [n >= 3000] }
+  activities { Read takes 1s  Stop takes 1ms }
+}
+team T { bob : Reader }
+"""
+
+
+@pytest.mark.parametrize("clock", ["virtual", "real"])
+def test_a_loop_that_takes_a_signal_each_round_is_no_cycle(clock: str) -> None:
+    """A finite queue of inputs, three times as long as the bound."""
+    messages = [{"at": "1ms", "channel": "t.signal.M", "message": {"n": 1}} for _ in range(3000)]
+    run = play(LOOP_ON_A_QUEUE, script=messages, clock=clock)
+    result, chart = run.result.agents[0], run.team.agent("bob").chart
+    assert result.failure is None
+    assert chart.variable("n") == 3000
+
+
+REFILLING = """
+system S
+message M { int n }
+topic t { signal M queued }
+topic u { signal M queued }
+srm R {
+  liveness { R = a || b  a = A~  b = B~ }
+  control R { start (a || b) : / write_messages.t.signal.M { n = 1 } }
+  control a { repeat A : when [t.signal.M.n > 0] / write_messages.u.signal.M { n = 1 } }
+  control b { repeat B : when [u.signal.M.n > 0] / write_messages.t.signal.M { n = 1 } }
+  activities { A takes 1s  B takes 1s }
+}
+team T { bob : R }
+"""
+
+
+def test_two_regions_that_refill_each_other_s_queues_are_a_cycle() -> None:
+    run = play(REFILLING, until=SECOND)
+    failure = run.result.agents[0].failure or ""
+    assert "A -> A (test.aseme:9:" in failure and "B -> B (test.aseme:10:" in failure
+
+
 def test_a_run_ends_when_nothing_would_ever_happen() -> None:
     run = play(
         "system S srm R { liveness { R = A . B } control R { enter B : bell } activities { A takes 1s } }"
