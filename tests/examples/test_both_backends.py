@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,6 +14,9 @@ from aseme_dsl.build.build import Choice, activities_folder, build
 from aseme_dsl.build.play import Request, load, play
 from aseme_dsl.build.project import Compiled, compile_root
 from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.inputs import Input, Outcome
+from tests.support import asleep
 
 ROOT = Path(__file__).parents[2]
 PROGRAMS = sorted(
@@ -55,6 +58,23 @@ def trace(compiled: Compiled, folder: Path, backend: str, roles: Mapping[str, st
     request = Request(plan=plan, duration=10 * SECOND, seed=7, trace=lines, script=script)
     play(loaded, activities_folder(folder, choice), configuration, request, tell=lambda line: None)
     return lines.read_bytes()
+
+
+@pytest.fixture(autouse=True)
+def nothing_is_overlooked(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Whenever an agent goes to sleep, of either backend, no transition of it is enabled."""
+    overlooked: list[str] = []
+
+    def step(chart: Chart, now: int, inputs: Iterable[Input]) -> Outcome:
+        try:
+            return asleep.step(chart, now, inputs)
+        except AssertionError as error:  # which an agent would take for a mistake in the step
+            overlooked.append(str(error))
+            raise
+
+    monkeypatch.setattr(Chart, "step", step)
+    yield
+    assert overlooked == []
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: f"{path.parent.name}-{path.stem}")

@@ -109,6 +109,7 @@ class PlainEngine:
             self.chart.now = now
         try:
             self.call(calls)
+            self.check_that_nothing_is_enabled()
         except Unsettled as error:
             self.failure = str(error)
         except ActivityFailed as error:
@@ -131,6 +132,14 @@ class PlainEngine:
                 self.chart.failed(label, reason)
             case _:
                 self.chart.step()
+
+    def check_that_nothing_is_enabled(self) -> None:
+        """A further step takes nothing: else a program that waits for an input has overlooked something."""
+        taken, effects = len(self.outcome.taken), len(self.outcome.effects)
+        if not self.chart.finished:
+            self.chart.step()
+        assert len(self.outcome.taken) == taken, f"it rests although it may take {self.outcome.taken[taken:]}"
+        del self.outcome.effects[effects:]
 
     def hear(self, item: Arrived) -> None:
         """Put a state on the blackboard."""
