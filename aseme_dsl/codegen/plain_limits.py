@@ -44,6 +44,7 @@ NUMBERS = "the number of an agent"
 STAYING = "`on` without an event of the program"
 RESUMING = "`resume`"
 LEAVING = "leading out of an AND from inside"
+ENTERING = "leading into a region of an AND"
 READING = "reading messages during a step"
 
 
@@ -80,6 +81,8 @@ def _limits(chart: Statechart, activities: Iterable[Activity]) -> Iterator[Limit
     for transition in chart.transitions:
         if chart.acts_in(transition) != chart.region_of(transition.source):
             yield Limit(LEAVING, transition.span)
+        elif chart.region_of(transition.target) != chart.region_of(transition.source):
+            yield Limit(ENTERING, transition.span)
         elif transition.kind is TransitionKind.ON and chart.is_region(transition.source):
             yield Limit(STAYING, transition.span)
         yield from _of_transition(transition)

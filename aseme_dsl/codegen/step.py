@@ -975,6 +975,9 @@ class _Generator(Face):
             assert parent is not None
             path.append(parent)
         for label in reversed(path):
+            if self.chart.is_region(label):
+                self._enter_one(method, depth, region, label, target, resume)
+                return
             self._on_entry(method, depth, region, self.chart.node(label))
         node = self.chart.node(target)
         number = self.flat.leaf.get(target)
@@ -999,6 +1002,22 @@ class _Generator(Face):
                 self._activate_start(method, depth, region, target)
             case _:
                 method.add(depth, f"self.r{region} = {number}")
+
+    def _enter_one(
+        self, method: Method, depth: int, region: int, entered: str, target: str, resume: bool
+    ) -> None:
+        """Enter an AND, in one of its regions (`entered`) the target instead of its START."""
+        around = self.chart.node(entered).parent
+        assert around is not None
+        method.add(depth, f"self.r{region} = {self.flat.leaf[around]}")
+        for inner in self.flat.regions_of(around):
+            if inner.label == entered:
+                begin = Method(self._names(inner.number))
+                self._begin_region(begin, inner.number)
+                method.add(depth - 2, *begin.lines)
+                self._enter(method, depth, inner.number, entered, target, resume=resume)
+            else:
+                method.add(depth, f"self._enter_{inner.number}(now)")
 
     def _begin(self, node: Node) -> str:
         """The call that starts the activity of a state; with arguments in a method of its own."""

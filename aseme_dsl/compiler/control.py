@@ -383,34 +383,26 @@ def structure_problem(
 
 
 def _region_problem(nodes: Mapping[str, Node], source: Node, target: Node, place: Span) -> Diagnostic | None:
-    """E409 for what enters a single region of an AND, or leads into a choice outside the region.
+    """E409 for what leads from one region into another, to a region itself, or out of it into a choice.
 
-    A transition may lead out of an AND: all its regions are left. It may not lead from one region into
-    another, since both are active together; nor may it leave or enter one region alone.
+    A transition may lead out of an AND, whose regions are all left, and into a region of one, whose other
+    regions are entered at their STARTs. Between two regions of one AND it may not: both are active together.
     """
     into, out = regions_around(nodes, target), regions_around(nodes, source)
     parent = nodes[target.parent] if target.parent is not None else None
     if parent is not None and parent.type is NodeType.AND:
-        message = (
-            f"{target.label} is a region of {parent.label}: it is entered with the AND, not by a transition"
-        )
+        message = f"{target.label} is a region of {parent.label}: it is entered with it, not by a transition"
         return Diagnostic("E409", message, place, hint=f"lead to {parent.label}")
-    entered = [label for label in into if label not in out]
-    if entered or source.label in into:
-        around = nodes[nodes[entered[-1] if entered else source.label].parent or ""].label
-        if source.label == around or source.label.startswith(f"{around}."):
-            inside = source.label if source.label in into else entered[-1]
-            message = f"a transition from {source.label} to {target.label} leads into the region {inside}"
+    for entered in into:
+        around = nodes[entered].parent or ""
+        if source.label.startswith(f"{around}.") and (entered not in out or entered == source.label):
+            message = f"a transition from {source.label} to {target.label} leads into the region {entered}"
             hint = (
                 f"the regions of {around} are active together: lead out of it, or raise an event in one that "
             )
-            hint += "another waits for"
-        else:
-            message = f"a transition from {source.label} to {target.label} enters one region of an AND"
-            hint = f"a region is entered with its AND: lead to {around}"
-        return Diagnostic("E409", message, place, hint=hint)
+            return Diagnostic("E409", message, place, hint=hint + "another waits for")
     if into != out and target.type is NodeType.CONDITION:
-        message = f"{target.label} is a CONDITION outside the region {out[0]}, out of which this leads"
+        message = f"{target.label} is a CONDITION of another region than {source.label}"
         hint = f"lead to a state: to {target.parent}, if its START leads to the choice"
         return Diagnostic("E409", message, place, hint=hint)
     return None

@@ -263,3 +263,30 @@ def test_regions_that_are_entered_anew_start_with_the_copy_around(play: Play) ->
     run.step(run.event("e"))
     assert run.active == ["A", "C"]
     assert settled(run).variable("n") == 1
+
+
+def test_into_a_region_the_others_are_entered_at_their_starts(play: Play) -> None:
+    """ "outermost first" """
+    run = play(AND + "0.5 -> 0.2.2.3 : e / n = n + 1  0.2.1.2 -> 0.5 : e }").step()
+    run.step(run.event("e"))
+    assert run.active == ["E"]
+    run.step(run.event("e"))
+    assert run.active == ["A", "B2"]
+    assert sorted(run.did) == ["cancel E", "start A", "start B2"]
+    assert run.variable("n") == 1
+
+
+def test_from_an_and_into_one_of_its_regions(play: Play) -> None:
+    run = play(AND + "0.2 -> 0.2.1.3 : e }").step()
+    run.step(run.event("e"))
+    assert run.active == ["A2", "B"]
+    assert sorted(run.did) == ["cancel A", "cancel B", "start A2", "start B"]
+
+
+def test_deep_into_an_and_in_another(play: Play) -> None:
+    run = play(NESTED + "0.5 -> 0.2.1.2.2.3 : e  0.2.2.2 -> 0.5 : f / n = 1 }").step()
+    run.step(run.event("f"))
+    assert run.active == ["E"]
+    run.step(run.event("e"))
+    assert run.active == ["A", "B2", "D"]
+    assert run.variable("n") == 1

@@ -883,7 +883,7 @@ def _statechart(words: Words) -> list[str]:
             texts.append(f"  {verb} {node.label} : {words.staying(verb)}")
     for node in nodes:
         outside = [other for other in nodes if other.kind in ("BASIC", "OR", "AND", "END")]
-        outside = [other for other in outside if other.region and is_outside(node, other)]
+        outside = [other for other in outside if other.region and may_lead(nodes, node, other)]
         if outside and node.kind != "END" and choices.one_in(3):
             text, _ = words.transition(decided=node.kind == "CONDITION", otherwise=False)
             texts.append(f"  {node.label} -> {choices.one_of(outside).label} : {text}")
@@ -892,10 +892,19 @@ def _statechart(words: Words) -> list[str]:
     return texts
 
 
-def is_outside(node: Node, other: Node) -> bool:
-    """Whether a transition leads out of an AND from inside, and into no region that the source is not in."""
+def may_lead(nodes: Sequence[Node], node: Node, other: Node) -> bool:
+    """Whether a transition between two states of different regions does not lead between those of one AND."""
     region = node.region or node.label
-    return region != other.region and region.startswith(f"{other.region}.")
+    if region == other.region:
+        return False
+    kinds = {"0": "OR"} | {item.label: item.kind for item in nodes}
+    shared = _around(node.label) & _around(other.label)
+    return kinds[max(shared, key=len)] == "OR"
+
+
+def _around(label: str) -> set[str]:
+    parts = label.split(".")
+    return {".".join(parts[:length]) for length in range(1, len(parts))}
 
 
 def text(choices: Choices) -> str:
