@@ -789,13 +789,15 @@ def _renaming(server: Server, found: rename.Renaming) -> lsp.WorkspaceEdit:
         return lsp.WorkspaceEdit(edits)
     workspace = server.client_capabilities.workspace
     able = workspace.workspace_edit if workspace is not None else None
-    kinds = able.resource_operations or () if able is not None and able.document_changes else ()
+    kinds = able.resource_operations or () if able is not None else ()
     if lsp.ResourceOperationKind.Rename not in kinds:
         for old, new in found.code.moves:
             text = f"rename the file {old} to {new.name}: your editor cannot do it for you"
             server.window_show_message(lsp.ShowMessageParams(lsp.MessageType.Warning, text))
         return lsp.WorkspaceEdit(edits)
-    versions = {server.uri(path): buffer.version for path, buffer in server.files.buffers.items()}
+    versions: dict[str, int | None] = {}
+    if able is not None and able.document_changes:  # it says whether versions are understood, no more
+        versions = {server.uri(path): buffer.version for path, buffer in server.files.buffers.items()}
     documents = [
         lsp.TextDocumentEdit(
             lsp.OptionalVersionedTextDocumentIdentifier(uri, versions.get(uri)), list(changes)

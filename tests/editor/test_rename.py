@@ -208,7 +208,11 @@ def test_code_that_is_in_the_way_is_not_overwritten(hand: Path) -> None:
     assert isinstance(found, Refused) and "mend it first" in found.reason
 
 
-def test_an_editor_that_cannot_rename_files_is_told_what_is_left(hand: Path) -> None:
+def renamed_by_an_editor(
+    hand: Path, able: lsp.WorkspaceEditClientCapabilities | None
+) -> tuple[lsp.WorkspaceEdit | None, list[str]]:
+    """What the server answers, and says, to an editor that announces this of its edits."""
+
     async def asked() -> tuple[lsp.WorkspaceEdit | None, list[str]]:
         client = LanguageClient("test", "1")
         said: list[str] = []
@@ -218,7 +222,8 @@ def test_an_editor_that_cannot_rename_files_is_told_what_is_left(hand: Path) -> 
             said.append(params.message)
 
         await client.start_io(sys.executable, "-m", "aseme_dsl", "lsp")
-        await client.initialize_async(lsp.InitializeParams(lsp.ClientCapabilities(), root_uri=hand.as_uri()))
+        abilities = lsp.ClientCapabilities(workspace=lsp.WorkspaceClientCapabilities(workspace_edit=able))
+        await client.initialize_async(lsp.InitializeParams(abilities, root_uri=hand.as_uri()))
         client.initialized(lsp.InitializedParams())
         uri = (hand / "hand.aseme").as_uri()
         client.text_document_did_open(
@@ -233,7 +238,23 @@ def test_an_editor_that_cannot_rename_files_is_told_what_is_left(hand: Path) -> 
         await client.stop()
         return found, said
 
-    found, said = asyncio.run(asked())
+    return asyncio.run(asked())
+
+
+def test_an_editor_that_renames_files_without_knowing_versions(hand: Path) -> None:
+    able = lsp.WorkspaceEditClientCapabilities(resource_operations=[lsp.ResourceOperationKind.Rename])
+    found, said = renamed_by_an_editor(hand, able)
+    assert found is not None and found.changes is None and found.document_changes is not None
+    *edits, moved = found.document_changes
+    documents = [item.text_document for item in edits if isinstance(item, lsp.TextDocumentEdit)]
+    assert {Path(item.uri).name for item in documents} == {"hand.aseme", "grasp.py", "touch.py"}
+    assert {item.version for item in documents} == {None}
+    assert isinstance(moved, lsp.RenameFile) and moved.new_uri.endswith("/take_hold.py")
+    assert said == []
+
+
+def test_an_editor_that_cannot_rename_files_is_told_what_is_left(hand: Path) -> None:
+    found, said = renamed_by_an_editor(hand, None)
     assert found is not None and found.changes is not None and found.document_changes is None
     assert {Path(uri).name for uri in found.changes} == {"hand.aseme", "grasp.py", "touch.py"}
     assert len(said) == 1 and "grasp.py to take_hold.py" in said[0]
