@@ -247,7 +247,8 @@ def _seen(program: Program) -> tuple[tuple[Diagnostic, ...], list[tuple[str, Kin
 
 
 def _errors(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
-    return [item for item in diagnostics if item.severity is Severity.ERROR]
+    """Without missing files (E543): that of an activity gets its other name only with the rest."""
+    return [item for item in diagnostics if item.severity is Severity.ERROR and item.code != "E543"]
 
 
 def edited(text: str, edits: Iterable[Edit]) -> str:

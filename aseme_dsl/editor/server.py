@@ -264,6 +264,9 @@ class Server(LanguageServer):
         Other files are read by a thread, in several steps for each message, between which it has to wait.
         """
         source, target = stdin or sys.stdin.buffer, stdout or sys.stdout.buffer
+        if not hasattr(source, "fileno"):  # no file of the system: the event loop cannot wait for it
+            super().start_io(source, target)
+            return
         kind, other = os.fstat(source.fileno()), os.fstat(target.fileno())
         is_own = (kind.st_dev, kind.st_ino) != (other.st_dev, other.st_ino)  # it is read without blocking
         is_pipe = stat.S_ISFIFO(kind.st_mode) or stat.S_ISSOCK(kind.st_mode)
