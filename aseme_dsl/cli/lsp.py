@@ -5,10 +5,9 @@ from __future__ import annotations
 import gc
 import os
 import sys
-from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -44,7 +43,6 @@ def command(port: int | None, stdio: bool) -> int:
     if find_spec("pygls") is None:
         raise click.ClickException(f"the language server needs pygls, which is not installed: {INSTALL}")
     from aseme_dsl import __version__
-    from aseme_dsl.editor.bounded_input import BoundedInput
     from aseme_dsl.editor.server import make_server
 
     gc.disable()  # the server does it when nobody waits
@@ -54,9 +52,7 @@ def command(port: int | None, stdio: bool) -> int:
         # The protocol has standard output to itself; what else is printed goes where people may read it.
         output = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
         os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
-        tell = partial(click.echo, err=True)
-        given: Any = BoundedInput(sys.stdin.buffer, lambda text: tell(f"asemec lsp: {text}"))
-        server.start_io(given, output)
+        server.start_io(stdout=output)
     else:
         server.start_tcp(LOOPBACK, port)
     return 0
