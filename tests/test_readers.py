@@ -74,6 +74,7 @@ LISTED: dict[str, str] = {
     "diagrams/store.py: _write: os.fdopen": "it writes",
     "diagrams/svg.py: faults: fromstring": "what Graphviz has drawn of our own text",
     "documents/html.py: inline: fromstring": "what Graphviz has drawn of our own text",
+    "editor/bounded_input.py: readline: readline": "with a largest size",
     "editor/server.py: did_change: open": NO_FILE,
     "editor/server.py: did_open: open": NO_FILE,
     "editor/viewer.py: page: read_text": OWN,

@@ -52,6 +52,7 @@ def command(port: int | None, stdio: bool) -> int:
         # The protocol has standard output to itself; what else is printed goes where people may read it.
         output = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
         os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
+        server.tell = lambda text: click.echo(f"asemec lsp: {text}", err=True)
         server.start_io(stdout=output)
     else:
         server.start_tcp(LOOPBACK, port)

@@ -29,6 +29,7 @@ from aseme_dsl.diagnostics.pages import file_of
 from aseme_dsl.diagrams import GraphvizMissing
 from aseme_dsl.editor import calls, hints, hover, layout, navigation, outline, reading, rename, tokens
 from aseme_dsl.editor.authoring import answer_authors
+from aseme_dsl.editor.bounded_input import BoundedInput, BoundedReader, Limits
 from aseme_dsl.editor.carrying import carry
 from aseme_dsl.editor.diagram import Diagrams, LiveDrawing
 from aseme_dsl.editor.following import Page
@@ -129,6 +130,8 @@ class Server(LanguageServer):
         self, version: str, project: Project, folders: FoldersOf, reader: reading.Reader | None = None
     ) -> None:
         super().__init__("asemec", version, text_document_sync_kind=lsp.TextDocumentSyncKind.Incremental)
+        self.tell: Callable[[str], None] = _log.warning
+        """Told what is refused of what the editor sends."""
         self.files = Workspace(project)
         self.reader = reader or reading.Reader()
         self.folders_of = folders
@@ -264,14 +267,12 @@ class Server(LanguageServer):
         Other files are read by a thread, in several steps for each message, between which it has to wait.
         """
         source, target = stdin or sys.stdin.buffer, stdout or sys.stdout.buffer
-        if not hasattr(source, "fileno"):  # no file of the system: the event loop cannot wait for it
-            super().start_io(source, target)
-            return
         kind, other = os.fstat(source.fileno()), os.fstat(target.fileno())
         is_own = (kind.st_dev, kind.st_ino) != (other.st_dev, other.st_ino)  # it is read without blocking
         is_pipe = stat.S_ISFIFO(kind.st_mode) or stat.S_ISSOCK(kind.st_mode)
         if sys.platform == "win32" or not (is_pipe and is_own):
-            super().start_io(source, target)
+            given: Any = BoundedInput(source, Limits(self.tell))
+            super().start_io(given, target)
             return
         self.reads_itself = True
         self.protocol.set_writer(StdoutWriter(target))
@@ -288,7 +289,8 @@ class Server(LanguageServer):
         await loop.connect_read_pipe(lambda: asyncio.StreamReaderProtocol(reader), source)
         self._stop_event = stop = threading.Event()
         with contextlib.suppress(asyncio.IncompleteReadError):
-            await run_async(stop, reader, self.protocol, _log, self.report_server_error)
+            bounded = BoundedReader(reader, Limits(self.tell))
+            await run_async(stop, bounded, self.protocol, _log, self.report_server_error)
 
     async def settled(self, path: str) -> View | None:
         """The file as it is, compiled."""
