@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from aseme_dsl.amola.liveness import Operator, ungrouped
-from aseme_dsl.diagnostics import Diagnostic, Edit, Severity
+from aseme_dsl.diagnostics import Diagnostic, Edit
 from aseme_dsl.diagnostics.changes import UNSURE, apply, choose
 from aseme_dsl.editor.activities import description, lacks_class
 from aseme_dsl.editor.control_lines import missing_lines
@@ -20,6 +20,7 @@ from aseme_dsl.editor.extract import extract
 from aseme_dsl.editor.inline import formula_at, inline
 from aseme_dsl.editor.naming import name_expression
 from aseme_dsl.editor.navigation import PythonFolders
+from aseme_dsl.editor.program import errors_in_texts
 from aseme_dsl.editor.quick_fixes import Fix, fixes
 from aseme_dsl.editor.rewriting import Refused, differences, look, piece_at
 from aseme_dsl.editor.view import View
@@ -143,7 +144,7 @@ def _mendable(view: View, diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]
 
 def _rewriting(view: View, start: int, end: int) -> Iterator[Action]:
     """Refactorings that may be possible; whether they are is found out when one is chosen."""
-    broken = any(item.severity is Severity.ERROR for item in view.diagnostics)
+    broken = bool(errors_in_texts(view.diagnostics))
     try:
         piece = piece_at(view.source, start)
     except Refused:

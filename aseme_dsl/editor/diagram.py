@@ -11,13 +11,13 @@ from dataclasses import dataclass, field, replace
 
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart
 from aseme_dsl.amola.system import System
-from aseme_dsl.diagnostics import Severity, has_errors
+from aseme_dsl.diagnostics import Severity
 from aseme_dsl.diagrams import Drawing, DrawingFailed, GraphvizMissing, Layout, Options, draw_one, names
 from aseme_dsl.diagrams.places import places
 from aseme_dsl.diagrams.store import Store
 from aseme_dsl.diagrams.words import words
 from aseme_dsl.editor.index import Kind, Symbol
-from aseme_dsl.editor.program import Program
+from aseme_dsl.editor.program import Program, errors_in_texts
 from aseme_dsl.editor.view import View
 from aseme_dsl.grammar import tree
 from aseme_dsl.source import Source, Span
@@ -91,7 +91,7 @@ class Diagrams:
             drawn = self._draw(system, shot)
             if drawn is not None:
                 self._good[view.program.root, last] = drawn
-                note = MISTAKES if has_errors(view.program.diagnostics) else ""
+                note = MISTAKES if errors_in_texts(view.program.diagnostics) else ""
                 here = next((item for item in shot.here if item in drawn.elements), None)
                 return replace(drawn, here=here, note=note)
         before = self._good.get((view.program.root, last))
@@ -120,7 +120,7 @@ class Diagrams:
             before = self._good.get(good)
             return None if before is None else replace(before, note=EARLIER)
         self._good[good] = drawn
-        return replace(drawn, note=MISTAKES if has_errors(program.diagnostics) else "")
+        return replace(drawn, note=MISTAKES if errors_in_texts(program.diagnostics) else "")
 
     def _begin(self, program: Program) -> None:
         """What was drawn of another program counts no more; its pictures are still in the store."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -11,11 +11,20 @@ from aseme_dsl.compiler import Analysis
 from aseme_dsl.compiler.memory import Recall
 from aseme_dsl.compiler.phases import Inspection
 from aseme_dsl.compiler.pieces import InPieces
-from aseme_dsl.diagnostics import Diagnostic, Suppressed
+from aseme_dsl.diagnostics import Diagnostic, Severity, Suppressed
 from aseme_dsl.editor.index import Index, Occurrence, World, occurrences, world_of
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import Layout
 from aseme_dsl.source import Source, Span
+
+_OF_PYTHON = frozenset(f"E{number}" for number in range(540, 545))
+"""Codes of what is wrong with the Python of a project, or is not there."""
+
+
+def errors_in_texts(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """The errors of `.aseme` files: without those of Python files, a model is what its text says."""
+    return [item for item in diagnostics if item.severity is Severity.ERROR and item.code not in _OF_PYTHON]
+
 
 Indexer = Callable[[tree.Declaration, World], tuple[Occurrence, ...]]
 """`index.occurrences`, from memory if it can be."""

@@ -9,9 +9,9 @@ from pathlib import Path
 
 from aseme_dsl.compiler.pieces import InPieces, finished
 from aseme_dsl.compiler.usecases import folded
-from aseme_dsl.diagnostics import Diagnostic, Edit, Severity
+from aseme_dsl.diagnostics import Diagnostic, Edit
 from aseme_dsl.editor.index import Kind, Occurrence, Symbol
-from aseme_dsl.editor.program import Program
+from aseme_dsl.editor.program import Program, errors_in_texts
 from aseme_dsl.editor.renamed_code import Code, Unreadable, renamed_code
 from aseme_dsl.editor.view import View
 from aseme_dsl.editor.workspace import Workspace
@@ -226,13 +226,13 @@ def _spoilt(
     texts = {path: edited(workspace.text(path) or "", changes) for path, changes in edits.items()}
     for program in programs:
         known = {(item.code, item.severity) for item in program.diagnostics}
-        counted = len(_errors(program.diagnostics))
+        counted = len(errors_in_texts(program.diagnostics))
         before = [
             (names.get(item.symbol, item.symbol.name), item.symbol.kind) for item in program.index.all()
         ]
         yield
         then, meant = yield from workspace.trying(program.root, texts, _seen)
-        errors = _errors(then)
+        errors = errors_in_texts(then)
         if len(errors) > counted:
             new = next((item for item in errors if (item.code, item.severity) not in known), errors[0])
             return f"with this name, {new.message}"
@@ -244,11 +244,6 @@ def _spoilt(
 def _seen(program: Program) -> tuple[tuple[Diagnostic, ...], list[tuple[str, Kind]]]:
     """What there is to say of a program, and what all its names mean."""
     return program.diagnostics, [(item.symbol.name, item.symbol.kind) for item in program.index.all()]
-
-
-def _errors(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """Without missing files (E543): that of an activity gets its other name only with the rest."""
-    return [item for item in diagnostics if item.severity is Severity.ERROR and item.code != "E543"]
 
 
 def edited(text: str, edits: Iterable[Edit]) -> str:
