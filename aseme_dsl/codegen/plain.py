@@ -100,6 +100,7 @@ TAKEN = frozenset(dir(builtins)) | {
         "Any",
         "Callable",
         "ClassVar",
+        "Iterable",
         "Mapping",
         "Plain",
         "Random",
@@ -113,6 +114,8 @@ TAKEN = frozenset(dir(builtins)) | {
         "function_at",
         "leaves_of",
         "logging",
+        "names_of",
+        "Sequence",
         "unknown_event",
     ),
 }

@@ -37,6 +37,8 @@ LEAVE = 0.3
 """How long, in seconds, threads and processes may take to end after that."""
 LOOK = 0.25
 """How often, in seconds, somebody looks for what is stuck, and for what can wait."""
+RESTLESS = 1000
+"""After so many steps that follow each other in one thread, another thread goes on with them."""
 PAUSE = 0.01
 """How long, in seconds, at least passes between two questions whether the run is over."""
 
@@ -47,6 +49,8 @@ class _Depth(threading.local):
     def __init__(self) -> None:
         self.depth = 0
         self.woken: list[Stepping] = []
+        self.has_time = False
+        """Whether the thread does nothing but step."""
 
 
 class RealDriver:
@@ -95,6 +99,7 @@ class RealDriver:
         self._locks: dict[str, threading.Lock] = {}
         self._owners: dict[str, int] = {}
         self._long: dict[str, tuple[int, int, int]] = {}
+        self._restless: set[str] = set()
         self._others = {*threading.enumerate(), threading.main_thread()}
         self._depth = _Depth()
         self._making = threading.Lock()
@@ -128,8 +133,8 @@ class RealDriver:
             mine.depth = 1
             try:
                 self._step(agent)
-                while mine.woken:
-                    self._step(mine.woken.pop(0))
+                if mine.woken:
+                    self._rest(mine)
             finally:
                 mine.depth = 0
         elif agent not in mine.woken:
@@ -142,19 +147,53 @@ class RealDriver:
         mine.depth += 1
         try:
             yield
-            if mine.depth == 1:
-                while mine.woken:
-                    self._step(mine.woken.pop(0))
+            if mine.depth == 1 and mine.woken:
+                self._rest(mine)
         finally:
             mine.depth -= 1
 
-    def _step(self, agent: Stepping) -> None:
+    def _rest(self, mine: _Depth) -> None:
+        """Step whom this thread has woken. If that does not end soon, because they wake each other or more
+        comes than they can take, another thread goes on: this one may have to look at the time."""
+        steps = 0
+        while mine.woken and (self._stop is None or not mine.has_time):
+            if steps >= RESTLESS and not mine.has_time:
+                woken, mine.woken = mine.woken, []
+                threading.Thread(target=self._go_on, args=(woken,), name="aseme steps", daemon=True).start()
+                return
+            steps += self._step(mine.woken.pop(0))
+
+    def _go_on(self, woken: list[Stepping]) -> None:
+        """Step these agents, and whom they wake, until they come to rest or the run is over."""
+        mine = self._depth
+        mine.depth, mine.woken, mine.has_time = 1, woken, True
+        for agent in woken:
+            self._tell_of_restlessness(agent)
+        self._rest(mine)
+
+    def _tell_of_restlessness(self, agent: Stepping) -> None:
+        """Tell once that an agent does not come to rest."""
+        if agent.name in self._restless:
+            return
+        self._restless.add(agent.name)
+        with self.guard(agent):
+            text = f"{agent.name} has not come to rest for {RESTLESS} steps: {agent.cycle()}"
+        more = "let something in it take time, unless more comes than it can take"
+        self._complain(f"{text}; {more}", agent.name)
+
+    def _step(self, agent: Stepping) -> int:
+        """Let an agent take what has come in; one that does not come to rest is woken once more.
+
+        Gives the number of steps but those in which a queue became shorter: it comes to its end.
+        """
         lock = self._locks[agent.name]
+        steps = 0
         while agent.intake and lock.acquire(blocking=False):
             self._owners[agent.name] = threading.get_ident()
             try:
-                while agent.intake:
+                while agent.intake and steps < RESTLESS:
                     agent.process(agent.take())
+                    steps += not agent.chart.drains
             except BaseException as error:  # of the runtime itself: nobody above may swallow it
                 self._fail(error)
             finally:
@@ -166,6 +205,11 @@ class RealDriver:
                 self._news = True
                 with self._condition:
                     self._condition.notify()
+            if steps >= RESTLESS:
+                if agent.intake and agent not in self._depth.woken:
+                    self._depth.woken.append(agent)
+                break
+        return steps
 
     @contextmanager
     def guard(self, agent: Stepping) -> Iterator[None]:

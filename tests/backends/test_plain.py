@@ -424,6 +424,8 @@ REFUSED = {
     plain_limits.STAYING: "`on` without an event",
     plain_limits.RESUMING: "`resume`",
     plain_limits.READING: "`read_messages`",
+    plain_limits.LEAVING: "transitions out of a parallel from inside it",
+    plain_limits.ENTERING: "from outside into a part of it",
 }
 """Everything that is refused, and what the page calls it."""
 

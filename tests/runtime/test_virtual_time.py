@@ -388,6 +388,35 @@ def test_two_regions_that_refill_each_other_s_queues_are_a_cycle() -> None:
     assert "A -> A (test.aseme:9:" in failure and "B -> B (test.aseme:10:" in failure
 
 
+TWO_REFILLING = """
+system S
+message M { int n }
+topic t { signal M queued  signal N queued }
+message N { int n }
+srm R {
+  liveness { R = A~ }
+  control R { start A~ : / write_messages.t.signal.M { n = 1 }
+              repeat A : when [t.signal.N.n > 0] / write_messages.t.signal.M { n = 1 } }
+  activities { A takes 1s }
+}
+srm Q {
+  liveness { Q = B~ }
+  control Q { repeat B : when [t.signal.M.n > 0] / write_messages.t.signal.N { n = 1 } }
+  activities { B takes 1s }
+}
+team T { bob : R  ann : Q }
+"""
+
+
+@pytest.mark.parametrize("text", [REFILLING, TWO_REFILLING], ids=["regions", "agents"])
+def test_in_real_time_a_cycle_is_told_and_the_run_ends(text: str) -> None:
+    run = play(text, clock="real", until=SECOND)
+    assert run.result.reason == "time"
+    told = [fault.reason for fault in run.result.faults]
+    assert any("has not come to rest for 1000 steps" in reason and "A -> A (" in reason for reason in told)
+    assert run.result.left == ()
+
+
 def test_a_run_ends_when_nothing_would_ever_happen() -> None:
     run = play(
         "system S srm R { liveness { R = A . B } control R { enter B : bell } activities { A takes 1s } }"
