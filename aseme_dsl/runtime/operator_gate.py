@@ -12,7 +12,8 @@ The operator asks a robot for a challenge, and uses it for one request:
 A proof is the HMAC-SHA256, under the key, of all that it is about: system, agent, life and both nonces, the
 request, and for the answer that, too. So what is said to one robot, in one of its lives, once, is good for
 nothing else, and the operator knows that the robot has answered. No clock is asked. A nonce is spent by the
-first request that names it, right or wrong.
+first proven request that names it. The robot knows its own nonces by a tag in them and keeps none that is not
+spent: nobody can push an operator's challenge out by asking for many.
 """
 
 from __future__ import annotations
@@ -31,12 +32,13 @@ from aseme_dsl.runtime.control import FORMAT, LARGEST, Control, Reply
 from aseme_dsl.runtime.control_log import Origin
 from aseme_dsl.runtime.operator_key import SECRET_BYTES, Key, KeyFileError, read_keys
 
-OPEN = 256
-"""So many challenges may be open; of more, the oldest is dropped."""
+_TAG = 16
+"""So many bytes of a robot's nonce are random, and as many are their tag."""
 _WHOLE = 4 * LARGEST
 """With what proves it, a request has at most so many bytes."""
 _ANSWER = 1 << 22
 _NONCE = re.compile("[0-9a-f]{32}")
+_CHALLENGE = re.compile("[0-9a-f]{64}")
 _PROOF = re.compile("[0-9a-f]{64}")
 _REQUEST = {"version", "control", "life", "nonce", "own", "key", "request", "proof"}
 
@@ -55,8 +57,9 @@ class Gate:
         self._system = system
         self._life = life
         self._lock = threading.Lock()
-        self._open: dict[str, str] = {}
-        """The agent that a nonce was given for; the oldest nonce first."""
+        self._own = secrets.token_bytes(SECRET_BYTES)
+        """What the tags of this gate's nonces are made with."""
+        self._spent: set[str] = set()
         self._nobody = secrets.token_bytes(SECRET_BYTES)
 
     def answer(self, agent: str, data: bytes) -> Reply:
@@ -70,11 +73,8 @@ class Gate:
             return self._control.refuse(Origin("bus", agent=agent), None, f"not a proven request: {problem}")
 
     def _challenge(self, agent: str) -> Reply:
-        nonce = secrets.token_hex(16)
-        with self._lock:
-            while len(self._open) >= OPEN:
-                del self._open[next(iter(self._open))]
-            self._open[nonce] = agent
+        chance = secrets.token_bytes(_TAG)
+        nonce = (chance + self._tag(agent, chance)).hex()
         self._control.log.note(Origin("bus", agent=agent), "challenge", ())
         return {
             "version": FORMAT,
@@ -85,12 +85,20 @@ class Gate:
             "nonce": nonce,
         }
 
+    def _tag(self, agent: str, chance: bytes) -> bytes:
+        return hmac.digest(self._own, chance + agent.encode(), "sha256")[:_TAG]
+
+    def _is_open(self, agent: str, nonce: str) -> bool:
+        """Whether this gate has given a nonce for this agent, and it is not spent."""
+        if not _CHALLENGE.fullmatch(nonce):
+            return False
+        made = bytes.fromhex(nonce)
+        is_ours = hmac.compare_digest(made[_TAG:], self._tag(agent, made[:_TAG]))
+        return is_ours and nonce not in self._spent
+
     def _request(self, agent: str, said: Any) -> Reply:
         """Raises ValueError for what is no such request."""
         origin = Origin("bus", agent=agent)
-        nonce = said.get("nonce") if isinstance(said, dict) else None
-        with self._lock:
-            given_for = self._open.pop(nonce, None) if isinstance(nonce, str) else None
         if not isinstance(said, dict) or set(said) != _REQUEST or said["control"] != "request":
             raise ValueError("it has other members")
         if said["version"] != FORMAT or not all(isinstance(said[x], str) for x in _REQUEST - {"version"}):
@@ -99,8 +107,9 @@ class Gate:
             raise ValueError("a nonce or the proof is not what it should be")
         request = said["request"].encode()
         about = (self._system, agent, self._life, said["key"], said["nonce"], said["own"])
-        if given_for != agent or said["life"] != self._life:
-            return self._control.refuse(origin, None, "the challenge is not open here: ask for a new one")
+        closed = "the challenge is not open here: ask for a new one"
+        if said["life"] != self._life or not self._is_open(agent, said["nonce"]):
+            return self._control.refuse(origin, None, closed)
         try:
             key = read_keys(self._keys).get(said["key"])
         except KeyFileError as problem:  # who asks need not know more
@@ -109,6 +118,11 @@ class Gate:
         right = _proof("request", self._nobody if key is None else key.secret, about, request)
         if not hmac.compare_digest(right, said["proof"]) or key is None:
             return self._control.refuse(origin, None, "no key of this robot proves the request")
+        with self._lock:  # of several at once, one
+            is_first = said["nonce"] not in self._spent
+            self._spent.add(said["nonce"])
+        if not is_first:
+            return self._control.refuse(origin, None, closed)
         reply = self._control.read(request, Origin("bus", agent=agent, key=key.name))
         answer = json.dumps(reply)
         return {
@@ -141,7 +155,7 @@ def ask(
     text = json.dumps({"version": FORMAT, **request})
     for challenge in _objects(send(question)):
         life, nonce = challenge.get("life"), challenge.get("nonce")
-        if not (isinstance(life, str) and isinstance(nonce, str) and _NONCE.fullmatch(nonce)):
+        if not (isinstance(life, str) and isinstance(nonce, str) and _CHALLENGE.fullmatch(nonce)):
             refusals += _reasons(challenge)
             continue
         own = secrets.token_hex(16)
