@@ -16,6 +16,7 @@ from typing import Any, NoReturn
 import click
 
 from aseme_dsl import __version__
+from aseme_dsl.cli.terminal import protect
 from aseme_dsl.runtime.naming import usable
 
 FINE, ERRORS, WRONG_USE, OUR_MISTAKE, INTERRUPTED, TERMINATED, BROKEN_PIPE = 0, 1, 2, 70, 130, 143, 141
@@ -46,6 +47,9 @@ COMMANDS = (
 )
 """The commands, in the order of the help; each is the object `command` of the module of its name, with an
 underscore where that is a keyword."""
+
+PLAYING = frozenset(("run", "node", "optimise"))
+"""The commands in which code of the user writes to the terminal as it likes."""
 
 
 class _Commands(click.Group):
@@ -98,7 +102,7 @@ def program(context: click.Context, debug: bool) -> None:
 def run_program(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; return the exit code. No exception of ours reaches the user as a traceback."""
     arguments = list(sys.argv[1:] if arguments is None else arguments)
-    _prepare_streams()
+    _prepare_streams(arguments)
     try:
         with _stopping_on_termination(), _few_collections(arguments):
             result = program.main(arguments, prog_name="asemec", standalone_mode=False)
@@ -177,11 +181,13 @@ def _few_collections(arguments: Sequence[str]) -> Iterator[None]:
         gc.set_threshold(*threshold)
 
 
-def _prepare_streams() -> None:
+def _prepare_streams(arguments: Sequence[str]) -> None:
     """A terminal that cannot show a character gets an escape for it, not a crash of ours."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
+        if PLAYING.isdisjoint(arguments[:2]):
+            protect(stream)
 
 
 def _ignore_output() -> None:

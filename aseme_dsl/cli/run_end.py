@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from aseme_dsl.cli.shared import CommandT, plural
+from aseme_dsl.cli.terminal import harmless
 
 if TYPE_CHECKING:
     from aseme_dsl.runtime.ending import Awaited, Member, Unread, Waiting
@@ -59,10 +60,10 @@ def end_lines(result: RunResult) -> Iterator[str]:
             f"deadlock since {result.idle_since / 1e9:g} s: no input, timer or activity is pending that could"
             f" wake {names}"
         )
-    yield from _clipped(_waiting_lines(result.agents), "waiting state")
-    yield from _clipped(_conversation_lines(result), "line")
-    yield from _clipped([_unread_line(item) for item in result.unread], "unread message")
-    yield from fault_lines(result.faults)
+    yield from map(harmless, _clipped(_waiting_lines(result.agents), "waiting state"))
+    yield from map(harmless, _clipped(_conversation_lines(result), "line"))
+    yield from map(harmless, _clipped([_unread_line(item) for item in result.unread], "unread message"))
+    yield from map(harmless, fault_lines(result.faults))
 
 
 def fault_lines(faults: Iterable[FaultCount]) -> Iterator[str]:

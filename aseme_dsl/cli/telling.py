@@ -11,6 +11,7 @@ import click
 
 from aseme_dsl.cli.progress import shows_progress
 from aseme_dsl.cli.shared import plural
+from aseme_dsl.cli.terminal import harmless
 from aseme_dsl.runtime.acl import NOT_UNDERSTOOD
 
 if TYPE_CHECKING:
@@ -217,11 +218,11 @@ class Telling:
         place = f" ({at})" if at else ""
         mild = what in ("fault", "deadline")
         painted = click.style(what, fg="yellow" if mild else "red") if self._colour else what
-        text = f"{_time(record['time'])}  {record['agent']}  {painted}: {reason}{place}"
+        text = f"{_time(record['time'])}  {record['agent']}  {painted}: {harmless(reason)}{place}"
         click.echo(text, err=True, color=True)
 
     def _say(self, record: Mapping[str, Any], text: str) -> None:
-        self._print(f"{_time(record['time'])}  {record['agent']:<{self._width}}  {text}")
+        self._print(f"{_time(record['time'])}  {record['agent']:<{self._width}}  {harmless(text)}")
 
     def _print(self, text: str) -> None:
         self._clear()
