@@ -389,7 +389,7 @@ def _region_problem(nodes: Mapping[str, Node], source: Node, target: Node, place
     regions are entered at their STARTs. Between two regions of one AND it may not: both are active together.
     """
     into, out = regions_around(nodes, target), regions_around(nodes, source)
-    parent = nodes[target.parent] if target.parent is not None else None
+    parent = nodes.get(target.parent or "")  # there may be no such state
     if parent is not None and parent.type is NodeType.AND:
         message = f"{target.label} is a region of {parent.label}: it is entered with it, not by a transition"
         return Diagnostic("E409", message, place, hint=f"lead to {parent.label}")

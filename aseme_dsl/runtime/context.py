@@ -292,6 +292,8 @@ class Context:
         """Give what the next `send` of this message type contains.
 
         Inside a protocol's participant it is for that participant's transitions, elsewhere for any.
+
+        Raises TypeError for what is no message.
         """
         self._port.do(Prepare(message))
 

@@ -427,6 +427,9 @@ class Executions:
                 if not _fits(variable.type, value):
                     raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
                 access.check_set(execution.info, variable, name)
+            case c.Prepare(message):
+                if isinstance(message, type) or not is_dataclass(message):
+                    raise TypeError(f"what is prepared is a message, not {message!r}")
             case c.Send(performative, message, to):
                 self.agent.check_send(execution.branch, performative, type(message).__name__, to)
             case Offer(anew=anew):

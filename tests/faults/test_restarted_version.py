@@ -12,7 +12,7 @@ from tests.faults.team import TEAM, Started, project, signals_from, started
 pytest.importorskip("zenoh")
 
 CHANGED = TEAM.replace("Say~ || Hear~", "Say~ || Hear~ || Watch~").replace(
-    "activities {", "activities {\n    Watch takes 1s"
+    "activities {", "activities {\n    Watch takes 1s simulated"
 )
 AGAIN = CHANGED.replace("Say every 20ms", "Say every 25ms")
 ROBOTS = ("robot1", "robot2", "robot3")

@@ -89,3 +89,12 @@ def test_another_class_of_the_same_name_is_none_of_the_system(tmp_path: Path) ->
         "TypeError: vision.state.Ball carries S's Ball, not the one of aseme_act"
     )
     assert crash["traceback"][-1]["line"] == line_of(tmp_path, "say")
+
+
+@pytest.mark.parametrize("what", ["'s1'", "3", "None", "dict"])
+def test_what_is_prepared_is_a_message(what: str, tmp_path: Path) -> None:
+    code = f"class Say:\n    def execute(self, context):\n        context.prepare({what})\n"
+    played = play(TEXT.replace("AS", ""), activities_in(folder(tmp_path, say=code)), path=[tmp_path])
+    (crash,) = played.of("activity", what="crash")
+    assert crash["reason"].startswith("TypeError: what is prepared is a message, not ")
+    assert crash["traceback"][-1]["file"] == "say.py"
