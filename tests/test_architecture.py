@@ -6,8 +6,10 @@ import ast
 import os
 import subprocess
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
+import networkx as nx
 import pytest
 
 PACKAGE = Path(__file__).resolve().parent.parent / "aseme_dsl"
@@ -94,6 +96,29 @@ def test_imports_run_downwards(path: Path) -> None:
         assert other != "__init__", f"{room} uses the public face of the package, which is above it"
         assert FLOORS[other] < FLOORS[room], f"{room} (floor {FLOORS[room]}) uses {other} ({FLOORS[other]})"
         assert other in KNOWS_ONLY.get(room, {other}), f"{room} may not know {other}"
+
+
+def imported_modules(path: Path, known: Mapping[str, Path]) -> set[str]:
+    """Every module of the package that a module imports, also only for its types."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text("utf-8"), str(path))):
+        if isinstance(node, ast.ImportFrom) and node.module is not None:
+            for alias in node.names:
+                inner = f"{node.module}.{alias.name}"
+                found.add(inner if inner in known else node.module)
+        elif isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+    return found & set(known)
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    known = {}
+    for path in modules():
+        parts = ["aseme_dsl", *path.relative_to(PACKAGE).with_suffix("").parts]
+        known[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    imports = {name: imported_modules(path, known) for name, path in known.items()}
+    graph = nx.DiGraph((name, other) for name, others in imports.items() for other in others)
+    assert [sorted(circle) for circle in nx.strongly_connected_components(graph) if len(circle) > 1] == []
 
 
 COMPILER_LIBRARIES = ["textx", "arpeggio", "networkx", "jinja2", "graphviz", "click", "jsonschema"]

@@ -24,7 +24,7 @@ from aseme_dsl.editor.signatures import Signature, signatures
 from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:
-    from aseme_dsl.editor.server import Server
+    from aseme_dsl.editor.session import Server
     from aseme_dsl.editor.view import View
 
 _Asked = tuple[Source, int, Known]

@@ -16,7 +16,7 @@ from aseme_dsl.editor.quick_fixes import mending
 from aseme_dsl.source import Source
 
 if TYPE_CHECKING:
-    from aseme_dsl.editor.server import AtPlace, Server
+    from aseme_dsl.editor.session import AtPlace, Server
 
 Classes = tuple[Source, tuple[ActivityClass, ...]]
 
