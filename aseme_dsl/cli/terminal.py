@@ -6,8 +6,10 @@ import re
 from collections.abc import Callable
 from typing import TextIO
 
-_ORDERS = re.compile(r"\x1b(?!\[[0-9;]*[mK])|[\x00-\x08\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]")
-"""Control characters, and escape sequences other than colours and the rest of a line in a progress."""
+_ORDERS = re.compile(
+    r"\x1b(?!\[[0-9;]*[mK]|\]8;;[\x20-\x7e]*\x1b\\|\\)|[\x00-\x08\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]"
+)
+"""Control characters, and escape sequences other than colours, links, and the rest of a progress line."""
 
 
 def harmless(text: str) -> str:

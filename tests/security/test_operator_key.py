@@ -229,7 +229,7 @@ FORGERIES: dict[str, Callable[[dict[str, Any]], object]] = {
 @pytest.mark.parametrize("how", FORGERIES)
 @line("a robot with a certificate", "forge, replay or redirect an operator's request")
 def test_what_is_forged_is_refused(guarded: Guarded, how: str) -> None:
-    good = guarded.proven()
+    good = guarded.proven(STATUS)
     said = json.loads(good)
     FORGERIES[how](said)
     guarded.refused(json.dumps(said).encode())
