@@ -15,7 +15,7 @@ from lsprotocol import types as lsp
 from pygls.lsp.client import LanguageClient
 
 from aseme_dsl.compiler import analyse
-from aseme_dsl.editor import server
+from aseme_dsl.editor import server, session
 from aseme_dsl.editor.navigation import PythonFolders
 from aseme_dsl.editor.positions import Lines
 from aseme_dsl.editor.workspace import Project
@@ -139,7 +139,7 @@ def test_what_a_server_keeps_does_not_grow(monkeypatch: pytest.MonkeyPatch) -> N
         await objects_kept(70, 0)  # until as much is kept as ever
         return await objects_kept(30, 100), await objects_kept(60, 200)
 
-    monkeypatch.setattr(server, "DEBOUNCE", 0)
+    monkeypatch.setattr(session, "DEBOUNCE", 0)
     monkeypatch.setattr(SERVER, "tidies", True)
     monkeypatch.setattr(SERVER, "publish_one", lambda path, view: None)  # nobody is there
     try:
