@@ -15,6 +15,7 @@ from aseme_dsl.runtime.clock import MILLISECOND, nanoseconds, shown
 from aseme_dsl.runtime.convert import same_shape
 from aseme_dsl.runtime.directory import Offer, Withdraw
 from aseme_dsl.runtime.execution import Execution, Host
+from aseme_dsl.runtime.functions import TYPES
 from aseme_dsl.runtime.inputs import Cancel, Completed, Crashed, Start
 from aseme_dsl.runtime.plan import ActivityInfo
 from aseme_dsl.runtime.returning import as_outcome, frames_of, is_cancellation, reason_of
@@ -461,15 +462,7 @@ class Executions:
             agent.trace.activity(what, agent.driver.clock.now(), agent.name, effect, **members)
 
 
-_TYPES: dict[str, tuple[type, ...]] = {
-    "bool": (bool,),
-    "int": (int,),
-    "double": (int, float),
-    "string": (str,),
-    "bytes": (bytes,),
-    "duration": (int,),
-    "agent": (str, type(None)),
-}
+_TYPES = {**TYPES, "agent": (str, type(None))}
 
 
 def _fits(kind: str, value: Any) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from importlib import import_module
 from typing import Any
 
-_RESULTS: dict[str, tuple[type, ...]] = {
+TYPES: dict[str, tuple[type, ...]] = {
     "bool": (bool,),
     "int": (int,),
     "double": (int, float),
@@ -14,6 +14,7 @@ _RESULTS: dict[str, tuple[type, ...]] = {
     "bytes": (bytes,),
     "duration": (int,),
 }
+"""The Python types of the types that are built into the language; a bool is no number."""
 
 
 class FunctionError(Exception):
@@ -53,7 +54,7 @@ def function_errors(plan: str, functions: Iterable[tuple[str, str, str, str]]) -
 
 def results_of(declared: str) -> tuple[type, ...]:
     """The Python types of a declared result; anything for a message or an enum."""
-    return _RESULTS.get(declared, (object,))
+    return TYPES.get(declared, (object,))
 
 
 def checked(name: str, value: Any, expected: tuple[type, ...]) -> Any:
@@ -81,4 +82,12 @@ def function_at(target: str, name: str, declared: str) -> Callable[..., Any]:
     return call
 
 
-__all__ = ["FunctionError", "checked", "find_function", "function_at", "function_errors", "results_of"]
+__all__ = [
+    "TYPES",
+    "FunctionError",
+    "checked",
+    "find_function",
+    "function_at",
+    "function_errors",
+    "results_of",
+]
