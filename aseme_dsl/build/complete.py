@@ -21,8 +21,9 @@ from aseme_dsl.source import Source
 class Completed:
     """A file with its skeletons: `added` are the notes that they answer, `diagnostics` what is left to say.
 
-    `before` and `text` are the same if there was nothing to add, or an error. `code` are the first
-    versions of files of activities, by their paths; they `wait` as long as the file has holes.
+    `advised` are those that get a comment only. `before` and `text` are the same if there was nothing to add,
+    or an error. `code` are the first versions of files of activities, by their paths; they `wait` as long as
+    the file has holes.
     """
 
     path: str
@@ -32,6 +33,7 @@ class Completed:
     diagnostics: tuple[Diagnostic, ...]
     code: Mapping[Path, str] = field(default_factory=dict)
     wait: bool = False
+    advised: tuple[Diagnostic, ...] = ()
 
     @property
     def difference(self) -> str:
@@ -80,4 +82,4 @@ def complete(
         found = in_order((*found, *write_new(code, disk).diagnostics))
         code = {} if has_errors(found) else code
     texts = {path: content.decode("utf-8") for path, content in code.items()}
-    return Completed(source.path, source.text, result.text, result.added, found, texts, wait)
+    return Completed(source.path, source.text, result.text, result.added, found, texts, wait, result.advised)

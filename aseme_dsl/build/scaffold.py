@@ -21,12 +21,15 @@ _BRACKETS = ("(", ")")
 class Scaffolded:
     """The text with its skeletons; `added` are the notes that they answer, `diagnostics` what is left.
 
+    `advised` are the notes for which only a comment is written, which says what to do.
+
     Of a file with errors the text is the one that was given.
     """
 
     text: str
     added: tuple[Diagnostic, ...]
     diagnostics: tuple[Diagnostic, ...]
+    advised: tuple[Diagnostic, ...] = ()
 
 
 def scaffold(
@@ -41,28 +44,31 @@ def scaffold(
     mark = "\ufeff" if source.text.startswith("\ufeff") else ""
     text = source.text[len(mark) :]
     added: list[Diagnostic] = []
+    advised: list[Diagnostic] = []
     first: Analysis | None = None
     for _ in range(_ROUNDS):
         analysis = analyse(Source(source.path, text), sources, options)
         first = first or analysis
         if has_errors(apart_from_holes(analysis.diagnostics)):
             break
-        changed, notes = _completed(text, source.path, analysis)
-        if not notes:
+        changed, answered, commented = _completed(text, source.path, analysis)
+        if not answered and not commented:
             break
         text = changed
-        added += notes
+        added += answered
+        advised += commented
     assert first is not None
     if has_errors(apart_from_holes(analysis.diagnostics)):
         # Also if a skeleton should ever break a file: what was there is better.
         return Scaffolded(source.text, (), as_notes(first.diagnostics))
-    return Scaffolded(mark + text, tuple(added), as_notes(analysis.diagnostics))
+    return Scaffolded(mark + text, tuple(added), as_notes(analysis.diagnostics), tuple(advised))
 
 
-def _completed(text: str, path: str, analysis: Analysis) -> tuple[str, list[Diagnostic]]:
-    """The text with one round of skeletons, and the notes that they answer."""
+def _completed(text: str, path: str, analysis: Analysis) -> tuple[str, list[Diagnostic], list[Diagnostic]]:
+    """The text with one round of skeletons, the notes that they answer, and those that get a comment."""
     pieces: dict[int, list[str]] = {}
-    notes: list[Diagnostic] = []
+    answered: list[Diagnostic] = []
+    commented: list[Diagnostic] = []
     for item in analysis.missing:
         place = item.place
         if place is None or place.source.path != path:
@@ -73,10 +79,10 @@ def _completed(text: str, path: str, analysis: Analysis) -> tuple[str, list[Diag
             if piece not in _BRACKETS or piece not in there:  # several terms may be joined to one formula
                 there.append(piece)
         if found:
-            notes.append(item.note)
+            (commented if item.is_comment else answered).append(item.note)
     for at in sorted(pieces, reverse=True):
         text = text[:at] + "".join(pieces[at]) + text[at:]
-    return text, notes
+    return text, answered, commented
 
 
 __all__ = ["Scaffolded", "scaffold"]

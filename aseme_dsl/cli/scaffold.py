@@ -51,6 +51,7 @@ def command(targets: tuple[str, ...], activities: Path | None, diff: bool, as_js
             {
                 "file": item.path,
                 "added": render_json(item.added),
+                "advised": render_json(item.advised),
                 "code": [str(path) for path in item.code],
                 "difference": item.difference,
             }
@@ -67,7 +68,14 @@ def command(targets: tuple[str, ...], activities: Path | None, diff: bool, as_js
         elif not has_errors(item.diagnostics):
             for note in item.added:
                 click.echo(f"{note.span or item.path}: {note.message}: written", err=True)
-            click.echo(f"{item.path}: {plural(len(item.added), 'skeleton')} written", file=sys.stdout)
+            for note in item.advised:
+                place = note.span or item.path
+                click.echo(
+                    f"{place}: {note.message}: only a comment is written, which says what to do", err=True
+                )
+            counted = plural(len(item.added), "skeleton")
+            counted += f" and {plural(len(item.advised), 'comment')}" if item.advised else ""
+            click.echo(f"{item.path}: {counted} written", file=sys.stdout)
             if item.wait:
                 click.echo(f"{item.path}: when no hole is left, its activities get files")
             for path in item.code:

@@ -26,6 +26,11 @@ class Missing:
         """What tells in which file it is written."""
         return self.edits[0].span if self.edits else self.inside or self.note.span
 
+    @property
+    def is_comment(self) -> bool:
+        """Whether all that is written is a comment."""
+        return not self.edits and all(line.startswith("//") for line in self.skeleton.split("\n"))
+
 
 _STEP = "  "
 

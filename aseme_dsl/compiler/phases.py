@@ -42,6 +42,7 @@ from aseme_dsl.compiler.missing import Missing
 from aseme_dsl.compiler.modules import also_activities, read_modules
 from aseme_dsl.compiler.outcomes import check_deadlines, check_outcomes
 from aseme_dsl.compiler.pieces import InPieces, finished
+from aseme_dsl.compiler.renamed import renamed
 from aseme_dsl.compiler.resolve import resolve
 from aseme_dsl.compiler.sag_to_suc import read_sag, sag_to_suc
 from aseme_dsl.compiler.scope import Scope
@@ -247,6 +248,7 @@ def _inspecting(
         *capabilities,
     )
     cases = recall(use_cases, memory.same("use cases", suc), memory.same("written", names_written))
+    cases = memory.same("cases", keep(renamed(cases, blocks.aips, blocks.srms)))
     missing = [*suc_to_aip(cases, blocks.aips)]
     in_charts = [
         (role, iacs[role.name], modules[role.name], memory.same((name, "has"), tuple(inclusion.names(name))))

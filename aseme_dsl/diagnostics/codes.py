@@ -210,6 +210,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W554": ("warning", "a participant of which the team has too few agents"),
     "W555": ("warning", "code that says or takes what its participant does not"),
     "W556": ("warning", "an agent message that nothing sends or nothing takes"),
+    "W560": ("warning", "a use case that seems to be renamed"),
     # Statecharts (E6xx): the structural rules of the papers' tools
     "E600": ("error", "a statechart without exactly one root"),
     "E601": ("error", "an OR state without exactly one START"),

@@ -197,10 +197,56 @@ def test_the_advice_for_one_role_does_not_stand_in_for_anothers() -> None:
     assert again.count("// The use case haggle; let a formula use the participant:") == 2
 
 
-def test_a_use_case_that_is_renamed_or_removed() -> None:
-    renamed = SHOP.replace("usecase earn", "usecase trade")
+def told(done: Scaffolded, code: str) -> list[str]:
+    return [item.message for item in done.diagnostics if item.code == code]
+
+
+def test_the_formula_of_a_renamed_use_case_is_not_written_again() -> None:
+    done = run(SHOP.replace("usecase earn", "usecase trade"))
+    assert done.text == run(SHOP).text.replace("usecase earn", "usecase trade")
+    assert told(done, "W560") == [
+        "nothing is called `trade`, and no use case is called like the formula `earn`"
+    ]
+    assert told(run(SHOP.replace("usecase earn", "usecase trade realises earn")), "W560") == []
+
+
+def test_the_protocol_of_a_renamed_use_case_is_not_written_again() -> None:
+    renamed = SHOP.replace("usecase haggle", "usecase bargain")
     done = run(renamed)
-    assert is_kept(renamed, done.text)
-    assert run(done.text).text == done.text
+    assert done.text == run(SHOP).text.replace("usecase haggle", "usecase bargain")
+    (warning,) = [item for item in done.diagnostics if item.code == "W560"]
+    assert str(warning.span) == "test.aseme:4:11"
+    assert [str(item.span) for item in warning.related] == ["test.aseme:19:5"]
+    assert warning.hint is not None and "`realises haggle`" in warning.hint
+    assert told(run(SHOP.replace("usecase haggle", "usecase bargain realises haggle")), "W560") == []
+    assert told(run(renamed.replace("haggle", "bargain")), "W560") == []
+
+
+def test_a_renamed_protocol_gets_what_is_added_to_its_use_case() -> None:
+    done = run(
+        SHOP.replace("usecase haggle", "usecase bargain").replace("offer, answer", "offer, answer, shake")
+    )
+    assert "    process = Offer . Answer ? Shake\n" in done.text and "aip bargain" not in done.text
+
+
+def test_a_protocol_that_others_have_or_that_does_other_things_is_no_renamed_one() -> None:
+    other = "  usecase praise by customer, seller includes bow, smile\n"
+    done = run(SHOP.replace("  usecase earn", other + "  usecase earn"))
+    assert "aip praise {" in done.text and told(done, "W560") == []  # `haggle` has its use case
+    done = run(SHOP.replace("  usecase haggle by customer, seller includes offer, answer\n", other))
+    assert "aip praise {" in done.text and told(done, "W560") == []
+
+
+def test_what_only_advises_is_told_apart() -> None:
+    done = run(SHOP.replace("by customer, seller", "by customer, seller, clerk"))
+    assert [item.message for item in done.added if item.code == "N702"] == [
+        "clerk takes part in the use case `haggle`, but is no participant of it"
+    ]
+    assert [item.message for item in done.advised] == [
+        "clerk takes part in the use case `haggle`, but plays none of haggle"
+    ]
+
+
+def test_a_use_case_that_is_removed() -> None:
     removed = SHOP.replace("  usecase earn by seller includes open_shop, serve\n", "")
     assert run(removed).text.count("earn") == removed.count("earn")

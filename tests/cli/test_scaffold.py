@@ -50,6 +50,31 @@ def test_what_is_missing_is_added_behind_what_is_there(here: Here, sketch: Path)
     assert (sketch.stat().st_mtime_ns, sketch.stat().st_ino) == before
 
 
+PLAYED = """\
+system Depot
+suc { usecase bring by courier, office includes fetch }
+aip bring { participant courier { process = Fetch } participant office { process = Fetch } }
+srm courier { plays bring.courier as own  liveness { courier = own } }
+srm office { liveness { office = Rest } activities { Rest takes 1s Fetch takes 1s } }
+"""
+
+
+def test_a_comment_is_not_counted_as_a_skeleton(here: Here, folder: Path) -> None:
+    (folder / "depot.aseme").write_text(PLAYED)
+    done = here("scaffold", "depot.aseme")
+    assert done.out == "depot.aseme: 0 skeletons and 1 comment written\n"
+    assert "but plays none of bring: only a comment is written, which says what to do" in done.err
+    assert "  // The use case bring; let a formula" in (folder / "depot.aseme").read_text()
+
+
+def test_what_seems_to_be_renamed_is_told(here: Here, folder: Path) -> None:
+    text = PLAYED.replace("usecase bring", "usecase transport")
+    (folder / "depot.aseme").write_text(text)
+    done = here("scaffold", "depot.aseme")
+    assert "depot.aseme:2:15: warning[W560]" in done.err
+    assert "aip transport" not in (folder / "depot.aseme").read_text()
+
+
 def test_nothing_is_missing(here: Here, folder: Path) -> None:
     assert here("scaffold", "good.aseme").out == "good.aseme: 0 skeletons written\n"
     assert (folder / "good.aseme").read_text() == GOOD
