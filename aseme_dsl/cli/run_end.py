@@ -75,13 +75,17 @@ def fault_lines(faults: Iterable[FaultCount]) -> Iterator[str]:
 
 
 def _waiting_lines(agents: Iterable[AgentResult]) -> list[str]:
-    return [
-        f"{agent.name} ({agent.role}) waits {_waits(item)}"
-        for agent in agents
-        if agent.stuck or not any(item.where == "in" for item in agent.waits)
-        for item in agent.waits
-        if item.conversation is None and not item.free
-    ]
+    lines = []
+    for agent in agents:
+        # Beside an activity that runs, a region that rests for a time is nothing to look at.
+        is_active = not agent.stuck and any(item.where == "in" for item in agent.waits)
+        lines += [
+            f"{agent.name} ({agent.role}) waits {_waits(item)}"
+            for item in agent.waits
+            if item.conversation is None and not item.free
+            if not is_active or (item.where != "in" and item.awaits and not item.timed)
+        ]
+    return lines
 
 
 def _conversation_lines(result: RunResult) -> list[str]:
@@ -107,7 +111,8 @@ def _waits(item: Waiting) -> str:
         # What may interrupt it, too, is in --json.
         return f"for its activity {_cut(item.name)}{_place(item.at)} to end"
     awaited = _few([_awaited(found) for found in item.awaits], _MOST_AWAITED, " or ")
-    return f"{item.where} {_cut(item.name)}{_place(item.at)}" + (f" for {awaited}" if awaited else "")
+    what = f" for {awaited}" if awaited else ""
+    return f"{item.where} {_cut(item.name)}{_place(item.at)}{what}, since {item.since / 1e9:g} s"
 
 
 def _awaited(item: Awaited) -> str:

@@ -112,6 +112,8 @@ class Agent:
         """Whether it has crashed and not started again (in a simulation with faults)."""
         self.failed_at: str = ""
         """The place in the source where the agent failed."""
+        self.since: dict[str, int] = {}
+        """When each state, by its label, was last entered by a transition to it, or its activity returned."""
         self._sequence = itertools.count(behind + 1)
         self._wanted = True  # the first step enters the root
         self._following = 0
@@ -243,6 +245,7 @@ class Agent:
             self.fail(f"the step raised {reason_of(error)}", frames_of(error, own=True))
             return
         self.recent.extend(outcome.taken)
+        self._note_moments(now, inputs, outcome)
         configuration = chart.configuration() if self.trace.active else ()
         changed = configuration != self._configuration
         self._configuration = configuration
@@ -277,6 +280,19 @@ class Agent:
             if self.over:
                 return
         self._sleep(now)
+
+    def _note_moments(self, now: int, inputs: list[Posted], outcome: Outcome) -> None:
+        """Note what has just been entered, and which activities have returned."""
+        if self.steps == 1:
+            self.since[self.plan.states[0].label] = now
+        for item in inputs:
+            if isinstance(item.input, Completed):
+                self.since[item.input.label] = now
+        transitions = self.plan.transitions
+        for numbers in outcome.taken:
+            last = transitions[numbers[-1]]
+            if last.kind == "way":
+                self.since[last.target] = now
 
     def _follow(self, has_inputs: bool) -> None:
         """Count the steps in a row that only variables have asked for, and stop an agent that makes them for
@@ -379,6 +395,7 @@ class Agent:
         self._adopt(carried.chart)
         self.messages = messages
         labels = carried.labels
+        self.since = {labels[label]: moment for label, moment in self.since.items() if label in labels}
         self.executions.carry(labels, find)
         if carried.chart.started:
             self._show(labels)

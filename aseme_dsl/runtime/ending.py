@@ -30,10 +30,12 @@ class Awaited:
 class Waiting:
     """An active state and what is awaited there.
 
-    `state` is the label of the leaf, `name` the innermost name around it, `at` the place of that name in the
-    source. `where` says how far it is: "in" (its activity runs), "after" (the activity has returned) or
-    "before" (the first transition inside was not taken yet). `conversation` is the open conversation that
-    the state belongs to; `free` says that it waits for a message that begins a conversation.
+    `state` is the label of the leaf (or the state that is complete with its END), `name` the innermost name
+    around it, `at` the place of that name in the source. `where` says how far it is: "in" (its activity
+    runs), "after" (the activity has returned, or its END is active) or "before" (the first transition inside
+    was not taken yet). `conversation` is the open conversation that the state belongs to; `free` says that it
+    waits for a message that begins a conversation. `since` is the moment (ns) at which the activity returned
+    or, where none has, the state was entered; `timed` says that a time alone ends the wait, in this region.
     """
 
     state: str
@@ -43,6 +45,8 @@ class Waiting:
     awaits: tuple[Awaited, ...]
     conversation: str | None = None
     free: bool = False
+    since: int = 0
+    timed: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,25 +128,40 @@ def is_stuck(waits: Iterable[Waiting]) -> bool:
 
 
 def waits_of(agent: Agent) -> tuple[Waiting, ...]:
-    """What an agent waits for: one entry for each active leaf that is not an END. Called while it is guarded.
+    """What an agent waits for: one entry for each active leaf. Called while it is guarded.
 
-    The first entry has the transitions of the states around, too, as far as they need no completion; those
-    around several regions stand with the first of these only.
+    A state that is complete, since its END or those of its regions are active, has an entry in the place of
+    these. A region that is complete beside one that is not has none. The first entry has the transitions of
+    the states around, too, as far as they need no completion; those around several regions stand with the
+    first of these only.
     """
     chart = agent.chart
     if agent.over or agent.down or not chart.started:
         return ()
     plan = agent.plan
     told: set[str] = set()
+    ended: dict[str, list[int]] = {}
     found = []
     for label in chart.configuration():
         state = plan.by_label[label]
-        if state.type not in ("END", "AND"):
-            found.append(_waiting(agent, plan, state, told))
+        since = agent.since.get(label, 0)
+        complete = _parent(plan, state) if state.type == "END" else None
+        if complete is not None:
+            around = _parent(plan, complete)
+            if around is not None and around.type == "AND":
+                moments = ended.setdefault(around.label, [])
+                moments.append(since)
+                if len(moments) < sum(item.parent == around.label for item in plan.states):
+                    continue
+                complete, since = around, max(moments)
+            state = complete
+        if complete is not None or state.type != "AND":
+            found.append(_waiting(agent, plan, state, told, since))
     return tuple(found)
 
 
-def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str]) -> Waiting:
+def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str], since: int) -> Waiting:
+    """The entry of a leaf, or of a state around that is complete, which came to rest `since` at least."""
     running = _runs(agent, leaf)
     branch = agent.branch_of(leaf.label)
     conversation, is_entered = (
@@ -153,6 +172,9 @@ def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str]) -> Waiting:
     around = _parent(plan, leaf)
     in_branch = branch is not None
     may_begin = [item.kind == "message" for item in own]
+    timed = _is_timed(plan, leaf, complete=not running)
+    in_region = True
+    since = max(since, agent.since.get(leaf.label, 0))
     while around is not None:
         outer = tuple(_awaited(plan, around, complete=False))
         if around.label not in told:
@@ -160,15 +182,28 @@ def _waiting(agent: Agent, plan: Plan, leaf: State, told: set[str]) -> Waiting:
             awaits += outer
         may_begin += [item.kind == "message" for item in outer if in_branch]
         in_branch = in_branch and around.label != branch
+        in_region = in_region and around.type != "AND"
+        timed = timed or (in_region and _is_timed(plan, around, complete=False))
+        since = max(since, agent.since.get(around.label, 0))
         around = _parent(plan, around)
     named = leaf
     while named.name == named.label and (parent := _parent(plan, named)) is not None:
         named = parent
-    where = "in" if running else ("after" if leaf.type == "BASIC" else "before")
+    where = "in" if running else ("before" if leaf.type in ("START", "CONDITION") else "after")
     if running:
         awaits.insert(0, Awaited("activity", leaf.activity or leaf.name, leaf.at))
     free = is_entered and conversation is None and not running and any(may_begin)
-    return Waiting(leaf.label, named.name, where, named.at, tuple(dict.fromkeys(awaits)), conversation, free)
+    return Waiting(
+        leaf.label,
+        named.name,
+        where,
+        named.at,
+        tuple(dict.fromkeys(awaits)),
+        conversation,
+        free,
+        since,
+        timed,
+    )
 
 
 def _runs(agent: Agent, leaf: State) -> bool:
@@ -191,6 +226,15 @@ def _awaited(plan: Plan, state: State, *, complete: bool) -> Iterator[Awaited]:
         for way in _compound(plan, first):
             if way.events or way.condition is not None or way.otherwise or way.every is not None:
                 yield Awaited(_kind(way), _without_actions(way.text) or "the next period", way.at)
+
+
+def _is_timed(plan: Plan, state: State, *, complete: bool) -> bool:
+    """Whether a transition of the state waits for a time and nothing else."""
+    return any(
+        way.condition is None and _kind(way) == "time"
+        for way in _ways(plan, state.label)
+        if complete or way.events or way.when
+    )
 
 
 def _ways(plan: Plan, label: str) -> Iterable[Transition]:

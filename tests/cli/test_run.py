@@ -554,6 +554,32 @@ class TestTheEnd:
         assert "deadlock" not in done.out
         assert "waits" not in done.out
 
+    @pytest.mark.parametrize("options", [(), ("--real",)], ids=["virtual", "real"])
+    def test_a_region_that_waits_beside_one_that_runs_is_named(
+        self, here: Here, folder: Path, options: tuple[str, ...]
+    ) -> None:
+        text = STUCK.replace("r = A . B", "r = (A . B) || Lie~").replace(
+            "B takes", "Lie takes 60min  B takes"
+        )
+        (folder / "dog.aseme").write_text(text.replace("A takes 1s", "A takes 1ms"))
+        done = here("run", "dog.aseme", "--quiet", "--for", "1s", *options)
+        assert done.code == 0  # the agent has something to do
+        (line,) = (line for line in done.out.splitlines() if "waits" in line)
+        what, _, since = line.rpartition(", since ")
+        assert what == "  r (r) waits after A (dog.aseme:5) for [has(t.signal.Go)] (dog.aseme:8)"
+        assert re.fullmatch(r"0\.\d+ s", since)
+
+    @pytest.mark.parametrize("control", ["enter B : after(1min)", "repeat (A . B) every 1min :"])
+    def test_one_that_waits_for_a_time_beside_one_that_runs_is_not(
+        self, here: Here, folder: Path, control: str
+    ) -> None:
+        text = STUCK.replace("r = A . B", "r = (A . B)~ || Lie~").replace(
+            "B takes", "Lie takes 60min  B takes"
+        )
+        (folder / "dog.aseme").write_text(text.replace("enter B : [has(t.signal.Go)]", control))
+        done = here("run", "dog.aseme", "--quiet", "--for", "10s")
+        assert (done.code, "waits" in done.out) == (0, False)
+
     def test_faults_are_listed_once_of_each_kind(self, here: Here, folder: Path) -> None:
         text = (
             STUCK.replace("signal Go }", "signal Go  state Go }")

@@ -177,6 +177,21 @@ srm r {{
             "    enter C : when [t.state.Go.n < 1] / write_messages.t.signal.Go",
             ["me after A for [t.state.Go.n > 1] | [> when [t.state.Go.n < 1]"],
         ),
+        (  # what is complete: a loop, an AND, an AND in a loop
+            "(A . B)~",
+            "repeat (A . B) : [has(t.signal.Go)]",
+            ["me after (A . B) for [has(t.signal.Go)]"],
+        ),
+        (
+            "(A || B) . C",
+            "enter C : [has(t.signal.Go)]",
+            ["me after (A || B) for [has(t.signal.Go)]"],
+        ),
+        (
+            "((A . B) || C)~",
+            "repeat ((A . B) || C) : [has(t.signal.Go)]",
+            ["me after ((A . B) || C) for [has(t.signal.Go)]"],
+        ),
     ],
 )
 def test_an_agent_that_waits_for_what_nobody_says_is_stuck(
@@ -247,6 +262,59 @@ def test_in_real_time_nobody_is_stuck_but_all_that_is_open_is_listed() -> None:
     assert (run.result.stuck, run.result.idle_since) == ((), None)
     assert waits(run) == wanted
     assert [item.name for item in run.result.conversations] == ["trade-bob-1"]
+
+
+# ---- since when a region waits -------------------------------------------------------------------
+
+
+DOG = """
+system Dog
+message Ball {{ int x }}
+topic t {{ state Ball  signal Ball }}
+srm r {{
+  liveness {{
+    r = search || rest
+    search = {search}
+    rest = Lie~
+  }}
+  activities {{ Look takes 1s  Chase takes 1s  Lie takes 7s }}
+  control search {{
+    {control}
+  }}
+}}
+"""
+
+
+def dog(search: str, control: str, **options: Any) -> Played:
+    return play(DOG.format(search=search, control=control), until=60 * SECOND, **options)
+
+
+@pytest.mark.parametrize(
+    ("search", "control", "since"),
+    [
+        ("Look . Chase", "enter Chase : [t.state.Ball.x > 3]", 1),  # its activity has returned
+        ("Look . Chase", "enter Look : [t.state.Ball.x > 3]", 0),  # nothing was taken yet
+        ("(Look . Chase)~", "enter Chase : [has(t.signal.Ball)]", 4),  # in its second round
+    ],
+)
+def test_a_region_waits_since_it_came_to_rest(search: str, control: str, since: int) -> None:
+    script = [{"at": "2s", "channel": "t.signal.Ball", "message": {"x": 1}}] if "signal" in control else ()
+    run = dog(search, control, script=script)
+    waiting, lying = run.result.agents[0].waits
+    assert (waiting.since, waiting.timed) == (since * SECOND, False)
+    assert lying.since == 56 * SECOND  # the run of its activity that goes on
+    assert run.of("finish")[0]["agents"][0]["waits"][0]["since"] == since * SECOND
+
+
+@pytest.mark.parametrize("control", ["enter Chase : after(2min)", "repeat (Look . Chase) every 2min :"])
+def test_a_region_that_waits_for_a_time_is_marked(control: str) -> None:
+    run = dog("(Look . Chase)~", control)
+    assert [item.timed for item in run.result.agents[0].waits] == [True, False]
+
+
+def test_a_guard_beside_the_time_is_not_a_wait_for_a_time() -> None:
+    (waiting, _) = dog("Look . Chase", "enter Chase : after(10s) [t.state.Ball.x > 3]").result.agents[0].waits
+    assert not waiting.timed
 
 
 # ---- faults, and the trace -----------------------------------------------------------------------
