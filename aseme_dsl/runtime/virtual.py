@@ -45,7 +45,7 @@ LOOK = 0.25
 GRACE = 4
 """Once the run is to end, code is left behind that has not returned at so many looks."""
 PATIENCE = 20
-"""It is told of code that has not returned at so many looks."""
+"""It is told of code that has not returned, or has let no time pass, at so many looks."""
 
 _FREE = nullcontext()
 
@@ -100,6 +100,10 @@ class VirtualDriver:
         self._closing = False
         self._done = False
         self._things = 0
+        self._rings = 0
+        """How often timers were due at the present moment once more."""
+        self._still: dict[tuple[str, str], tuple[int, _Seat]] = {}
+        """How often each activity has waited 0 s at the present moment, and its thread."""
         self._told: set[str] = set()
         self._ending = threading.Lock()
         """Held from the moment at which somebody ends the loop: it is ended once."""
@@ -167,6 +171,9 @@ class VirtualDriver:
         if execution.cancelled or self._done:
             raise Cancelled
         seat = execution.handle = self._leader
+        if duration <= 0:
+            who = (execution.agent, execution.activity)
+            self._still[who] = (self._still[who][0] + 1 if who in self._still else 1, seat)
         seat.queued = False
         timer = self.at(self.clock.now() + duration, lambda: self._queue(seat))
         self._sleepers.append(seat)
@@ -257,15 +264,20 @@ class VirtualDriver:
     def _look_after(self) -> None:
         """Wait for the end of the loop."""
         seen: tuple[int, str | None] = (-1, None)
-        looks = 0
+        moment = -1
+        looks = still = 0
         try:
             while not self._over.acquire(timeout=LOOK):
                 before, seen = seen, (self._things, self._interrupt)
                 looks = looks + 1 if seen == before else 0
+                earlier, moment = moment, self.clock.now()
+                still = still + 1 if moment == earlier else 0
                 if self._interrupt is not None and looks >= GRACE:
                     self._leave(self._interrupt)
                 elif looks == PATIENCE:
                     self._tell()
+                elif still >= PATIENCE and self._rings >= STEPS:
+                    self._tell_still(moment)
         except BaseException:  # a second signal
             self._finish()
             raise
@@ -280,6 +292,25 @@ class VirtualDriver:
         self._told.add(name)
         waited = f"{LOOK * PATIENCE:g} s"
         logging.getLogger(__name__).warning("%s has not returned for %s%s", name, waited, place)
+
+    def _tell_still(self, moment: int) -> None:
+        """Say which code returns, but lets no time pass."""
+        import logging
+
+        waits = sorted(list(self._still.items()), key=lambda item: -item[1][0])
+        if not waits:
+            name = "timers"
+            text = f"no time passes at {shown(moment)}: timers are due again and again"
+        else:
+            ((agent, activity), (count, seat)), *_ = waits
+            name = f"activity {activity} of {agent}"
+            text = (
+                f"{name} lets no time pass: it has waited 0 s {count} times at"
+                f" {shown(moment)}{place_of(seat.thread)}"
+            )
+        if name not in self._told:
+            self._told.add(name)
+            logging.getLogger(__name__).warning("%s", text)
 
     def _leave(self, reason: str) -> None:
         """End the run with the code that does not return, and its thread, left behind."""
@@ -357,9 +388,12 @@ class VirtualDriver:
             return
         if moment > self.clock.now():
             self._steps.clear()
-            self._drained = 0
+            self._still.clear()
+            self._drained = self._rings = 0
             self.clock.jump(moment)
             self.advance(moment)
+        else:
+            self._rings += 1
         while (timer := self._timers.take(moment)) is not None:
             if not timer.background:
                 self._last = moment

@@ -519,6 +519,65 @@ def test_what_runs_and_is_no_activity_is_told_too(
     assert caplog.text.count(told) == 1
 
 
+STILL = "activity A of me lets no time pass: it has waited "
+
+
+def test_it_is_told_once_which_activity_waits_and_lets_no_time_pass(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(virtual, "LOOK", 0.001)
+
+    class A:
+        def execute(self, context: Context) -> None:
+            context.wait(1)
+            waited = 0
+            while waited < 5000 or STILL not in caplog.text:
+                context.wait(0)
+                waited += 1
+
+    class B:
+        def execute(self, context: Context) -> None:
+            context.wait(2)
+
+    run = play("system S srm R { liveness { R = A || B } }", {"A": A, "B": B})
+    (line,) = (record.getMessage() for record in caplog.records)
+    assert line.startswith(STILL)
+    assert "times at 1 s" in line
+    assert line.endswith(" in execute)")
+    assert run.result.reason == "finished" and run.result.time == 2 * SECOND
+
+
+def test_what_rings_for_ever_at_one_instant_is_told(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(virtual, "LOOK", 0.001)
+    told = "no time passes at 0.005 s: timers are due again and again"
+    driver = virtual.VirtualDriver()
+
+    def again() -> None:
+        if told not in caplog.text:
+            driver.at(5 * MS, lambda: driver.soon(again))
+
+    again()
+    driver.run()
+    assert caplog.text.count(told) == 1
+
+
+def test_a_long_instant_in_which_much_is_done_is_not_told_of(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(virtual, "LOOK", 0.001)
+    driver = virtual.VirtualDriver()
+
+    def work() -> None:
+        time.sleep(0.001)
+
+    for _ in range(100):
+        driver.soon(work)
+    driver.run()
+    assert "no time passes" not in caplog.text
+
+
 def test_code_sees_the_context_of_who_asks_for_the_run() -> None:
     wanted: contextvars.ContextVar[int] = contextvars.ContextVar("wanted", default=0)
     seen = []
