@@ -38,6 +38,7 @@ from aseme_dsl.cli.shared import (
     play_backend_option,
     print_json,
     refuse,
+    refuse_options,
     target_argument,
     wants_colour,
 )
@@ -134,6 +135,7 @@ def command(
     colour: str,
 ) -> int:
     """Play; 1 if the file has errors, it cannot be played, or an agent fails or waits for ever."""
+    from aseme_dsl.backends.backend import AGENTS
     from aseme_dsl.build.build import activities_folder, choose
     from aseme_dsl.build.configuration import find_configuration
     from aseme_dsl.build.platform_settings import IN_PROCESS, ZENOH
@@ -150,8 +152,24 @@ def command(
         check_outputs([(trace, "trace")], [target, *([script] if script is not None else [])])
     report: Report | None = None
     bare: WithoutCode | None = None
+    played_as_it_is = is_output(Path(target))
+    unused: list[tuple[str, str, str]] = []
+    if agent is not None and plan is None and not list_:
+        hint = "add `--plan ROLE`; without it, the whole team plays"
+        unused.append(("--agent", "without `--plan`", hint))
+    if played_as_it_is:
+        why = "on an output folder, which is played as it is"
+        hint = "leave it out, or name the .aseme file or the project's folder to build"
+        given = {"-o": output, "--templates": templates, "--force": force or None}
+        unused += [(option, why, hint) for option, value in given.items() if value is not None]
+        for name in dict.fromkeys(item.rpartition("=")[2] for item in backends):
+            if name in AGENTS and not (Path(target) / name).is_dir():
+                hint = f"build with `--backend {name}` first"
+                unused.append((f"--backend {name}", "on an output folder without its files", hint))
+    if (code := refuse_options(unused, target, as_json, colour)) is not None:
+        return code
     try:
-        if is_output(Path(target)):
+        if played_as_it_is:
             folder = Path(target)
             configuration, problems = find_configuration(folder)
             if has_errors(problems):

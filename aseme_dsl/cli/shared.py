@@ -125,6 +125,24 @@ def refuse(found: Iterable[Diagnostic], as_json: bool, colour: str) -> int:
     return 1
 
 
+WRONG_USE = 2
+"""The exit code of a call that cannot be meant."""
+
+
+def refuse_options(
+    found: Sequence[tuple[str, str, str]], target: str, as_json: bool, colour: str
+) -> int | None:
+    """Refuse options that have no effect on a target: each with why not, and what to do; the exit code."""
+    if not found:
+        return None
+    problems = [
+        Diagnostic("E028", f"`{option}` has no effect {why}", None, hint=hint, path=target)
+        for option, why, hint in found
+    ]
+    refuse(problems, as_json, colour)
+    return WRONG_USE
+
+
 def print_json(result: dict[str, Any]) -> None:
     """A result for programs: one JSON document, which begins with the version of its format."""
     import json

@@ -18,6 +18,7 @@ from aseme_dsl.cli.shared import (
     plural,
     print_diagnostics,
     print_json,
+    refuse,
     targets_argument,
 )
 from aseme_dsl.diagnostics import has_errors
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
     from aseme_dsl.build.traces import Filter
+    from aseme_dsl.diagnostics import Diagnostic
     from aseme_dsl.runtime.trace_reading import TraceReader
 
 _NANOSECONDS = 1e9
@@ -129,6 +131,8 @@ def command(
     sums: list[dict[str, Any]] = []
     print_diagnostics(problems, colour)
     code = int(has_errors(problems))
+    if unknown := _unknown_agents(files, agents):
+        return refuse(unknown, as_json, colour)
     for number, path in enumerate(files):
         try:
             reader = TraceReader(path)
@@ -151,6 +155,38 @@ def command(
     if as_json and not lines and output is None:
         print_json({"traces": sums})
     return code
+
+
+def _unknown_agents(files: Sequence[Path], agents: Sequence[str]) -> list[Diagnostic]:
+    """What is wrong with the agents that are asked for: those that are in no team and that no line names."""
+    from aseme_dsl.build.traces import Filter
+    from aseme_dsl.diagnostics import Diagnostic, closest
+    from aseme_dsl.runtime.trace_files import TraceError
+    from aseme_dsl.runtime.trace_reading import TraceReader
+
+    unknown = list(dict.fromkeys(agents))
+    team: dict[str, None] = {}
+    for path in files:
+        if not unknown:
+            return []
+        try:
+            for line in TraceReader(path):
+                if line.number == 1:
+                    team.update(dict.fromkeys(agent["name"] for agent in line.record["agents"]))
+                record = line.record
+                unknown = [name for name in unknown if name not in team and not Filter((name,)).wants(record)]
+                if not unknown:
+                    return []
+        except TraceError:
+            return []  # which is said when it is read once more
+    problems = []
+    for name in unknown:
+        near = closest(name, team)
+        hint = f"did you mean `{near}`?" if near else f"the team has {', '.join(team)}"
+        message = f"the trace has nothing about an agent `{name}`"
+        where = ", ".join(map(str, files))
+        problems.append(Diagnostic("E029", message, None, hint=hint, path=where))
+    return problems
 
 
 def _convert(reader: TraceReader, wanted: Filter, output: Path, as_json: bool) -> int:

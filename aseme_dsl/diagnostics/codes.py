@@ -29,6 +29,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E015": ("error", "robots on several machines without certificates"),
     "E016": ("error", "a network setting without `hosts`"),
     "E020": ("error", "the source of an output folder cannot be found"),
+    "E028": ("error", "option without effect"),
+    "E029": ("error", "agent unknown to a trace"),
     "W001": ("warning", "the file is empty"),
     "W002": ("warning", "a generated file was edited and is left alone"),
     "W003": ("warning", "a diagram cannot be drawn"),
