@@ -128,6 +128,11 @@ def build(
     """
     from aseme_dsl.backends.backend import Refused
 
+    if choice.templates is not None and not choice.templates.is_dir():
+        what = "is a file" if choice.templates.exists() else "does not exist"
+        message, hint = f"the folder of templates {what}", "name the folder that holds the templates"
+        problem = Diagnostic("E030", message, None, hint=hint, path=str(choice.templates))
+        return Report(system.name, folder, diagnostics=(problem,))
     before = earlier or Earlier()
     known = before.known
     system = with_labels(system, choice.labels)

@@ -31,6 +31,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E020": ("error", "the source of an output folder cannot be found"),
     "E028": ("error", "option without effect"),
     "E029": ("error", "agent unknown to a trace"),
+    "E030": ("error", "missing folder of templates"),
     "W001": ("warning", "the file is empty"),
     "W002": ("warning", "a generated file was edited and is left alone"),
     "W003": ("warning", "a diagram cannot be drawn"),

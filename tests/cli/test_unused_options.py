@@ -55,3 +55,17 @@ def test_an_agent_that_a_trace_does_not_have_is_an_error(built: Here, options: t
     assert "error[E029]: the trace has nothing about an agent `bobb`" in done.err
     assert "did you mean `bob`?" in done.err
     assert built("trace", "out", "--agent", "bob", *options).code == 0
+
+
+@pytest.mark.parametrize("command", ["build", "run"])
+@pytest.mark.parametrize(("name", "what"), [("team.aseme", "is a file"), ("nowhere", "does not exist")])
+def test_templates_that_are_no_folder_are_an_error(built: Here, command: str, name: str, what: str) -> None:
+    done = built(command, "team.aseme", "--templates", name)
+    assert done.code == 1
+    assert f"{name}: error[E030]: the folder of templates {what}" in done.err
+
+
+def test_templates_of_a_project_that_are_no_folder_are_an_error(built: Here, folder: Path) -> None:
+    (folder / "pyproject.toml").write_text('[tool.asemec]\nfiles = ["team.aseme"]\ntemplates = "nowhere"\n')
+    done = built("build")
+    assert (done.code, "error[E030]" in done.err) == (1, True)
