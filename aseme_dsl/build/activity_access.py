@@ -81,6 +81,27 @@ def used_by(tree: ast.Module, wanted: str) -> frozenset[str]:
     return frozenset(found)
 
 
+def executes_of(tree: ast.Module, wanted: Iterable[str]) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef]:
+    """The methods `execute` of the classes `wanted`, and of those of the module that these inherit from.
+
+    Not those that a decorator has changed.
+    """
+    classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    waiting, seen = list(wanted), set[str]()
+    while waiting:
+        name = waiting.pop()
+        node = classes.get(name)
+        if node is None or name in seen:
+            continue
+        seen.add(name)
+        waiting += (base.id for base in node.bases if isinstance(base, ast.Name))
+        for item in node.body:
+            if not isinstance(item, (ast.FunctionDef, ast.AsyncFunctionDef)):
+                continue
+            if item.name == "execute" and not item.decorator_list:
+                yield item
+
+
 def undeclared(
     accesses: Iterable[Access],
     activity: Activity,
@@ -254,4 +275,14 @@ def _block_in(text: str, role: Span, word: str) -> Span | None:
     return None if end < 0 else Span(role.source, found.end() - 1, end + 1)
 
 
-__all__ = ["BLOCKS", "HISTORIES", "READS", "Access", "looks_back", "owners", "undeclared", "used_by"]
+__all__ = [
+    "BLOCKS",
+    "HISTORIES",
+    "READS",
+    "Access",
+    "executes_of",
+    "looks_back",
+    "owners",
+    "undeclared",
+    "used_by",
+]

@@ -19,8 +19,18 @@ from aseme_dsl.amola.expression import Raised
 from aseme_dsl.amola.messages import Channel, Comm, Topic
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
-from aseme_dsl.build.activity_access import HISTORIES, READS, Access, looks_back, owners, undeclared, used_by
+from aseme_dsl.build.activity_access import (
+    HISTORIES,
+    READS,
+    Access,
+    executes_of,
+    looks_back,
+    owners,
+    undeclared,
+    used_by,
+)
 from aseme_dsl.build.activity_ends import wrong_outcomes
+from aseme_dsl.build.activity_fields import Readings, unfit_values, unknown_members
 from aseme_dsl.build.activity_files import Required, as_simulated, check_files, empty_classes, missing_folder
 from aseme_dsl.build.activity_given import wrong_parameters
 from aseme_dsl.build.activity_messages import unfit_messages
@@ -50,7 +60,8 @@ def check_code(
     look: Look = stamp_of,
     required: Required | None = None,
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
-    """What the Python in `folder` gets wrong of the system: E540, W530, W532, W533, W540, W555, W556, N726.
+    """What the Python in `folder` gets wrong of the system: E540, W530, W532, W533, W540, W547, W555,
+    W556, N726.
 
     What is not there is not asked for, unless it is `required`: then a missing folder is E544, and a missing
     file E543; a file that nothing uses is W541, one of a simulated activity W542, one in which nothing is
@@ -69,7 +80,7 @@ def check_code(
     no_types = memory.same("no types", System(system.name))
     pieces = _pieces(system, folder, project, memory)
     paths = code_paths(pieces, folder)
-    codes = _codes(paths, memory, look)
+    codes = _codes(paths, pieces, memory, look)
     found: list[Diagnostic] = []
     if required is not None:
         found += check_files(system, folder, required, project, look)
@@ -100,10 +111,12 @@ def check_code(
         worded.append((code, types if code.module.imports_messages else no_types))
     known = {piece.path for piece in pieces}
     helpers = [code for path, code in codes.items() if path not in known and code.module is not None]
+    read = {id(code): code for code in (*(code for code, *_ in described), *helpers)}
     checked = (
         memory.each(_problems_of, described, *world.inputs),
         memory.each(_problems_of_words, worded, *world.inputs),
         memory.each(_problems_of_helper, [(code,) for code in helpers], types, *world.inputs),
+        memory.each(_problems_of_fields, [(code,) for code in read.values()], types, *world.inputs),
     )
     found += (problem for results in checked for problems in results for problem in problems)
     if alone and system.aips:
@@ -126,7 +139,8 @@ def variables_read(
 ) -> frozenset[str]:
     """The variables that the Python in `folder` reads with `context.variable("name")`."""
     memory = memory or Memory()
-    codes = _codes(code_files(system, folder, project, memory), memory, look)
+    pieces = _pieces(system, folder, project, memory)
+    codes = _codes(code_paths(pieces, folder), pieces, memory, look)
     return frozenset(call.name for code in codes.values() for call in code.calls if call.method == "variable")
 
 
@@ -160,7 +174,7 @@ def _problems_of_words(code: _Code, types: System, *world: *_WorldInputs) -> tup
     """What is wrong with the code whatever is said of its activity."""
     module = code.read
     return (
-        *unknown_methods(module.tree, module.span),
+        *unknown_methods(module.tree, module.span, code.executes),
         *unknown_messages(module.tree, types, module.span),
         *unfit_messages(module.tree, types, _published(code.calls, _World(*world)), module.span),
     )
@@ -170,7 +184,22 @@ def _problems_of_helper(code: _Code, types: System, *world: *_WorldInputs) -> tu
     known, module = _World(*world), code.read
     return (
         *(problem for call in code.calls for problem in _unknown(call, None, known)),
+        *unknown_messages(module.tree, types, module.span),
         *unfit_messages(module.tree, types, _published(code.calls, known), module.span),
+    )
+
+
+def _problems_of_fields(code: _Code, types: System, *world: *_WorldInputs) -> tuple[Diagnostic, ...]:
+    """What is wrong with the members of messages that the code makes and reads."""
+    known, module = _World(*world), code.read
+    readings = Readings({name: item.message for name, item in known.channels.items()}, known.alone)
+
+    def text(node: ast.expr | None) -> str | None:
+        return _text(module, node)
+
+    return (
+        *unfit_values(module.tree, types, module.span),
+        *unknown_members(module.tree, types, readings, code.contexts, text, module.span),
     )
 
 
@@ -351,7 +380,7 @@ class _Module:
 
     @property
     def imports_messages(self) -> bool:
-        return ".messages" in self.source.text
+        return "messages" in self.source.text
 
     def span(self, node: ast.expr | ast.stmt) -> Span:
         """The place of a node: Python counts columns in bytes of UTF-8."""
@@ -392,6 +421,10 @@ class _Code:
     calls: tuple[_Call, ...] = ()
     talk: tuple[Talk, ...] = ()
     empty: frozenset[str] = frozenset()
+    contexts: frozenset[str] = frozenset()
+    """What the module calls a context."""
+    executes: tuple[str, ...] = ()
+    """The classes in it that are those of activities and modules."""
 
     @property
     def read(self) -> _Module:
@@ -400,14 +433,19 @@ class _Code:
         return self.module
 
 
-def _codes(paths: Iterable[str], memory: Memory, look: Look) -> dict[str, _Code]:
+def _codes(paths: Iterable[str], pieces: Iterable[_Piece], memory: Memory, look: Look) -> dict[str, _Code]:
     """Every file that is there, by its path."""
-    found = {path: stamp for path in paths if (stamp := look(path)) is not None}
+    wanted: dict[str, tuple[str, ...]] = {}
+    for piece in pieces:
+        if piece.path is not None:
+            wanted[piece.path] = (*wanted.get(piece.path, ()), piece.wanted)
+    found = {path: (stamp, wanted.get(path, ())) for path in paths if (stamp := look(path)) is not None}
     stamps = memory.same_values("stamps", found)
-    return dict(zip(stamps, memory.each(_code, stamps.items()), strict=True))
+    items = [(path, *rest) for path, rest in stamps.items()]
+    return dict(zip(stamps, memory.each(_code, items), strict=True))
 
 
-def _code(name: str, stamp: Stamp) -> _Code:
+def _code(name: str, stamp: Stamp, wanted: tuple[str, ...] = ()) -> _Code:
     """What is in a file; what is no Python is W533."""
     try:
         text = outside.read_bytes(name).decode("utf-8-sig").replace("\r\n", "\n")
@@ -430,20 +468,31 @@ def _code(name: str, stamp: Stamp) -> _Code:
         if isinstance(target, ast.Name)
     }
     module = _Module(source, tree, constants)
-    return _Code(module, (), _calls(module), _talk_in(module), empty_classes(module.tree))
+    contexts = _contexts(module.tree, wanted)
+    calls, talk = _calls(module, contexts), _talk_in(module, contexts)
+    return _Code(module, (), calls, talk, empty_classes(module.tree), contexts, wanted)
 
 
 _Calls = tuple[_Call, ...]
 
 
-def _calls(module: _Module) -> _Calls:
-    """The calls on a context, in the order of the text."""
+def _contexts(tree: ast.Module, wanted: Iterable[str]) -> frozenset[str]:
+    """What a module calls a context: `context`, what is annotated so, and what `execute` takes first."""
     contexts = {"context"}
-    for node in ast.walk(module.tree):
+    for node in ast.walk(tree):
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             for argument in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs):
                 if argument.annotation is not None and _last(argument.annotation) == "Context":
                     contexts.add(argument.arg)
+    for execute in executes_of(tree, wanted):
+        taken = [*execute.args.posonlyargs, *execute.args.args]
+        if len(taken) > 1:
+            contexts.add(taken[1].arg)
+    return frozenset(contexts)
+
+
+def _calls(module: _Module, contexts: frozenset[str]) -> _Calls:
+    """The calls on a context, in the order of the text."""
     found: list[_Call] = []
     for owner, node in ((owner, node) for owner, part in owners(module.tree) for node in ast.walk(part)):
         if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)):
@@ -464,8 +513,8 @@ def _calls(module: _Module) -> _Calls:
     return tuple(sorted(found, key=lambda call: call.span.start))
 
 
-def _talk_in(module: _Module) -> tuple[Talk, ...]:
-    return talk_in(module.tree, module.span, lambda node: _text(module, node))
+def _talk_in(module: _Module, contexts: frozenset[str]) -> tuple[Talk, ...]:
+    return talk_in(module.tree, module.span, lambda node: _text(module, node), contexts)
 
 
 def _published(calls: _Calls, world: _World) -> Iterator[tuple[str, ast.expr]]:

@@ -82,6 +82,10 @@ def missing_folder(
         hint = f"{_scaffold(system)} starts it, with a file for each activity"
     else:
         hint = "leave it out: all activities are simulated"
+    if near is None and required.place is None:
+        hint += "; or say with `--activities` where it is"
+    elif near is None:
+        hint += "; or name another one, here or with `--activities`"
     message = f"there is no folder `{_shown(str(folder), project)}` with the code of the activities"
     path = None if required.place is not None else str(folder)
     return (Diagnostic("E544", message, required.place, hint=hint, path=path),)

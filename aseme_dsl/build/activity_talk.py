@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from aseme_dsl.amola.aip import Aip, Participant
@@ -38,14 +38,17 @@ class Talk:
 
 
 def talk_in(
-    module: ast.Module, span: Callable[[ast.expr], Span], text: Callable[[ast.expr | None], str | None]
+    module: ast.Module,
+    span: Callable[[ast.expr], Span],
+    text: Callable[[ast.expr | None], str | None],
+    contexts: Collection[str],
 ) -> tuple[Talk, ...]:
-    """The calls of a module, in the order of the text."""
+    """The calls of a module on what it calls a context, in the order of the text."""
     found = []
     for node in ast.walk(module):
         if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)):
             continue
-        if node.func.attr not in _METHODS or _last(node.func.value) != "context":
+        if node.func.attr not in _METHODS or _last(node.func.value) not in contexts:
             continue
         named = {keyword.arg: keyword.value for keyword in node.keywords}
         given = dict(zip(("performative", "message"), node.args, strict=False)) | named

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from aseme_dsl.backends.backend import message_modules
+from aseme_dsl.build.activity_access import executes_of
+from aseme_dsl.build.activity_fields import dotted, type_names
 from aseme_dsl.diagnostics import Diagnostic, closest
 from aseme_dsl.source import Span
 
@@ -16,16 +18,20 @@ if TYPE_CHECKING:
 Place = Callable[[ast.expr | ast.stmt], Span]
 
 
-def unknown_methods(tree: ast.Module, place: Place) -> Iterator[Diagnostic]:
-    """W530 for what a `Context` does not have, in methods whose parameter is annotated as one."""
+def unknown_methods(tree: ast.Module, place: Place, wanted: Iterable[str]) -> Iterator[Diagnostic]:
+    """W530 for what a `Context` does not have, in the `execute` of the classes `wanted` and where a parameter
+    is annotated as one."""
     from aseme_dsl.runtime.context import Context
 
     known = {name for name in dir(Context) if not name.startswith("_")}
+    executes = {id(function) for function in executes_of(tree, wanted)}
     for function in ast.walk(tree):
         if not isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)):
             continue
         arguments = (*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs)
         contexts = {item.arg for item in arguments if _is_context(item.annotation)}
+        if id(function) in executes and len(arguments) > 1 and _is_bound_once(function, arguments[1].arg):
+            contexts.add(arguments[1].arg)
         if not contexts:
             continue
         for node in ast.walk(function):
@@ -43,6 +49,18 @@ def unknown_methods(tree: ast.Module, place: Place) -> Iterator[Diagnostic]:
                 yield Diagnostic("W530", f"a context has no `{node.attr}`", span, hint=hint)
 
 
+def _is_bound_once(function: ast.AST, name: str) -> bool:
+    """Whether a parameter is nothing else inside."""
+    nodes = list(ast.walk(function))
+    if any(isinstance(node, ast.Name) and node.id == name for node in nodes if _stores(node)):
+        return False
+    return sum(isinstance(node, ast.arg) and node.arg == name for node in nodes) == 1
+
+
+def _stores(node: ast.AST) -> bool:
+    return isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load)
+
+
 def _is_context(annotation: ast.expr | None) -> bool:
     match annotation:
         case ast.Name(id="Context") | ast.Attribute(attr="Context") | ast.Constant(value="Context"):
@@ -54,29 +72,26 @@ def unknown_messages(tree: ast.Module, system: System, place: Place) -> Iterator
     """W530 for messages, enums, members and constants that the generated `messages.py` does not have."""
     fields = {item.name: {field.name for field in item.fields} for item in system.messages}
     constants = {item.name: {name for name, _ in item.constants} for item in system.enums}
-    imported: dict[str, str] = {}
     modules = message_modules(system.name)
     for node in ast.walk(tree):
         if not isinstance(node, ast.ImportFrom) or node.module not in modules:
             continue
         for alias in node.names:
             if alias.name in fields or alias.name in constants:
-                imported[alias.asname or alias.name] = alias.name
-            elif (near := closest(alias.name, (*fields, *constants))) is not None:
+                continue
+            if (near := closest(alias.name, (*fields, *constants))) is not None:
                 message = f"`{system.name}` has no message `{alias.name}`"
                 yield Diagnostic("W530", message, place(node), hint=f"did you mean `{near}`?")
+    imported = type_names(tree, system)
     for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in imported:
-            yield from _unknown_members(node, imported[node.func.id], fields, place)
-        elif (
-            isinstance(node, ast.Attribute)
-            and isinstance(node.value, ast.Name)
-            and imported.get(node.value.id) in constants
-        ):
-            own = constants[imported[node.value.id]]
+        if isinstance(node, ast.Call) and dotted(node.func) in imported:
+            yield from _unknown_members(node, imported[dotted(node.func)], fields, place)
+        elif isinstance(node, ast.Attribute) and imported.get(dotted(node.value)) in constants:
+            enum = imported[dotted(node.value)]
+            own = constants[enum]
             near = closest(node.attr, own)
             if node.attr not in own and near is not None:
-                message = f"`{imported[node.value.id]}` has no constant `{node.attr}`"
+                message = f"`{enum}` has no constant `{node.attr}`"
                 yield Diagnostic("W530", message, place(node), hint=f"did you mean `{near}`?")
 
 

@@ -204,6 +204,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W540": ("warning", "a message that does not fit its channel"),
     "W541": ("warning", "a file that no activity uses"),
     "W542": ("warning", "the file of a simulated activity"),
+    "W547": ("warning", "a value that does not fit the member of a message"),
     "N740": ("note", "an activity that is not written yet"),
     # Roles and agent messages (W55x)
     "W550": ("warning", "an abstract role that no role includes"),

@@ -103,6 +103,7 @@ def test_a_folder_that_is_missing_is_reported_once(here: Here, project: Path) ->
     (project / "act").rename(project / "elsewhere")
     assert only(here("check", "--json"))[2] == (
         "`asemec scaffold team.aseme` starts it, with a file for each activity"
+        "; or name another one, here or with `--activities`"
     )
     assert here("scaffold", "team.aseme").code == 0
     assert files(project / "acts") == ["kick_ball.py", "search.py"]
