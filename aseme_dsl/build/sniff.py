@@ -161,6 +161,11 @@ class Sniffer:
             case "lost" if "conversation" in record:
                 text = f"a message to {record['peer']} is lost: {record['reason']}"
                 yield Mark(moment, name, text, record["conversation"])
+            case "fault" if "input" in record:  # what came for an agent that is down
+                sender, number = record["input"]
+                for conversation, names in self._names.items():
+                    if (str(sender), int(number)) in names:
+                        yield Mark(moment, name, str(record["reason"]), conversation)
             case "error":
                 for conversation in _at_the_end(agent, moment):
                     reason = _ACTIVITY.sub(r"\1: ", str(record["reason"]))

@@ -16,7 +16,9 @@ from xml.etree import ElementTree
 
 import pytest
 
+from aseme_dsl.build.sniff import Sniffer
 from aseme_dsl.cli import main
+from aseme_dsl.diagrams.sequence import Mark
 from tests.cli.support import Here
 from tests.conftest import Snapshot
 
@@ -193,6 +195,86 @@ def test_what_is_never_taken_is_told(
     assert [line.split(" ann ! ")[1].partition(" [")[0] for line in shown] == sniffed
     result = json.loads(here("run", "orders.aseme", "--activities", "activities", "--json").out)["result"]
     assert (result["untaken"], result["unexpected"]) == counts
+
+
+EXTRA = """
+system Orders
+message Dish { string name }
+message Extra { string name }
+aip ordering {
+  participant waiter { sends request Dish, inform Extra  process = Order . Add }
+  participant cook { var hot : bool = false  receives request Dish, inform Extra  process = Cook . Serve }
+  control waiter {
+    enter Order : / send request Dish to cook
+    leave Add   : / send inform Extra to cook
+  }
+  control cook {
+    enter Cook  : request Dish from waiter
+    enter Serve : inform Extra from waiter [hot]
+  }
+}
+srm service { plays ordering.waiter  liveness { service = waiter . Rest }
+              activities { Order takes 1s  Add takes 1s  Rest takes 1min } }
+srm kitchen { plays ordering.cook  liveness { kitchen = cook }
+              activities { Cook takes 30s  Serve takes 1s } }
+team Orders { ann : service  bob : kitchen }
+"""
+
+
+def test_what_still_waits_for_its_receiver_at_the_end_is_told(folder: Path, here: Here) -> None:
+    Path("orders.aseme").write_text(EXTRA, "utf-8")
+    done = here("run", "orders.aseme", "--for", "10s", "-q")
+    assert "unread: inform Extra from ann to bob" in done.out
+    (shown,) = (line for line in lines(here("sniff", "out").out) if " ! " in line)
+    text = "10 s bob ! leaves without having taken inform Extra of ann [ordering-ann-1]"
+    assert " ".join(shown.split()) == text
+    rows = here("sniff", "out", "--json", "--agent", "bob").json["rows"]
+    assert [row["text"] for row in rows if "text" in row] == [
+        text[len("10 s bob ! ") : -len(" [ordering-ann-1]")]
+    ]
+
+
+def test_what_nobody_expected_is_told_once(folder: Path, here: Here) -> None:
+    text = ORDERS.replace("kitchen = cook", "kitchen = Sleep . cook")
+    Path("orders.aseme").write_text(text.replace("{ Cook", "{ Sleep takes 30s  Cook"), "utf-8")
+    here("run", "orders.aseme", "--for", "10s", "-q")
+    shown = [line for line in lines(here("sniff", "out").out) if " bob ! " in line]
+    assert ["did not expect request Dish" in line for line in shown] == [True]
+
+
+def test_a_message_to_an_agent_that_has_crashed_is_told(folder: Path, here: Here) -> None:
+    records = [
+        {
+            "kind": "run",
+            "time": 0,
+            "system": "S",
+            "clock": "virtual",
+            "agents": [{"name": "ann", "role": "a"}, {"name": "bob", "role": "b"}],
+        },
+        {
+            "kind": "mail",
+            "time": 1,
+            "agent": "ann",
+            "sequence": 4,
+            "to": ["bob"],
+            "performative": "inform",
+            "message": "M",
+            "content": {},
+            "conversation": "c-1",
+            "protocol": "p",
+        },
+        {
+            "kind": "fault",
+            "time": 2,
+            "agent": "bob",
+            "reason": "M from ann is lost: bob is down",
+            "input": ["ann", 4],
+        },
+    ]
+    sniffer = Sniffer()
+    sniffer.header(records[0])
+    rows = [row for record in records[1:] for row in sniffer.rows(record)]
+    assert rows[-1] == Mark(2, "bob", "M from ann is lost: bob is down", "c-1")
 
 
 def test_what_is_taken_is_not_counted(run: Path, here: Here) -> None:
