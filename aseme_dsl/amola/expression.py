@@ -480,6 +480,15 @@ class TransitionExpression:
         """Whether it waits for nothing but the failure of an activity."""
         return not self.when and bool(self.events) and all(isinstance(e, Failed) for e in self.events)
 
+    @property
+    def apart_from_errors(self) -> tuple[TransitionExpression, ...]:
+        """In two where it waits for a failure or something else: what waits for the latter comes first."""
+        failures = tuple(event for event in self.events if isinstance(event, Failed))
+        others = tuple(event for event in self.events if not isinstance(event, Failed))
+        if not failures or not others:
+            return (self,)
+        return replace(self, events=others), replace(self, events=failures)
+
 
 EMPTY = TransitionExpression()
 NEVER = TransitionExpression(when=True, condition=Literal(False, BOOL, Span(Source("", ""), 0, 0)))

@@ -198,10 +198,12 @@ def transitions(
         expression = NEVER if cuts_short else EMPTY
         if line is not None:
             expression = typed(line, arrow)
-        first = cuts_short and not expression.is_for_errors
         ends, resume = (arrow.source, arrow.target), line is not None and line.resume
-        drafts.append(Transition(name, *ends, expression, 0, arrow.origin, span, first, resume=resume))
-        positions.append(line.position if line is not None else None)
+        # Errors take their turn as everywhere, also beside another event of the line.
+        for part in expression.apart_from_errors if cuts_short else (expression,):
+            first = cuts_short and not part.is_for_errors
+            drafts.append(Transition(name, *ends, part, 0, arrow.origin, span, first, resume=resume))
+            positions.append(line.position if line is not None else None)
 
     for arrow in outline.arrows:
         own = lines.get(arrow.way, ())

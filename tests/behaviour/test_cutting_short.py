@@ -195,3 +195,23 @@ def test_of_two_that_cut_short_on_errors_the_inner_one_is_nearer(play: Play) -> 
         }
     """).step()
     assert run.step(run.crashed("A"), run.crashed("B")).active == ["Halt"]
+
+
+def test_an_error_beside_another_event_takes_its_turn(play: Play) -> None:
+    """ "The nearest `error` transition outwards is taken"; the other event comes before anything inside."""
+    text = """
+        srm R {
+          liveness { R = work [> Stop  work = A . B . C }
+          control R { enter Stop : error or go }
+          control work { enter B : error  enter B :  enter C : go  enter C : }
+        }
+    """
+    run = play(text).step()
+    run.step(run.crashed("A"))
+    assert run.active == ["B"]
+    run.step(run.event("go"))
+    assert run.active == ["Stop"]
+    run = play(text).step()
+    run.step(run.done("A"))
+    run.step(run.crashed("B"))
+    assert run.active == ["Stop"], "nothing inside takes this one"
