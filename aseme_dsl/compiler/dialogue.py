@@ -8,7 +8,7 @@ from itertools import chain
 
 from aseme_dsl.amola.aip import Aip, Participant
 from aseme_dsl.amola.expression import Event, Received, Send
-from aseme_dsl.amola.srm import Srm
+from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
 from aseme_dsl.amola.system import Team
 from aseme_dsl.compiler.builtins import NOT_UNDERSTOOD
@@ -43,17 +43,21 @@ class _Known:
 
 
 def check_waits(
-    aips: Iterable[Aip], eacs: Mapping[str, Statechart | None], srms: Sequence[Srm], memory: Memory
+    aips: Iterable[Aip],
+    eacs: Mapping[str, Statechart | None],
+    srms: Sequence[Srm],
+    activities: Mapping[str, Activity],
+    memory: Memory,
 ) -> InPieces[list[Diagnostic]]:
     """W553 for a state that only messages can end which nobody can have sent by then.
 
-    All else is taken for possible: conditions hold, deadlines pass, agents are lost, activities send what
-    their participant lists and no line of it sends. So what is told is stuck whatever happens. Protocols of
-    the standard library count if somebody plays them.
+    All else is taken for possible: conditions hold, deadlines pass, agents are lost, activities that are not
+    simulated send what their participant lists and no line of it sends. So what is told is stuck
+    whatever happens. Protocols of the standard library count if somebody plays them.
     """
     played = {item.protocol for srm in srms for item in srm.plays}
     looked_at = [
-        (aip, chart)
+        (aip, chart, memory.same((aip.name, "silent"), _silent(aip, chart, srms, activities)))
         for aip in aips
         if (chart := eacs.get(aip.name)) is not None
         and (aip.name in played or not is_of_library(aip.span.source))
@@ -61,11 +65,26 @@ def check_waits(
     return list(chain.from_iterable((yield from memory.each_in_pieces(_waits, looked_at))))
 
 
-def _waits(aip: Aip, chart: Statechart) -> tuple[Diagnostic, ...]:
+def _silent(
+    aip: Aip, chart: Statechart, srms: Sequence[Srm], activities: Mapping[str, Activity]
+) -> frozenset[str]:
+    """The activities of a protocol that are simulated in whatever role plays it: they send nothing."""
+    plays = [dict(item.bindings) for srm in srms for item in srm.plays if item.protocol == aip.name] or [{}]
+    names = {node.activity for node in chart.nodes if node.activity is not None}
+    return frozenset(
+        name
+        for name in names
+        if all(
+            (said := activities.get(bound.get(name, name))) is not None and said.simulated for bound in plays
+        )
+    )
+
+
+def _waits(aip: Aip, chart: Statechart, silent: frozenset[str]) -> tuple[Diagnostic, ...]:
     regions = _regions(chart, aip)
     if len(aip.participants) < 2 or len(regions) < len(aip.participants):
         return ()
-    stuck = list(_stuck(chart, regions, _possible(chart, regions, aip)))
+    stuck = list(_stuck(chart, regions, _possible(chart, regions, aip, silent)))
     return (_told(stuck),) if stuck else ()
 
 
@@ -77,7 +96,7 @@ def _regions(chart: Statechart, aip: Aip) -> dict[str, str]:
     return {node.name: node.label for node in children if node.name in names}
 
 
-def _possible(chart: Statechart, regions: Mapping[str, str], aip: Aip) -> _Known:
+def _possible(chart: Statechart, regions: Mapping[str, str], aip: Aip, silent: frozenset[str]) -> _Known:
     """What can be reached and said, from the begin of all participants on."""
     known = _Known()
     parts = {item.name: item for item in aip.participants}
@@ -86,12 +105,12 @@ def _possible(chart: Statechart, regions: Mapping[str, str], aip: Aip) -> _Known
     while True:
         before = len(known.reached), len(known.said)
         for name, label in regions.items():
-            _go_on(chart, label, parts[name], known)
+            _go_on(chart, label, parts[name], known, silent)
         if (len(known.reached), len(known.said)) == before:
             return known
 
 
-def _go_on(chart: Statechart, region: str, part: Participant, known: _Known) -> None:
+def _go_on(chart: Statechart, region: str, part: Participant, known: _Known, silent: frozenset[str]) -> None:
     """Take every transition of a participant that is possible."""
     by_lines: set[tuple[str, str]] = set()
     for transition in _inside(chart, region):
@@ -107,7 +126,10 @@ def _go_on(chart: Statechart, region: str, part: Participant, known: _Known) -> 
                 to = action.participant or None
                 known.said.add(_Said(action.performative, action.message, part.name, to))
     acts = any(
-        node.type is NodeType.BASIC and node.label.startswith(f"{region}.") and node.label in known.reached
+        node.type is NodeType.BASIC
+        and node.activity not in silent
+        and node.label.startswith(f"{region}.")
+        and node.label in known.reached
         for node in chart.nodes
     )
     for item in part.sends if acts else ():
@@ -210,40 +232,56 @@ def _told(stuck: Sequence[tuple[str, Node, Received]]) -> Diagnostic:
 def check_multiplicity(
     aips: Iterable[Aip], srms: Iterable[Srm], teams: Iterable[Team]
 ) -> Iterator[Diagnostic]:
-    """W554 for a participant of which a team has some agents, but fewer than take part in each conversation.
+    """W554 for a participant of which a team has fewer agents than take part in each conversation.
 
-    Of none at all, N706 and N728 tell. Who opens the conversation does not invite itself.
+    Of one that no role plays, N706 tells. Who opens the conversation does not invite itself.
     """
     plays: dict[tuple[str, str], set[str]] = {}
     for srm in srms:
         for item in srm.plays:
             plays.setdefault((item.protocol, item.participant), set()).add(srm.name)
+    by_name = {srm.name: srm for srm in srms}
     for team in teams:
         for aip in aips:
             for part in aip.participants:
-                players = _players(team, plays.get((aip.name, part.name), set()))
+                roles = plays.get((aip.name, part.name), set())
+                players = _players(team, roles)
                 others = [
                     agent
                     for other in aip.participants
                     if other is not part
                     for agent in _players(team, plays.get((aip.name, other.name), set()))
                 ]
-                if not players or not others:
+                if not roles or not others:
                     continue
                 most = max(len(players - {opener}) for opener in others)
                 if most < part.least:
-                    yield _too_few(team, aip, part, most)
+                    yield _too_few(
+                        team, aip, part, most, () if players else [by_name[role] for role in roles]
+                    )
 
 
 def _players(team: Team, roles: set[str]) -> set[str]:
     return {agent.name for agent in team.agents if agent.role in roles}
 
 
-def _too_few(team: Team, aip: Aip, part: Participant, most: int) -> Diagnostic:
+def _too_few(team: Team, aip: Aip, part: Participant, most: int, idle: Sequence[Srm]) -> Diagnostic:
+    """`idle` are the roles that play it, if no agent of the team has any of them."""
+    least = f"{part.least} agent{'' if part.least == 1 else 's'}"
+    if idle:
+        roles = sorted(idle, key=lambda srm: srm.name)
+        return Diagnostic(
+            "W554",
+            f"`{part.name}` of `{aip.name}` wants {least} at least, and no agent of {team.name} plays it",
+            part.span,
+            (Related(team.span, "the team"), *(Related(srm.span, "the role that does") for srm in roles)),
+            hint="what is sent to it is sent to nobody then, and who waits for it waits for ever: give the "
+            f"role to an agent of the team, `name : {roles[0].name}`",
+        )
     there = "nobody else" if most == 0 else "one agent" if most == 1 else f"{most} agents"
     return Diagnostic(
         "W554",
-        f"`{part.name}` of `{aip.name}` wants {part.least} agents at least, and {team.name} has {there}",
+        f"`{part.name}` of `{aip.name}` wants {least} at least, and {team.name} has {there}",
         part.span,
         (Related(team.span, "the team"),),
         hint="what is sent to them is sent to none of them then: let more agents play it, or be content with "

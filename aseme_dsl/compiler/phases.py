@@ -61,6 +61,7 @@ from aseme_dsl.compiler.suc_to_aip import read_aip, suc_to_aip
 from aseme_dsl.compiler.suc_to_srm import read_srm, suc_to_srm
 from aseme_dsl.compiler.symbols import Symbols
 from aseme_dsl.compiler.unused import check_agents, check_exchange, check_unused
+from aseme_dsl.compiler.unwritten import check_unwritten
 from aseme_dsl.compiler.use import check_use
 from aseme_dsl.compiler.usecases import UseCases, use_cases
 from aseme_dsl.compiler.waking import check_waking
@@ -283,15 +284,18 @@ def _inspecting(
         yield
         if symbols.system is not None:
             found += check_unused(loaded.files, symbols, memory)
-            found += check_agents(_alone(inclusion), symbols)
+            too_few = list(check_multiplicity(aips, srms, teams))
+            found += check_agents(_alone(inclusion), symbols, too_few)
             found += check_exchange(blocks.aips)
-            found += yield from check_waits(aips, eacs, srms, memory)
-            found += check_multiplicity(aips, srms, teams)
+            found += yield from check_waits(aips, eacs, srms, described, memory)
+            found += too_few
         yield
         settings = [
             (agent.role, name) for team in teams for agent in team.agents for name, _ in agent.settings
         ]
         known = memory.same("settings", tuple(dict.fromkeys(settings)))
+        if symbols.system is not None:
+            found += check_unwritten(_built(iacs), srms, described, known)
         for problems in (yield from each(_wakes, zip(_built(iacs)), described, known, prover)):
             found += problems
         compared, unchecked = yield from check_conditions(charts, prover, memory)

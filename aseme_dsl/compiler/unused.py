@@ -80,13 +80,18 @@ def _imports(file: tree.File, own: Counter[str]) -> Iterator[Diagnostic]:
         seen.add(text)
 
 
-def check_agents(roles: Iterable[tree.Srm | tree.Statechart], symbols: Symbols) -> Iterator[Diagnostic]:
-    """N728 for a role of the system's own file that no agent of its teams has."""
+def check_agents(
+    roles: Iterable[tree.Srm | tree.Statechart], symbols: Symbols, told: Iterable[Diagnostic] = ()
+) -> Iterator[Diagnostic]:
+    """N728 for a role of the system's own file that no agent of its teams has, unless W554 has `told` it."""
     assert symbols.system is not None
     if not symbols.teams:
         return
     played = {agent.role for team in symbols.teams for agent in team.agents}
+    known = {place.span for item in told for place in item.related}
     for role in roles:
+        if role.name.span in known:
+            continue
         if role.span.source.path == symbols.system.span.source.path and role.name.text not in played:
             yield Diagnostic(
                 "N728",

@@ -149,6 +149,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W423": ("warning", "a timer that nothing asks for"),
     "W424": ("warning", "an event that is named almost like a value"),
     "W430": ("warning", "a `resume` of what has nothing to go on with"),
+    "N437": ("note", "a variable that nothing sets"),
     "W435": ("warning", "a question after the end of what never ends"),
     "W436": ("warning", "concurrent parts that wake each other without end"),
     # Types (E5xx)

@@ -89,6 +89,28 @@ def test_a_team_that_is_too_small(multiplicity: str, few: bool) -> None:
     assert found(multiplicity=multiplicity) == (["W554"] if few else [])
 
 
+def test_a_participant_that_no_agent_of_the_team_plays() -> None:
+    text = TALK.format(a=ASK, b=ANSWER, process="X . Y", multiplicity="")
+    items = {item.code: item for item in analysis(text.replace("  other[1..2] : s", "")).diagnostics}
+    assert items["W554"].message == "`b` of `p` wants 1 agent at least, and no agent of T plays it"
+    assert "N728" not in items, "one cause, one message"
+    optional = text.replace("participant b ", "participant b [0..*] ").replace("  other[1..2] : s", "")
+    codes = {item.code for item in analysis(optional).diagnostics}
+    assert "W554" not in codes and "N728" in codes
+
+
+def test_simulated_activities_send_nothing() -> None:
+    quiet = "activities { A takes 1s simulated  B takes 1s simulated  C takes 1s simulated "
+    quiet += "X takes 1s simulated  Y takes 1s simulated }"
+    text = TALK.format(a=ASK, b="enter X : cfp Note from a", process="X . Y", multiplicity="")
+    text = text.replace("liveness { r = a }", "liveness { r = a } " + quiet)
+    assert "W553" in {item.code for item in analysis(text).diagnostics}
+    one = text.replace("Y takes 1s simulated", "Y takes 1s")
+    assert "W553" not in {item.code for item in analysis(one).diagnostics}
+    bound = text.replace("plays p.b ", "plays p.b with Y = Write ")
+    assert "W553" not in {item.code for item in analysis(bound).diagnostics}, "this one may send"
+
+
 def test_who_opens_the_conversation_does_not_invite_itself() -> None:
     text = TALK.format(a=ASK, b=ANSWER, process="X . Y", multiplicity="[2..*]")
     both = text.replace("plays p.b  liveness { s = b }", "plays p.b, p.a  liveness { s = b || a }")
