@@ -33,6 +33,7 @@ from aseme_dsl.build.activity_ends import wrong_outcomes
 from aseme_dsl.build.activity_fields import Readings, unfit_values, unknown_members
 from aseme_dsl.build.activity_files import Required, as_simulated, check_files, empty_classes, missing_folder
 from aseme_dsl.build.activity_given import wrong_parameters
+from aseme_dsl.build.activity_imports import systems_beside, wrong_imports
 from aseme_dsl.build.activity_messages import unfit_messages
 from aseme_dsl.build.activity_talk import Talk, parts_of, talk_in, unfit_talk, unsaid
 from aseme_dsl.build.activity_words import unknown_messages, unknown_methods
@@ -60,7 +61,7 @@ def check_code(
     look: Look = stamp_of,
     required: Required | None = None,
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
-    """What the Python in `folder` gets wrong of the system: E540, W530, W532, W533, W540, W547, W555,
+    """What the Python in `folder` gets wrong of the system: E540, E546, W530, W532, W540, W547, W555,
     W556, N726.
 
     What is not there is not asked for, unless it is `required`: then a missing folder is E544, and a missing
@@ -100,7 +101,7 @@ def check_code(
             if piece.is_missing and code is None:
                 message = f"the code of the module `{piece.said.name}` cannot be found"
                 message += f": there is no `{piece.target.partition(':')[0]}`"
-                found.append(Diagnostic("W533", message, piece.said.span))
+                found.append(Diagnostic("E546", message, piece.said.span))
             continue
         if required is not None and piece.wanted in code.empty:
             found.append(_unwritten(code.read, piece.said, piece.wanted, piece.what))
@@ -113,12 +114,16 @@ def check_code(
     known = {piece.path for piece in pieces}
     helpers = [code for path, code in codes.items() if path not in known and code.module is not None]
     read = {id(code): code for code in (*(code for code, *_ in described), *helpers)}
+    systems = systems_beside(system, required.neighbours if required is not None else ())
     checked = (
         memory.each(_problems_of, described, *world.inputs),
         memory.each(_problems_of_words, worded, *world.inputs),
         memory.each(_problems_of_helper, [(code,) for code in helpers], types, *world.inputs),
         memory.each(_problems_of_fields, [(code,) for code in read.values()], types, *world.inputs),
     )
+    if alone or required is not None:
+        for code in read.values():
+            found += wrong_imports(code.read.tree, system.name, systems, code.read.span)
     found += (problem for results in checked for problems in results for problem in problems)
     if alone and system.aips:
         parts = parts_of(system, memory)
@@ -447,7 +452,7 @@ def _codes(paths: Iterable[str], pieces: Iterable[_Piece], memory: Memory, look:
 
 
 def _code(name: str, stamp: Stamp, wanted: tuple[str, ...] = ()) -> _Code:
-    """What is in a file; what is no Python is W533."""
+    """What is in a file; what is no Python is E546."""
     try:
         text = outside.read_bytes(name).decode("utf-8-sig").replace("\r\n", "\n")
     except (OSError, UnicodeDecodeError):
@@ -460,7 +465,7 @@ def _code(name: str, stamp: Stamp, wanted: tuple[str, ...] = ()) -> _Code:
         start = source.line_start(line)
         span = Span(source, start, start + len(source.line(line)))
         reason = problem.msg if isinstance(problem, SyntaxError) else str(problem)
-        return _Code(None, (Diagnostic("W533", f"this is no Python: {reason}", span),))
+        return _Code(None, (Diagnostic("E546", f"this is no Python: {reason}", span),))
     constants = {
         target.id: node.value
         for node in tree.body
@@ -553,7 +558,7 @@ def _of_piece(
         start = Span(module.source, 0, 0)
         near = closest(wanted, [node.name for node in classes])
         yield Diagnostic(
-            "W533",
+            "E546",
             f"the code of the {what} `{activity.name}` has no class `{wanted}`",
             next((_named(module, node) for node in classes if node.name == near), start),
             (Related(activity.span, f"the {what}"),),
@@ -567,7 +572,7 @@ def _of_piece(
             hint = f"is it `{named[0]}`?" if len(named) == 1 else f"`execute` is what {article} {what} does"
             message = f"the class `{wanted}` has no method `execute`, so the {what} does nothing"
             yield Diagnostic(
-                "W533", message, _named(module, node), (Related(activity.span, f"the {what}"),), hint=hint
+                "E546", message, _named(module, node), (Related(activity.span, f"the {what}"),), hint=hint
             )
         execute = next((item for item in methods if item.name == "execute"), None)
         if node.name == wanted and execute is not None:

@@ -18,7 +18,8 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef
 def wrong_parameters(
     execute: Function, activity: Activity, place: Callable[[ast.expr | ast.stmt], Span]
 ) -> Iterator[Diagnostic]:
-    """W530 for what the activity is given and `execute` does not take, and the other way round."""
+    """E546 if `execute` takes no context; W530 for what the activity is given and `execute` does not take,
+    and the other way round."""
     taken = execute.args
     positional = [*taken.posonlyargs, *taken.args]
     after_context = positional[2:]
@@ -33,6 +34,11 @@ def wrong_parameters(
     where = place(execute)
     start = where.source.text.find("execute", where.start)
     name = Span(where.source, start, start + len("execute"))
+    if len(positional) < 2 and taken.vararg is None and not execute.decorator_list:
+        shown = ", ".join(["self", "context", *(item.name for item in activity.parameters)])
+        message = "`execute` takes no context, and is called with one"
+        yield Diagnostic("E546", message, name, related, hint=f"write `def execute({shown})`")
+        return
     missing = [] if taken.kwarg is not None else [item for item in given if item not in accepted]
     extra = [item for item in wanted if item not in given]
     signature = ", ".join(["self", "context", *given])

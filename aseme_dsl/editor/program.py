@@ -17,7 +17,7 @@ from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import Layout
 from aseme_dsl.source import Source, Span
 
-_OF_PYTHON = frozenset(f"E{number}" for number in range(540, 545))
+_OF_PYTHON = frozenset(f"E{number}" for number in range(540, 547))
 """Codes of what is wrong with the Python of a project, or is not there."""
 
 

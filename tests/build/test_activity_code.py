@@ -146,14 +146,14 @@ def test_a_participants_variables_are_those_of_its_activities(tmp_path: Path) ->
 
 def test_a_module_that_is_no_python_or_has_no_class(tmp_path: Path) -> None:
     (found,) = say(tmp_path, "search.py", "class Search:\n    def execute(self, context)\n        pass\n")
-    assert found.code == "W533" and found.span is not None and found.span.line == 2
+    assert found.code == "E546" and found.span is not None and found.span.line == 2
     (found,) = say(tmp_path, "search.py", activity("pass", "Serach"))
-    assert (found.code, found.hint) == ("W533", "did you mean `Search`?")
+    assert (found.code, found.hint) == ("E546", "did you mean `Search`?")
     (found,) = say(tmp_path, "search.py", "")
-    assert (found.code, found.hint) == ("W533", "write `class Search:`")
+    assert (found.code, found.hint) == ("E546", "write `class Search:`")
     assert say(tmp_path, "search.py", "from .others import Search\n") == []
     assert say(tmp_path, "search.py", "Search = make()\n") == []
-    assert say(tmp_path, "search.py", "\0")[0].code == "W533"
+    assert say(tmp_path, "search.py", "\0")[0].code == "E546"
 
 
 def test_other_modules_of_the_folder_are_asked_for_channels_only(tmp_path: Path) -> None:
@@ -219,7 +219,7 @@ def test_a_history_is_kept_as_long_as_somebody_says(tmp_path: Path) -> None:
 
 def test_a_class_that_does_nothing_is_reported_where_it_does_something_else(tmp_path: Path) -> None:
     (found,) = say(tmp_path, "search.py", "class Search:\n    def run(self, context):\n        pass\n")
-    assert (found.code, found.hint) == ("W533", "is it `run`?")
+    assert (found.code, found.hint) == ("E546", "is it `run`?")
     assert found.span is not None and found.span.text == "Search"
     assert say(tmp_path, "search.py", "class Search:\n    pass\n") == []
     assert say(tmp_path, "search.py", "class Search(Base):\n    def aim(self): ...\n") == []
@@ -329,7 +329,7 @@ class TestModules:
     def test_a_class_that_is_missing(self, tmp_path: Path) -> None:
         found = say(tmp_path, "vision.py", "class Vison:\n    pass\n", text=MODULES)
         assert [item.message for item in found] == ["the code of the module `Vision` has no class `Vision`"]
-        assert shown(found) == [("W533", "Vison", "did you mean `Vision`?")]
+        assert shown(found) == [("E546", "Vison", "did you mean `Vision`?")]
 
     def test_a_class_elsewhere_in_the_project_is_read_there(self, tmp_path: Path) -> None:
         (tmp_path / "activities").mkdir()
@@ -479,3 +479,32 @@ def test_a_function_that_the_class_does_not_use_may_be_for_another_activity(tmp_
     helper = 'def ask(context):\n    return context.read("motion.signal.Ball")\n\n\n'
     assert say(tmp_path, "search.py", helper + activity("pass")) == []
     assert [item.code for item in say(tmp_path, "search.py", helper + activity("ask(context)"))] == ["E540"]
+
+
+@pytest.mark.parametrize("takes", ["", "self", "context", "self, *, context"])
+def test_an_execute_that_takes_no_context_cannot_run(tmp_path: Path, takes: str) -> None:
+    found = say(tmp_path, "search.py", f"class Search:\n    def execute({takes}):\n        return 1\n")
+    assert shown(found) == [("E546", "execute", "write `def execute(self, context)`")]
+
+
+@pytest.mark.parametrize(
+    "takes", ["self, context", "self, ctx, /", "*all", "self, *rest", "self, context, more=1"]
+)
+def test_an_execute_that_takes_a_context(tmp_path: Path, takes: str) -> None:
+    code = f"class Search:\n    def execute({takes}):\n        return 1\n"
+    assert say(tmp_path, "search.py", code) == []
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["from monas.Old.messages import Ball", "import jade_like.Old.messages as m", "from monas import Old"],
+)
+def test_an_import_from_a_system_that_was_renamed(tmp_path: Path, line: str) -> None:
+    found = say(tmp_path, "search.py", f"{line}\n" + activity("return 1"))
+    backend = "jade_like" if "jade" in line else "monas"
+    assert shown(found) == [("E546", "Old", f"did you mean `{backend}.Team`?")]
+    assert found[0].fix == "Team"
+    assert say(tmp_path, "search.py", f"{line.replace('Old', 'Team')}\n" + activity("return 1")) == []
+    assert say(tmp_path, "search.py", f"{line}\n" + activity("return 1"), alone=False) == []
+    tried = f"try:\n    {line}\nexcept ImportError:\n    pass\n"
+    assert say(tmp_path, "search.py", tried + activity("return 1")) == []

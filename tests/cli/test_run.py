@@ -336,9 +336,12 @@ class TestActivities:
     @pytest.mark.parametrize(
         ("text", "words"),
         [
-            ("class Stand", "SyntaxError"),
-            ("import nothing_of_that_name", "ModuleNotFoundError"),
-            ("class Sit: pass", "stand.py has no class Stand"),
+            ("class Stand", "error[E546]: this is no Python"),
+            (
+                "import nothing_of_that_name\nclass Stand:\n    def execute(self, context): return 1\n",
+                "ModuleNotFoundError",
+            ),
+            ("class Sit: pass", "stand.py:1:1: error[E546]: the code of the activity `Stand` has no class"),
         ],
     )
     def test_one_that_cannot_be_loaded(self, here: Here, folder: Path, text: str, words: str) -> None:
