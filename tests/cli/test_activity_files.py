@@ -242,3 +242,32 @@ def test_run_never_starts_files_and_says_what_does(here: Here, project: Path) ->
     assert files(project / "out/monas/activities") == ["kick_ball.py", "search.py"]
     assert "since nothing is written in its file: Search, KickBall" in here("run", "team.aseme").out
     assert here("check", "team.aseme").out == "1 file is fine\n"
+
+
+def test_what_scaffold_writes_says_which_variables_may_be_used(here: Here, folder: Path) -> None:
+    (folder / "team.aseme").write_text(
+        """system Team
+message Ball { bool visible }
+topic vision { state Ball }
+srm player {
+  var tries : int = 0
+  var tired : bool = false
+  liveness { player = Search . Kick . Rest }
+  modules { Eyes every 1s reads tries writes vision.state.Ball, tired }
+  activities {
+    Search reads vision.state.Ball, tries writes tries, tired
+    Kick reads tries
+    Rest writes tired
+  }
+}
+"""
+    )
+    (folder / "pyproject.toml").write_text(PROJECT)
+    assert here("scaffold", "team.aseme").code == 0
+    search = (folder / "acts/search.py").read_text()
+    assert "    Reads vision.state.Ball, tries.\n    Writes tries, tired.\n" in search
+    kick = (folder / "acts/kick.py").read_text()
+    assert "    Reads tries.\n" in kick and "Writes" not in kick
+    assert "\n\n    Writes tired.\n" in (folder / "acts/rest.py").read_text()
+    eyes = (folder / "acts/eyes.py").read_text()
+    assert "    Reads tries.\n    Writes vision.state.Ball, tired.\n" in eyes
