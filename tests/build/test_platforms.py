@@ -60,6 +60,7 @@ hosts = { one = "10.0.0.1:5601" }
     )
     (tmp_path / "passwords").mkdir()
     (tmp_path / "passwords" / "one.txt").write_text("secret\nand more\n")
+    (tmp_path / "passwords" / "one.txt").chmod(0o600)
     assert settings.account_of("one") == "warehouse-one"
     assert settings.password_of("one") == "secret"
     with pytest.raises(TransportError, match=r"two\.txt cannot be read"):

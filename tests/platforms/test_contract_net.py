@@ -63,6 +63,7 @@ def project(folder: Path, server: Server) -> None:
     settings = ""
     if server.kind == "prosody":
         (folder / "password").write_text("secret\n")
+        (folder / "password").chmod(0o600)
         settings = f"""
 [tool.asemec.spade]
 host = "127.0.0.1"

@@ -13,6 +13,7 @@ import pytest
 
 from aseme_dsl.runtime.transport import Network, Tls, TransportError
 from aseme_dsl.runtime.transport import meeting as meetings
+from aseme_dsl.runtime.transport.settings import Xmpp
 from tests.faults.team import NAME, project, started
 from tests.security.conftest import AsOther
 from tests.security.lines import line
@@ -130,6 +131,19 @@ def test_a_private_key_that_all_may_read_is_refused(tmp_path: Path, mode: int) -
     (tmp_path / "b.key").chmod(mode)
     with pytest.raises(TransportError, match="is open to all users"):
         dict(network.settings())
+
+
+@line("another user of this machine", "read the password of an agent's XMPP account")
+@pytest.mark.parametrize("mode", [0o604, 0o602])
+def test_a_password_file_that_all_may_read_is_refused(tmp_path: Path, mode: int) -> None:
+    file = tmp_path / "ann.txt"
+    file.write_text("secret\n")
+    settings = Xmpp(password=tmp_path / "ROBOT.txt")
+    file.chmod(0o600)
+    assert settings.password_of("ann") == "secret"
+    file.chmod(mode)
+    with pytest.raises(TransportError, match="is open to all users"):
+        settings.password_of("ann")
 
 
 def test_who_takes_the_name_of_the_folder_keeps_nobody_from_meeting(

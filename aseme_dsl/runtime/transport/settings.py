@@ -149,11 +149,13 @@ class Xmpp:
         return self.account.replace(ROBOT, agent)
 
     def password_of(self, agent: str) -> str:
-        """The password of its account. Raises TransportError if its file cannot be read."""
+        """The password of its account. Raises TransportError if its file cannot be read, or by every user."""
         if isinstance(self.password, str):
             return self.password
         path = self.password.with_name(self.password.name.replace(ROBOT, agent))
-        return _readable(path).partition("\n")[0].strip()
+        text = _readable(path)
+        _check_secret(path)
+        return text.partition("\n")[0].strip()
 
 
 @dataclass(frozen=True, slots=True)
