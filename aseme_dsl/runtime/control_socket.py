@@ -14,8 +14,10 @@ import os
 import socket
 import struct
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from io import BufferedReader
 from pathlib import Path
 from typing import Any
 
@@ -32,6 +34,8 @@ MOST = 64
 """So many connections there may be at once; further ones are refused."""
 _IDLE_SECONDS = 60.0
 """A connection on which nothing is asked for so long is closed."""
+_REQUEST_SECONDS = 10.0
+"""A request has come as a whole so long after its first byte, or its connection is closed."""
 
 
 class ControlError(Exception):
@@ -182,13 +186,35 @@ def _user_of(connection: socket.socket) -> int | None:
     return int(struct.unpack("3i", credentials)[1])
 
 
+def _request(connection: socket.socket, lines: BufferedReader) -> bytes:
+    """A line, or its beginning if it is too long; empty at the end. Raises OSError if it takes too long.
+
+    A timeout of the socket counts from its last byte: who sends one now and then would hold the place.
+    """
+    connection.settimeout(_IDLE_SECONDS)
+    line = b""
+    last: float | None = None
+    while len(line) <= REQUEST and not line.endswith(b"\n"):
+        if last is not None:
+            connection.settimeout(max(last - time.monotonic(), 0.001))
+        here = lines.peek(1)
+        if not here:
+            break
+        last = last or time.monotonic() + _REQUEST_SECONDS
+        line += lines.readline(min(len(here), REQUEST + 1 - len(line)))
+        if time.monotonic() > last:
+            raise TimeoutError
+    connection.settimeout(_IDLE_SECONDS)
+    return line
+
+
 def _answer(connection: socket.socket, control: Control) -> None:
     """Answer the requests of a connection until it is closed or silent."""
     with connection, contextlib.suppress(OSError), connection.makefile("rb") as lines:
         connection.settimeout(_IDLE_SECONDS)
         origin = Origin("socket", uid=_user_of(connection))
         foreign = origin.uid not in (None, os.geteuid())
-        while line := lines.readline(REQUEST + 1):
+        while line := _request(connection, lines):
             if foreign:
                 reply = control.refuse(origin, None, "this socket is for another user")
             else:

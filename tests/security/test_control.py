@@ -264,6 +264,33 @@ def test_a_control_socket_has_few_connections(tmp_path: Path, monkeypatch: pytes
     assert next(r["what"] for r in records if r["kind"] == "control") == "refused"
 
 
+def test_who_sends_a_byte_now_and_then_holds_no_place_for_ever(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_RUNTIME_DIR", "")
+    monkeypatch.setattr(control_socket, "_REQUEST_SECONDS", 0.5, raising=False)
+    with Running() as (team, _), listening(Control(team), tmp_path / "out", "team") as path:
+        with socket.socket(socket.AF_UNIX) as connection:
+            connection.connect(str(path))
+
+            def is_closed() -> bool:
+                """Send one more byte."""
+                try:
+                    connection.sendall(b" ")
+                except OSError:
+                    return True
+                return False
+
+            wait_until(is_closed, 20.0, pause=0.05)
+        with socket.socket(socket.AF_UNIX) as connection:  # in two pieces is no harm
+            connection.connect(str(path))
+            asked = b'{"version": 1, "request": "status"}\n' * 2
+            connection.sendall(asked[:9])
+            connection.sendall(asked[9:])
+            with connection.makefile("rb") as lines:
+                assert [json.loads(lines.readline())["ok"] for _ in range(2)] == [True, True]
+
+
 @line("another user of this machine", "connect to a control socket")
 def test_the_socket_is_for_one_user(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_RUNTIME_DIR", "")
