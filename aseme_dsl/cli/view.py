@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import html
 import os
 import queue
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -51,19 +54,37 @@ def command(target: str, model: str | None, port: int, opens: bool, colour: str)
         raise click.ClickException(f"port {port} cannot be used: {problem.strerror or problem}") from problem
     try:
         click.echo(f"{file}: {viewer.url} (Ctrl-C ends it)")
-        if opens:
-            click.launch(viewer.url)
-        watched = Watched(file, Workspace(project()), Diagrams(), model)
-        viewer.show(watched.state())
-        while True:
-            changed = watched.wait(lambda: not said.empty())
-            for tab in viewer.tabs() if changed else (watched.act(said.get()),):
-                viewer.show(watched.state(tab), tab)
-            watched.forget_all_but(viewer.tabs())
+        with opened(viewer.url) if opens else nullcontext():
+            watched = Watched(file, Workspace(project()), Diagrams(), model)
+            viewer.show(watched.state())
+            while True:
+                changed = watched.wait(lambda: not said.empty())
+                for tab in viewer.tabs() if changed else (watched.act(said.get()),):
+                    viewer.show(watched.state(tab), tab)
+                watched.forget_all_but(viewer.tabs())
     except KeyboardInterrupt:
         return 0
     finally:
         viewer.close()
+
+
+@contextmanager
+def opened(url: str) -> Iterator[None]:
+    """Open an address in the browser, by a file that only this user can read and that is gone in the end.
+
+    The command line of a browser is for all users of the machine to see, and the address has a secret in it.
+    """
+    with tempfile.TemporaryDirectory(prefix="asemec-", ignore_cleanup_errors=True) as folder:  # mode 0700
+        file = Path(folder) / "view.html"
+        address = html.escape(url)
+        file.touch(mode=0o600)
+        file.write_text(
+            '<!DOCTYPE html><meta charset="utf-8"><meta name="referrer" content="no-referrer">'
+            f'<meta http-equiv="refresh" content="0; url={address}"><a href="{address}">asemec view</a>\n',
+            encoding="utf-8",
+        )
+        click.launch(str(file))
+        yield
 
 
 @dataclass(slots=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -157,6 +158,37 @@ def test_the_viewer_is_on_the_loopback_interface(tmp_path: Path) -> None:
         assert address == "127.0.0.1"
         assert unix(process) == set()
     assert listed(folder)["asemec view"] == ["tcp/127.0.0.1, any free port"]
+
+
+BROWSER = """#!/bin/sh
+cat /proc/[0-9]*/cmdline > seen 2>/dev/null
+stat -c %a "$1" > mode
+cp "$1" page.new && mv page.new page
+"""
+
+
+@line("another user of this machine", "see the address of `asemec view --open` in a list of processes")
+def test_the_secret_of_the_viewer_is_on_no_command_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if not sys.platform.startswith("linux"):
+        pytest.skip("NOT TESTED: command lines are read in /proc")
+    folder = project(tmp_path)
+    browser = folder / "bin" / "xdg-open"
+    browser.parent.mkdir()
+    browser.write_text(BROWSER)
+    browser.chmod(0o755)
+    monkeypatch.setenv("PATH", str(browser.parent), prepend=os.pathsep)
+    with running("view", "talk.aseme", "--open", folder=folder):
+        wait_until(lambda: (folder / "seen").exists())
+        wait_until(
+            lambda: (folder / "page").exists() or b"http://127.0.0.1" in (folder / "seen").read_bytes()
+        )
+    seen = (folder / "seen").read_bytes()
+    assert b"http://127.0.0.1" not in seen
+    (secret,) = set(re.findall(r"http://127\.0\.0\.1:[0-9]+/([^/]+)/", (folder / "page").read_text()))
+    assert secret.encode() not in seen and str(browser).encode() in seen
+    assert (folder / "mode").read_text() == "600\n"
 
 
 @line("team", "`asemec lsp`, `asemec lsp --tcp PORT`")
