@@ -101,6 +101,7 @@ LONG = [
     ("agents", ["benchmarks/agents.py"], {}),
     ("a long match", ["benchmarks/soak.py", "0.5"], {}),
     ("faults of activities", ["-m", "pytest", "tests/faults"], {"FAULT_STARTS": "20000"}),
+    ("robots on machines", ["-m", "pytest", "tests/security/test_machines.py"], {"MACHINES": "1"}),
     ("robots in processes", ["benchmarks/transport.py"], {}),
     ("whole matches", ["-m", "pytest", "tests/examples/test_robocup.py"], {"MATCH_SEEDS": "3 11"}),
     ("letters of other agents", ["-m", "pytest", "tests/runtime/test_acl_text.py"], {"ACL_EXAMPLES": "5000"}),

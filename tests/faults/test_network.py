@@ -9,7 +9,7 @@ import socket
 import subprocess
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -345,11 +345,17 @@ def openssl(folder: Path, *arguments: str) -> None:
 @pytest.fixture(scope="module")
 def certificates(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """An authority with certificates for a team and its operator, and another authority's for a stranger."""
+    folder = tmp_path_factory.mktemp("certificates")
+    certify(folder, {"team": ("ann", "bob", "mallory", OPERATOR), "other": ("stranger",)}, "127.0.0.1")
+    return folder
+
+
+def certify(folder: Path, authorities: Mapping[str, Sequence[str]], *addresses: str) -> None:
+    """Make certificates in a folder: of each authority for these names, good for these addresses."""
     if shutil.which("openssl") is None:
         pytest.skip("openssl is not installed: certificates are not tested")
-    folder = tmp_path_factory.mktemp("certificates")
-    (folder / "host.ext").write_text("subjectAltName=IP:127.0.0.1\n")
-    for authority, names in (("team", ("ann", "bob", "mallory", OPERATOR)), ("other", ("stranger",))):
+    (folder / "host.ext").write_text(f"subjectAltName={','.join(f'IP:{one}' for one in addresses)}\n")
+    for authority, names in authorities.items():
         new = ["req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", f"/CN={authority}"]
         openssl(folder, *new, "-keyout", f"{authority}.key", "-out", f"{authority}.pem")
         for name in names:
@@ -366,7 +372,6 @@ def certificates(tmp_path_factory: pytest.TempPathFactory) -> Path:
                 f"{authority}.key",
             ]
             openssl(folder, *sign, "-days", "2", "-out", f"{name}.pem", "-extfile", "host.ext")
-    return folder
 
 
 def secured(certificates: Path, name: str, **options: Any) -> Network:
