@@ -108,12 +108,15 @@ def check_files(
     missing = [item for item in wanted if item.path not in there and not item.said.simulated]
     modules = {Path(path).stem: path for path in unused}
     found: list[Diagnostic] = []
+    # One file too few and one too many: an activity has been renamed, whatever the names.
+    is_renamed = len(missing) == len(unused) == 1 and _is_of_class(unused[0])
     for item in missing:
         near = modules.get(closest(Path(item.path).stem, modules) or "")
-        found.append(_missing(item, near, system, project))
+        found.append(_missing(item, unused[0] if is_renamed else near, system, project))
     for path in unused:
         near = closest(Path(path).stem, [Path(item.path).stem for item in missing])
-        found.append(_unneeded(path, next((i for i in missing if Path(i.path).stem == near), None), project))
+        meant = next((item for item in missing if is_renamed or Path(item.path).stem == near), None)
+        found.append(_unneeded(path, meant, project))
     for item in wanted:
         is_helper = imported is not None and os.path.realpath(item.path) in imported
         if item.said.simulated and item.path in there and not is_helper:
@@ -128,6 +131,8 @@ def _missing(item: Wanted, near: str | None, system: System, project: Path | Non
     name, file = item.said.name, _shown(item.path, project)
     if near is not None:
         hint = f"did you mean `{_shown(near, project)}`? Rename it to `{Path(file).name}`"
+        if _is_of_class(near):
+            hint += f", and its class to `{class_name(name)}`"
     elif item.what == "activity":
         hint = f"{_scaffold(system)} starts the file; or let it be simulated: `{as_simulated(item.said)}`"
     else:
@@ -146,7 +151,9 @@ def _unneeded(path: str, meant: Wanted | None, project: Path | None) -> Diagnost
     hint = "delete it, or import it where it is needed"
     related: tuple[Related, ...] = ()
     if meant is not None:
-        hint = f"did you mean `{Path(meant.path).name}`?"
+        hint = f"did you mean `{Path(meant.path).name}`? Rename it"
+        if _is_of_class(path):
+            hint += f", and its class to `{class_name(meant.said.name)}`"
         related = (Related(meant.said.span, f"the {meant.what} `{meant.said.name}`, which has no file"),)
     message = f"no activity uses `{_shown(path, project)}`"
     return Diagnostic("W541", message, _first_line(path), related, hint=hint, path=path)
@@ -187,6 +194,12 @@ def _text(path: str) -> str:
         return outside.read_bytes(Path(path)).decode("utf-8-sig").replace("\r\n", "\n")
     except (OSError, UnicodeDecodeError):
         return ""
+
+
+def _is_of_class(path: str) -> bool:
+    """Whether a file has a class that is called like it, as that of an activity."""
+    stem = Path(path).stem
+    return any(module_name(name) == stem for name in re.findall(r"^class\s+(\w+)", _text(path), re.MULTILINE))
 
 
 def _first_line(path: str) -> Span | None:

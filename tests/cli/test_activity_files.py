@@ -161,7 +161,7 @@ def test_a_file_with_a_slip_in_its_name(here: Here, project: Path) -> None:
     if missing["code"] == "W541":
         missing, unused = unused, missing
     assert missing["hint"] == "did you mean `acts/kickball.py`? Rename it to `kick_ball.py`"
-    assert unused["hint"] == "did you mean `kick_ball.py`?"
+    assert unused["hint"] == "did you mean `kick_ball.py`? Rename it"
 
 
 @pytest.mark.parametrize(
@@ -271,3 +271,16 @@ srm player {
     assert "\n\n    Writes tired.\n" in (folder / "acts/rest.py").read_text()
     eyes = (folder / "acts/eyes.py").read_text()
     assert "    Reads tries.\n    Writes vision.state.Ball, tired.\n" in eyes
+
+
+def test_an_activity_that_was_renamed_in_the_file(here: Here, project: Path) -> None:
+    change(project, ". KickBall", ". Shoot")
+    change(project, "KickBall takes", "Shoot takes")
+    found = {item["code"]: item["hint"] for item in here("check", "--json").json["diagnostics"]}
+    assert found == {
+        "E543": "did you mean `acts/kick_ball.py`? Rename it to `shoot.py`, and its class to `Shoot`",
+        "W541": "did you mean `shoot.py`? Rename it, and its class to `Shoot`",
+    }
+    (project / "acts/kick_ball.py").write_text("SPEED = 1\n")  # no activity: something else
+    found = {item["code"]: item["hint"] for item in here("check", "--json").json["diagnostics"]}
+    assert "scaffold" in found["E543"] and "delete" in found["W541"]
