@@ -7,6 +7,7 @@ Expressions and formulas are canonical texts, in which a `let` is written out. D
 from __future__ import annotations
 
 import json
+import posixpath
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import PurePath
 from typing import Any
@@ -54,7 +55,7 @@ def json_text(model: Json) -> str:
 
 
 def folder_of(system: System) -> PurePath | None:
-    """The folder of the system's file: what absolute paths are made relative to."""
+    """The folder of the system's file: what paths are made relative to."""
     return PurePath(system.span.source.path).parent if system.span is not None else None
 
 
@@ -341,10 +342,12 @@ def _span(span: Span, folder: PurePath | None) -> Json:
 
 
 def shown_path(path: str, folder: PurePath | None) -> str:
-    """A path as it was given, with forward slashes; an absolute one from `folder`, or only its name."""
+    """A path from `folder`, with forward slashes; only its name, if it cannot be told from there."""
     place = PurePath(path)
     if not place.is_absolute():
-        return place.as_posix()
+        if folder is None or folder.is_absolute():
+            return place.as_posix()
+        return posixpath.relpath(place.as_posix(), folder.as_posix())
     if folder is None or not folder.is_absolute():
         return place.name
     up = 0

@@ -562,3 +562,39 @@ class TestReports:
     def test_wrong_use(self, here: Here, folder: Path, arguments: tuple[str, ...]) -> None:
         assert here("build", "good.aseme", *arguments).code == 2
         assert (folder / "good.aseme").read_text() == GOOD
+
+
+def test_a_build_is_the_same_from_every_folder(
+    folder: Path, here: Here, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With each backend; also of a file that imports another."""
+    text = """system Team
+import "shared/words.aseme"
+srm player { liveness { player = Look . Go } activities { Look takes 1s  Go takes 1s }
+  control player { enter Go : [ground.state.Ball.x > 1] } }
+team Players { bob : player }
+"""
+    (folder / "project/shared").mkdir(parents=True)
+    (folder / "project/team.aseme").write_text(text)
+    (folder / "project/shared/words.aseme").write_text(
+        "message Ball { int x }\ntopic ground { state Ball }\n"
+    )
+    options = [part for name in ("monas", "jade_like", "plain") for part in ("--backend", name)]
+    outputs = []
+    for number, (current, target) in enumerate(
+        [("project", "team.aseme"), (".", "project/team.aseme"), ("project/shared", "../team.aseme")]
+    ):
+        monkeypatch.chdir(folder / current)
+        output = folder / f"out{number}"
+        assert here("build", target, "-o", str(output), *options).code == 0
+        files = (path for path in output.rglob("*") if path.is_file() and path.name != ".asemec.json")
+        outputs.append({str(path.relative_to(output)): path.read_bytes() for path in files})
+    assert outputs[0] == outputs[1] == outputs[2]
+    assert b'"file": "team.aseme"' in outputs[0]["models/iac.player.json"]
+    assert {name.split("/")[0] for name in outputs[0]} >= {
+        "models",
+        "diagrams",
+        "monas",
+        "jade_like",
+        "plain",
+    }
