@@ -567,7 +567,8 @@ def _of_piece(
     for node in classes:
         methods = [item for item in node.body if isinstance(item, (ast.FunctionDef, ast.AsyncFunctionDef))]
         named = [item.name for item in methods if not item.name.startswith("_")]
-        if node.name == wanted and named and not node.bases and not _defines(node, "execute"):
+        is_whole = not (node.bases or node.keywords or node.decorator_list)
+        if node.name == wanted and is_whole and _says_something(node) and not _defines(node, "execute"):
             article = "an" if what == "activity" else "a"
             hint = f"is it `{named[0]}`?" if len(named) == 1 else f"`execute` is what {article} {what} does"
             message = f"the class `{wanted}` has no method `execute`, so the {what} does nothing"
@@ -597,6 +598,15 @@ def _unwritten(module: _Module, said: Activity, wanted: str, what: str) -> Diagn
         hint += f"; or delete the file and say `{as_simulated(said)}`"
     message = f"the {what} `{said.name}` is not written yet: its `execute` does nothing"
     return Diagnostic("N740", message, _named(module, node), (Related(said.span, f"the {what}"),), hint=hint)
+
+
+def _says_something(node: ast.ClassDef) -> bool:
+    """Whether there is more in a class than a docstring, `pass` or `...`."""
+    return any(
+        not isinstance(item, ast.Pass)
+        and not (isinstance(item, ast.Expr) and isinstance(item.value, ast.Constant))
+        for item in node.body
+    )
 
 
 def _defines(node: ast.ClassDef, name: str) -> bool:

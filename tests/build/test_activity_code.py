@@ -221,6 +221,9 @@ def test_a_class_that_does_nothing_is_reported_where_it_does_something_else(tmp_
     (found,) = say(tmp_path, "search.py", "class Search:\n    def run(self, context):\n        pass\n")
     assert (found.code, found.hint) == ("E546", "is it `run`?")
     assert found.span is not None and found.span.text == "Search"
+    for code in ("speed = 1", "def __init__(self):\n        self.speed = 1"):
+        (found,) = say(tmp_path, "search.py", f"class Search:\n    {code}\n")
+        assert (found.code, found.hint) == ("E546", "`execute` is what an activity does")
     assert say(tmp_path, "search.py", "class Search:\n    pass\n") == []
     assert say(tmp_path, "search.py", "class Search(Base):\n    def aim(self): ...\n") == []
 
