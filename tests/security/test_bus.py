@@ -177,6 +177,33 @@ def test_a_question_is_the_team_s_and_counts_once(wire: Generated, mouth: Mouth)
     assert count["counts"]["refused"] == 100 + 4
 
 
+def test_an_answer_is_good_for_one_question(wire: Generated, mouth: Mouth) -> None:
+    ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, Network())).start()
+    bob = ZenohLink(WIRE, Network())
+    bob.visit("bob")
+    wait_until(lambda: bob.ask("ann", "history", b"{}", LONG))
+    key, nonce = f"asemec/{WIRE}/history/ann", bytes(16)
+    mark = nonce + bob._question_proof("history", "ann", b"{}", nonce)
+    session = ZenohLink(WIRE, Network()).connected("mallory")
+    replies = wait_until(lambda: list(session.get(key, payload=b"{}", attachment=mark, timeout=LONG)))
+    recorded = [(reply.ok.payload.to_bytes(), reply.ok.attachment.to_bytes()) for reply in replies]
+    ann.stop()
+    asked: list[bool] = []
+
+    def replay(query: Any) -> None:
+        asked.append(True)
+        for payload, attachment in recorded:
+            query.reply(key, payload, attachment=attachment)
+
+    queryable = session.declare_queryable(key, replay)
+    answers: list[Any] = []
+    wait_until(lambda: answers.extend(bob.ask("ann", "history", b"{}", 1.0)) or asked)
+    queryable.undeclare()
+    session.close()
+    bob.close()
+    assert recorded and answers == []
+
+
 def test_a_copied_token_is_nobody(wire: Generated, mouth: Mouth) -> None:
     """Neither of a robot that has ended, to one that comes later, nor of a newer life of one's own."""
     keeper = ZenohLink(WIRE, Network())
