@@ -92,7 +92,6 @@ def check_code(
     for piece in pieces:
         if piece.said.simulated:  # its code, which is to come, may raise any event
             complete = False
-            talks[piece.said.name] = ()  # without code, it says nothing
             continue
         code = codes.get(piece.path) if piece.path is not None else None
         if code is None or code.module is None:

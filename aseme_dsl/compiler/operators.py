@@ -51,7 +51,7 @@ def _comparison_hint(first: Type, second: Type) -> str | None:
         enum = first if first.kind is Kind.ENUM else second
         return f"a constant of `{enum}` is written without quotes: `{enum}.…`"
     if Kind.STRING in kinds and kinds & {Kind.INT, Kind.DOUBLE}:
-        return "a string is compared with a text in double quotes"
+        return "a text stands in double quotes, a number does not"
     if Kind.BOOL in kinds:
         return "a bool is a condition as it stands: `x` or `!x`"
     return None

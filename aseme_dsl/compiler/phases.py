@@ -294,7 +294,7 @@ def _inspecting(
             (agent.role, name) for team in teams for agent in team.agents for name, _ in agent.settings
         ]
         known = memory.same("settings", tuple(dict.fromkeys(settings)))
-        if symbols.system is not None:
+        if symbols.teams:  # without one, a program around a plain statechart may set them
             found += check_unwritten(_built(iacs), srms, described, known)
         for problems in (yield from each(_wakes, zip(_built(iacs)), described, known, prover)):
             found += problems

@@ -130,9 +130,11 @@ def _channels(
             collector.report("E503", f"a {comm} is never queued", entry.span, "only signals wait in a queue")
         for source in entry.sources:
             if source.text not in publishers and not symbols.is_excused(source.text):
-                collector.diagnostics.append(
-                    unknown("E200", "there is no role, agent or activity", source, publishers)
-                )
+                nobody = unknown("E200", "there is no role, agent or activity", source, publishers)
+                if nobody.hint is None:
+                    outside = f"if it is not part of the system: `suc {{ role {source} : external }}`"
+                    nobody = replace(nobody, hint=outside)
+                collector.diagnostics.append(nobody)
         if entry.persist and comm is not Comm.STATE:
             collector.report("E503", f"a {comm} does not persist", entry.span, "only states are kept")
         for name in entry.messages:

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from aseme_dsl.amola.expression import (
     Assign,
+    Call,
     Literal,
     Logic,
     Named,
@@ -46,6 +47,7 @@ def check_unwritten(
     written = {chart.name: _written(chart, activities, settings) for chart in charts}
     somewhere = {span for (chart, name), span in declared.items() if name.partition("@")[0] in written[chart]}
     told: dict[Span, list[tuple[str, Span, Span]]] = {}
+    first: dict[Span, Span] = {}  # of each variable: where it is told
     for chart in charts:
         for transition in chart.transitions:
             condition = transition.expression.condition
@@ -61,6 +63,8 @@ def check_unwritten(
                     place = _place(chart, scope, plays.get(chart.name, ()))
                 elif span in somewhere:
                     continue
+                else:
+                    place = first.setdefault(span, value.span)
                 if place is not None and (name, span) not in [item[:2] for item in told.get(place, ())]:
                     told.setdefault(place, []).append((name, span, value.span))
     for place, items in told.items():
@@ -124,7 +128,7 @@ def _leaves(value: Value) -> Iterator[Value]:
     while waiting:
         item = waiting.pop()
         parts = (item.expression,) if isinstance(item, Named) else operands(item)
-        if parts:
+        if parts and not isinstance(item, Call):  # what a function makes of it, it may be made for
             waiting += parts
         else:
             yield item

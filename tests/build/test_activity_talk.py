@@ -109,14 +109,3 @@ def test_a_module_that_activities_share_may_do_it(tmp_path: Path) -> None:
     assert [item.message for item in say(tmp_path)] == [
         "no line and no activity of `cook` takes `cancel Order`"
     ]
-
-
-def test_a_simulated_activity_says_nothing(tmp_path: Path) -> None:
-    quiet = "activities { Ask takes 1s simulated  Serve takes 1s simulated }"
-    text = SYSTEM.replace("liveness { human = waiter }", "liveness { human = waiter } " + quiet)
-    found, _ = check_code(system(text), tmp_path)
-    told = [item.message for item in found if item.code == "W556"]
-    assert told == [
-        "no line and no activity of `waiter` sends `cancel Order`",
-        "no line and no activity of `waiter` takes `refuse Order`",
-    ]

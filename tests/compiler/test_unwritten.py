@@ -30,7 +30,7 @@ def found(control: str, activity: str = "", team: str = "") -> list[str]:
 @pytest.mark.parametrize(
     ("control", "places"),
     [
-        (ASK, ["found", "found"]),
+        (ASK, ["found"]),
         ("repeat Search : [tries < 2]  leave Search : else", ["tries"]),
         ("repeat Search : [t.state.M.n > 2 && tries < 2]  leave Search : else", ["tries"]),
         ("repeat Search : [t.state.M.n < tries]  leave Search : else", []),
@@ -56,6 +56,7 @@ aip p {
 }
 srm x { plays p.a  liveness { x = a }  activities { Ask takes 1s %s  Find takes 1s simulated } }
 srm y { plays p.b  liveness { y = b } }
+team T { one : x  two : y }
 """
 
 
