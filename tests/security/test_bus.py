@@ -197,7 +197,13 @@ def test_an_answer_is_good_for_one_question(wire: Generated, mouth: Mouth) -> No
 
     queryable = session.declare_queryable(key, replay)
     answers: list[Any] = []
-    wait_until(lambda: answers.extend(bob.ask("ann", "history", b"{}", 1.0)) or asked)
+
+    def is_asked() -> bool:
+        """Ask once more; whether mallory has been asked."""
+        answers.extend(bob.ask("ann", "history", b"{}", 1.0))
+        return bool(asked)
+
+    wait_until(is_asked)
     queryable.undeclare()
     session.close()
     bob.close()
