@@ -7,6 +7,18 @@ from bisect import bisect_right
 from dataclasses import dataclass, field
 
 _NEWLINE = re.compile("\n")
+_LIBRARY = "<stdlib>/"
+"""Where files of the standard library are said to be: no folder of a user is called so."""
+
+
+def library_path(name: str) -> str:
+    """The path that people know a file of the standard library by, the same wherever it is installed."""
+    return f"{_LIBRARY}{name}"
+
+
+def is_library_path(path: str) -> bool:
+    """Whether a path is that of a file of the standard library."""
+    return path.startswith(_LIBRARY)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -21,7 +21,7 @@ from aseme_dsl.amola.srm import Activity, Module, Srm, Subscription
 from aseme_dsl.amola.statechart import Node, Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
-from aseme_dsl.source import Span
+from aseme_dsl.source import Span, is_library_path
 
 FORMAT = 1
 """The version of the form of all models."""
@@ -342,7 +342,12 @@ def _span(span: Span, folder: PurePath | None) -> Json:
 
 
 def shown_path(path: str, folder: PurePath | None) -> str:
-    """A path from `folder`, with forward slashes; only its name, if it cannot be told from there."""
+    """A path from `folder`, with forward slashes; only its name, if it cannot be told from there.
+
+    That of a file of the standard library stays as it is.
+    """
+    if is_library_path(path):
+        return path
     place = PurePath(path)
     if not place.is_absolute():
         if folder is None or folder.is_absolute():

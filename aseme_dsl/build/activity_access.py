@@ -12,7 +12,7 @@ from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.compiler.missing import in_block
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.runtime.clock import nanoseconds
-from aseme_dsl.source import Span
+from aseme_dsl.source import Span, is_library_path
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.srm import Activity
@@ -198,7 +198,7 @@ _ROLE = re.compile(r"\b(?:srm|statechart)\s+\w+\s*$", re.ASCII)
 def _edits(activity: Activity, what: str, clause: str, name: str, roles: Iterable[Span]) -> tuple[Edit, ...]:
     """The edit that declares a channel or variable; none where no role of the user performs the activity."""
     for place in (activity.span, *roles):
-        if place.source.path.startswith("stdlib/"):
+        if is_library_path(place.source.path):
             continue
         text = _bare(place.source.text)
         role = _role_around(text, place)

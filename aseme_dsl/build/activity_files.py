@@ -20,7 +20,7 @@ from aseme_dsl.amola.statechart import NodeType
 from aseme_dsl.build.stamp import Look, Stamp, stamp_of
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.runtime.naming import class_name, module_name
-from aseme_dsl.source import Source, Span
+from aseme_dsl.source import Source, Span, is_library_path
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.srm import Activity
@@ -161,7 +161,7 @@ def _unneeded(path: str, meant: Wanted | None, project: Path | None) -> Diagnost
 
 def _place(item: Wanted) -> Span:
     """Where the user's files speak of it: of an activity of the library, the role that performs it."""
-    is_library = item.said.span.source.path.startswith("stdlib/")
+    is_library = is_library_path(item.said.span.source.path)
     return item.roles[0] if is_library and item.roles else item.said.span
 
 

@@ -19,6 +19,7 @@ from aseme_dsl.build.inputs import STANDARD_INPUT
 from aseme_dsl.build.manifest import hash_of
 from aseme_dsl.build.write import DISK, Disk, Planned, Written, write
 from aseme_dsl.diagnostics import NO_POLICY, Diagnostic, Policy, has_errors, in_order
+from aseme_dsl.source import is_library_path
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.statechart import Statechart
@@ -412,7 +413,7 @@ def _count(system: System, code: Sequence[Planned], written: Written) -> Count:
             (generated if untouched else by_hand).append(content)
     homes = {file.home for file in code if file.home is not None}
     by_hand += [_content(path) for path in _helpers({home.parent for home in homes}) if path not in homes]
-    own = [_bytes(source.text) for source in system.sources if not source.path.startswith("stdlib/")]
+    own = [_bytes(source.text) for source in system.sources if not is_library_path(source.path)]
     return Count(amount(generated), amount(by_hand), amount(own))
 
 

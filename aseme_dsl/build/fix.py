@@ -13,6 +13,7 @@ from aseme_dsl.build.project import Checked, check
 from aseme_dsl.build.write import DISK, Disk, Written, write_over
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.changes import UNSURE, apply, by_file, choose
+from aseme_dsl.source import is_library_path
 
 ROUNDS = 50
 """How often files are checked again, at most: each mended mistake may uncover others."""
@@ -89,7 +90,7 @@ def is_mendable(item: Diagnostic) -> bool:
 
 
 def _is_ours(path: str) -> bool:
-    return path.endswith(".aseme") and path != STANDARD_INPUT and not path.startswith("stdlib/")
+    return path.endswith(".aseme") and path != STANDARD_INPUT and not is_library_path(path)
 
 
 def _state(texts: Mapping[str, str]) -> tuple[tuple[str, str], ...]:

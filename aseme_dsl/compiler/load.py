@@ -14,7 +14,7 @@ from aseme_dsl import outside
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, has_errors, surely
 from aseme_dsl.grammar import tree
 from aseme_dsl.grammar.parts import NO_PARTS, InParts, Layout
-from aseme_dsl.source import Source
+from aseme_dsl.source import Source, library_path
 from aseme_dsl.standard_library import standard_library
 
 if TYPE_CHECKING:
@@ -194,7 +194,7 @@ def _target(item: tree.Import, importer: _Place) -> _Place | None:
         if not path.is_file():
             return None
         # People know it by the import's name: where it is installed differs from machine to machine.
-        return _Place(_key(str(path)), f"stdlib/{item.target.text}.aseme")
+        return _Place(_key(str(path)), library_path(f"{item.target.text}.aseme"))
     target = item.target.text
     key = _key_beside(os.path.dirname(importer.key), target)  # noqa: PTH120 (of many files)
     shown = os.path.join(os.path.dirname(importer.shown), target)  # noqa: PTH118, PTH120

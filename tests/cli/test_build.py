@@ -564,37 +564,58 @@ class TestReports:
         assert (folder / "good.aseme").read_text() == GOOD
 
 
+@pytest.mark.parametrize(
+    ("backends", "control"),
+    [
+        (("monas", "jade_like", "plain"), "control player { enter Go : [ground.state.Ball.x > 1] }"),
+        (("monas", "batch"), ""),
+    ],
+)
 def test_a_build_is_the_same_from_every_folder(
-    folder: Path, here: Here, monkeypatch: pytest.MonkeyPatch
+    folder: Path, here: Here, monkeypatch: pytest.MonkeyPatch, backends: tuple[str, ...], control: str
 ) -> None:
-    """With each backend; also of a file that imports another."""
+    """With each backend; also of a file that imports another, and the standard library."""
     text = """system Team
+import protocols
 import "shared/words.aseme"
 srm player { liveness { player = Look . Go } activities { Look takes 1s  Go takes 1s }
-  control player { enter Go : [ground.state.Ball.x > 1] } }
+  CONTROL }
 team Players { bob : player }
 """
     (folder / "project/shared").mkdir(parents=True)
-    (folder / "project/team.aseme").write_text(text)
+    (folder / "project/team.aseme").write_text(text.replace("CONTROL", control))
     (folder / "project/shared/words.aseme").write_text(
         "message Ball { int x }\ntopic ground { state Ball }\n"
     )
-    options = [part for name in ("monas", "jade_like", "plain") for part in ("--backend", name)]
+    options = [part for name in backends for part in ("--backend", name)]
     outputs = []
     for number, (current, target) in enumerate(
-        [("project", "team.aseme"), (".", "project/team.aseme"), ("project/shared", "../team.aseme")]
+        [
+            ("project", "team.aseme"),
+            (".", "project/team.aseme"),
+            ("project/shared", "../team.aseme"),
+            ("project", str(folder / "project/team.aseme")),
+        ]
     ):
         monkeypatch.chdir(folder / current)
         output = folder / f"out{number}"
         assert here("build", target, "-o", str(output), *options).code == 0
-        files = (path for path in output.rglob("*") if path.is_file() and path.name != ".asemec.json")
+        here("run", str(output), "--for", "3s", "--quiet")
+        files = (path for path in output.rglob("*") if path.is_file() and path.suffix != ".pyc")
         outputs.append({str(path.relative_to(output)): path.read_bytes() for path in files})
-    assert outputs[0] == outputs[1] == outputs[2]
+    assert outputs[0] == outputs[1] == outputs[2] == outputs[3]
+    assert {".asemec.json", "trace.jsonl"} <= set(outputs[0])
+    assert b'"file": "<stdlib>/protocols.aseme"' in outputs[0]["models/aip.request.json"]
     assert b'"file": "team.aseme"' in outputs[0]["models/iac.player.json"]
-    assert {name.split("/")[0] for name in outputs[0]} >= {
-        "models",
-        "diagrams",
-        "monas",
-        "jade_like",
-        "plain",
-    }
+    assert {name.split("/")[0] for name in outputs[0]} >= {"models", "diagrams", *backends}
+
+
+def test_a_folder_of_the_user_may_be_called_as_the_library_is(folder: Path, here: Here) -> None:
+    (folder / "stdlib").mkdir()
+    (folder / "stdlib/own.aseme").write_text("message Ball { int x }\ntopic ground { state Ball }\n")
+    (folder / "team.aseme").write_text(
+        'system Team\nimport "stdlib/own.aseme"\n'
+        "srm player { liveness { player = Look }\n  activities { Look takes 1s reads ground.state.Ball } }\n"
+    )
+    done = here("build", "team.aseme")
+    assert "6 lines of .aseme" in done.out

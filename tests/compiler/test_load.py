@@ -44,7 +44,7 @@ def test_files_come_after_what_they_import_and_once_each(tmp_path: Path) -> None
 
 def test_the_standard_library_has_the_same_path_everywhere(tmp_path: Path) -> None:
     write(tmp_path, main="import soccer")
-    assert load(tmp_path / "main.aseme").files[0].source.path == "stdlib/soccer.aseme"
+    assert load(tmp_path / "main.aseme").files[0].source.path == "<stdlib>/soccer.aseme"
 
 
 def test_paths_are_shown_as_people_wrote_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
