@@ -57,10 +57,11 @@ def _each_question(chart: Statechart) -> Iterator[tuple[str, StateValue, bool]]:
                     yield node.label, value, False
     for transition in chart.transitions:
         condition = transition.expression.condition
-        asked = () if condition is None else tuple(walk(condition))
+        values = () if condition is None else walk(condition)
+        asked = {value.span for value in values if isinstance(value, StateValue)}
         for value in values_of(transition.expression):
             if isinstance(value, StateValue):
-                yield transition.source, value, value in asked
+                yield transition.source, value, value.span in asked
 
 
 def _problem(chart: Statechart, source: str, value: StateValue, in_condition: bool) -> Diagnostic | None:

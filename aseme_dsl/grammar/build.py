@@ -340,6 +340,7 @@ class _Builder:
             hint = f"write {most}..{least}" if most else "write 1, or a larger number"
             message = f"no number of agents is from {least} to {most}"
             self.diagnostics.append(Diagnostic("E115", message, span, hint=hint))
+            return None
         return tree.Multiplicity(least, most, span)
 
     def agent_messages(self, entries: Iterable[Any]) -> tuple[tree.AgentMessage, ...]:

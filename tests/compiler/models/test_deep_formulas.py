@@ -9,7 +9,12 @@ import pytest
 
 from aseme_dsl.amola.liveness import canonical
 from aseme_dsl.compiler import analyse
+from aseme_dsl.compiler.memory import Memory
+from aseme_dsl.compiler.pieces import finished
+from aseme_dsl.compiler.state_values import check_states
 from aseme_dsl.source import Source
+from tests.support.compiling import system
+from tests.support.work import instructions
 
 DEPTH = 150
 
@@ -38,3 +43,14 @@ def test_a_term_is_spelled_as_a_whole_a_few_times(program: str, opening: str) ->
     finally:
         sys.setprofile(before)
     assert spelled < 140 * DEPTH**2
+
+
+def test_the_work_for_questions_about_states_grows_as_their_number() -> None:
+    def work(number: int) -> int:
+        condition = " || ".join(["in(A)"] * number)
+        control = f"enter A : [{condition}] enter B : else"
+        made = system(f"system S srm R {{ liveness {{ R = (A | B)~ }} control R {{ {control} }} }}")
+        charts = [chart for chart in (made.iac("R"),) if chart is not None]
+        return instructions(lambda: finished(check_states(charts, Memory())))
+
+    assert 0 < work(400) < 3 * work(200)

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from aseme_dsl.amola.expression import expression_text
 from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.diagnostics import Severity
 from tests.compiler.models.test_templates import arrows, inside, spread
-from tests.support.compiling import codes, system
+from tests.support.compiling import analysis, codes, system
 
 ACCEPTANCE = Path(__file__).resolve().parents[2] / "acceptance"
 
@@ -276,3 +279,12 @@ srm player {
     chart = system(text).iacs[0]
     assert branch_labels(chart) == ["0.2", "0.3", "0.4"]
     assert inside(chart, "0")[4] == "0.5 BASIC wing"  # which of the two would it be?
+
+
+@pytest.mark.parametrize(
+    ("number", "told"),
+    [("0", "E115"), ("0..0", "E115"), ("2..1", "E115"), ("1e300", "E108"), ("0x10", "E108")],
+)
+def test_a_number_of_agents_that_is_none_is_the_only_mistake(number: str, told: str) -> None:
+    text = AUCTION.replace("[1..*]", f"[{number}]")
+    assert [item.code for item in analysis(text).diagnostics if item.severity is Severity.ERROR] == [told]
