@@ -7,11 +7,14 @@ import pty
 import signal
 import subprocess
 import sys
+from fnmatch import fnmatch
 from pathlib import Path
 
 import pytest
 
 from tests.support.terminal import shown
+
+TESTS = Path(__file__).parent
 
 HOSTILE = {
     "COLUMNS": "31",
@@ -63,3 +66,15 @@ def test_without_a_terminal_a_test_that_needs_one_is_left_out(monkeypatch: pytes
     monkeypatch.setattr(pty, "openpty", none)
     with pytest.raises(pytest.skip.Exception, match="no pseudo-terminal here: out of pty devices"):
         shown(["true"])
+
+
+def test_pytest_passes_over_no_folder_of_tests(pytestconfig: pytest.Config) -> None:
+    passed_over = pytestconfig.getini("norecursedirs")
+    folders = {path.parent for path in TESTS.rglob("test_*.py")}
+    inner = {folder.relative_to(TESTS) for folder in folders}
+    left_out = [
+        folder.as_posix()
+        for folder in inner
+        if any(fnmatch(part, pattern) for part in folder.parts for pattern in passed_over)
+    ]
+    assert left_out == []

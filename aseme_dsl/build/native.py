@@ -161,7 +161,33 @@ def native_source(module: str) -> str:
     tree = ast.parse(inspect.getsource(plain))
     others = [node.name for node in tree.body if isinstance(node, ast.ClassDef) and node.name != "Plain"]
     kept = [node for node in tree.body if not _is_left_out(node, others)]
-    return "\n".join([head, f"from {_BASE} import {', '.join(others)}", *map(ast.unparse, kept), rest])
+    own = f"from {_BASE} import {', '.join(others)}"
+    return "\n".join([head, own, *map(ast.unparse, kept), _with_declared_locals(rest)])
+
+
+def _with_declared_locals(text: str) -> str:
+    """The classes, with the type of each local that holds what is on the blackboard.
+
+    A type that is inferred would be too narrow where a test stands before the place that is read first.
+    """
+    tree = ast.parse(text)
+    slots = {
+        node.target.attr: ast.unparse(node.annotation)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Attribute)
+    }
+    lines = text.split("\n")
+    functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
+    for function in sorted(functions, key=lambda node: node.lineno, reverse=True):
+        first = function.body[0]
+        found = {
+            f"{' ' * first.col_offset}{node.target.id}: {slots[node.value.attr]}"
+            for node in ast.walk(function)
+            if isinstance(node, ast.NamedExpr) and isinstance(node.value, ast.Attribute)
+            if node.value.attr in slots
+        }
+        lines[first.lineno - 1 : first.lineno - 1] = sorted(found)
+    return "\n".join(lines)
 
 
 def _is_left_out(node: ast.stmt, others: Iterable[str]) -> bool:

@@ -2127,7 +2127,8 @@ class _Generator(Face):
     # ---- actions ---------------------------------------------------------------------------
 
     def _actions(self, region: int, number: int) -> list[str]:
-        method = Method(self._names(region, f"{region}_{number}_"))
+        # Machine code has one type for a local: the condition of this transition has its own.
+        method = Method(self._names(region, f"e{region}_{number}_"))
         for action in self.flat.transition(number).expression.actions:
             self._action(method, region, number, action)
         if self._wakes(region, number):

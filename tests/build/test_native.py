@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import io
 import json
 import os
 import shutil
@@ -16,7 +15,6 @@ import pytest
 from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.plain.generate import module_text
 from aseme_dsl.build.native import native_source, run_mypyc
-from aseme_dsl.cli.program import run_program
 from tests.cli.support import Here, asemec
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices
@@ -28,6 +26,10 @@ from tests.support.generated import Generated, generate, imported, system_of
 EXAMPLES = int(os.environ.get("NATIVE_EXAMPLES", "4"))
 """So many random charts are compiled, which takes seconds."""
 GAMES = 20
+
+compiles = pytest.mark.skipif(
+    shutil.which("cc") is None, reason="NOT TRIED, for there is no C compiler here: apt install gcc libc6-dev"
+)
 
 ROOM = """\
 system Room
@@ -144,6 +146,11 @@ tell(lambda: type("Own", (Lamp,), {})())
 """
 
 
+def room(folder: Path) -> None:
+    (folder / "room.aseme").write_text(ROOM, "utf-8")
+    (folder / "lamps.py").write_text(LAMPS, "utf-8")
+
+
 def run(program: str, folder: Path) -> str:
     root = str(Path(__file__).parents[2])
     done = subprocess.run(
@@ -161,9 +168,9 @@ def play(folder: Path) -> tuple[str, object]:
     return file, seen
 
 
+@compiles
 def test_machine_code_does_the_same_and_goes_when_it_is_not_asked_for(tmp_path: Path) -> None:
-    (tmp_path / "room.aseme").write_text(ROOM, "utf-8")
-    (tmp_path / "lamps.py").write_text(LAMPS, "utf-8")
+    room(tmp_path)
     build = ("build", "room.aseme", "--only", "plain", "-o", "out")
     folder = tmp_path / "out"
     folder.mkdir()
@@ -191,21 +198,6 @@ srm R {{
 """So many states of one region that they are found in a table."""
 
 
-@pytest.mark.parametrize("is_terminal", [True, False])
-def test_a_terminal_is_told_what_takes_long(
-    is_terminal: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    (tmp_path / "room.aseme").write_text(ROOM, "utf-8")
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("aseme_dsl.build.native.compiled", lambda files: [])
-    stream = io.StringIO()
-    stream.isatty = lambda: is_terminal  # type: ignore[method-assign]
-    monkeypatch.setattr(sys, "stderr", stream)
-    assert run_program(["build", "room.aseme", "--only", "plain", "-o", "out", "--native"]) == 0
-    told = "Room: compiling to machine code, which takes a while\n"
-    assert (told in stream.getvalue()) == is_terminal
-
-
 def random_charts(count: int) -> list[tuple[Generated, str]]:
     """Random charts that are not refused, each with its text."""
     made: list[tuple[Generated, str]] = []
@@ -219,6 +211,7 @@ def random_charts(count: int) -> list[tuple[Generated, str]]:
     return made
 
 
+@compiles
 def test_machine_code_of_random_charts_agrees_with_the_interpreter(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -248,14 +241,14 @@ def test_machine_code_of_random_charts_agrees_with_the_interpreter(
 
 
 def test_only_what_is_plain_is_compiled(tmp_path: Path) -> None:
-    (tmp_path / "room.aseme").write_text(ROOM, "utf-8")
+    room(tmp_path)
     done = asemec("build", "room.aseme", "--native", cwd=tmp_path)
     assert done.code == 2
     assert "--native compiles what --backend plain makes: ask for that, too." in done.err
 
 
 def test_a_compiler_that_fails_leaves_nothing(tmp_path: Path) -> None:
-    (tmp_path / "room.aseme").write_text(ROOM, "utf-8")
+    room(tmp_path)
     done = asemec("build", "room.aseme", "--only", "plain", "--native", cwd=tmp_path, CC="/no/such/cc")
     assert done.code == 1
     assert "plain/Room/lamp.py: error[E322]: this cannot be compiled: " in done.err
@@ -266,7 +259,7 @@ def test_a_compiler_that_fails_leaves_nothing(tmp_path: Path) -> None:
 def test_what_is_missing_is_said_as_elsewhere(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], name: str
 ) -> None:
-    (tmp_path / "room.aseme").write_text(ROOM, "utf-8")
+    room(tmp_path)
     monkeypatch.setitem(sys.modules, name, None)
     build = ("build", tmp_path / "room.aseme", "--only", "plain", "--native", "-o", tmp_path / "out")
     done = Here(capsys)(*build)
