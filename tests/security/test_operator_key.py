@@ -6,6 +6,8 @@ import json
 import os
 import random
 import stat
+import threading
+import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -20,6 +22,7 @@ from aseme_dsl.build.configuration import Configuration
 from aseme_dsl.build.deployment import Deployment
 from aseme_dsl.build.operable import operable
 from aseme_dsl.build.remote import RemoteError, Robot, robots_of
+from aseme_dsl.runtime import operator_gate
 from aseme_dsl.runtime.control import Control
 from aseme_dsl.runtime.loading import Loaded
 from aseme_dsl.runtime.operator_gate import Gate, GateError, ask
@@ -37,7 +40,7 @@ from tests.faults.test_operate import Running
 from tests.runtime.transport.net import Part, part
 from tests.security.lines import line
 from tests.support.generated import Generated
-from tests.support.waiting import wait_until
+from tests.support.waiting import LONG, wait_until
 
 __all__ = ["certificates", "mouth", "port", "wire"]
 
@@ -254,6 +257,27 @@ def test_what_is_for_another_agent_life_or_system_is_refused(guarded: Guarded) -
     assert not any(agent.over for agent in guarded.team.agents)
 
 
+@pytest.mark.parametrize(("system", "agent"), [(SYSTEM, "b"), ("T", "a")])
+@line("a robot with a certificate", "forge, replay or redirect an operator's request")
+def test_who_passes_on_the_challenge_of_another_has_nothing_done_by_it(
+    guarded: Guarded, system: str, agent: str
+) -> None:
+    """The operator asks a robot, or a team, that answers with what robot a of this team says."""
+    with pytest.raises(GateError, match="no key of this robot proves the request"):
+        ask(guarded.send("a"), system, agent, newest_key(guarded.keys), STOP)
+    assert not any(one.over for one in guarded.team.agents)
+    assert [r["request"] for r in guarded.traced("accepted")] == ["challenge"]
+
+
+def test_a_request_of_an_earlier_life_proves_nothing_in_a_later_one(guarded: Guarded) -> None:
+    later = Gate(guarded.control, guarded.keys, SYSTEM, "later-")
+    later._own = guarded.gate._own  # even if it had given the same nonce
+    said = {**json.loads(guarded.proven()), "life": "later-"}
+    reply = later.answer("a", json.dumps(said).encode())
+    assert reply["reasons"] == ["no key of this robot proves the request"]
+    assert not any(one.over for one in guarded.team.agents)
+
+
 def test_proofs_cannot_be_exchanged_and_order_does_not_matter(guarded: Guarded) -> None:
     first, second = json.loads(guarded.proven()), json.loads(guarded.proven(STATUS))
     exchanged = {**second, "proof": first["proof"]}
@@ -311,6 +335,34 @@ def test_of_one_proven_request_that_comes_many_times_at_once_one_counts(guarded:
     with ThreadPoolExecutor(8) as threads:
         answers = list(threads.map(lambda _: guarded.gate.answer("a", good)["ok"], range(64)))
     assert answers.count(True) == 1
+
+
+def test_two_requests_of_one_nonce_that_are_both_looked_at_before_one_counts(
+    guarded: Guarded, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Keys are read after the first look at the nonce: there, each waits for the other one."""
+    both = threading.Barrier(2)
+
+    def read_together(path: Path) -> dict[str, Key]:
+        both.wait(LONG)
+        return read_keys(path)
+
+    class Slow(set[str]):
+        """Between a look at it and what follows from that, others have time."""
+
+        def __contains__(self, nonce: object) -> bool:
+            found = super().__contains__(nonce)
+            time.sleep(0.1)
+            return found
+
+    monkeypatch.setattr(operator_gate, "read_keys", read_together)
+    guarded.gate._spent = Slow()
+    good = guarded.proven(STATUS)
+    with ThreadPoolExecutor(2) as threads:
+        answers = list(threads.map(lambda _: guarded.gate.answer("a", good), range(2)))
+    (refused,) = (answer for answer in answers if not answer["ok"])
+    assert "not open" in refused["reasons"][0]
+    assert [r["request"] for r in guarded.traced("accepted")] == ["challenge", "status"]
 
 
 def changed(good: bytes, chance: random.Random) -> bytes:
