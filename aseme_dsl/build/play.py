@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any, cast
 
 from aseme_dsl import outside
 from aseme_dsl.build.configuration import Configuration, RunConfiguration
-from aseme_dsl.diagnostics import closest
+from aseme_dsl.diagnostics import Diagnostic, closest
+from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -37,11 +38,49 @@ PLAY_NS = 60_000_000_000
 
 
 class PlayError(Exception):
-    """Nothing can be played as it was asked for; the text says why."""
+    """Nothing can be played as it was asked for; the text says why, and the hint what there is."""
+
+    code = "E033"
+
+    def __init__(self, text: str, hint: str | None = None) -> None:
+        super().__init__(text)
+        self.hint = hint
+
+    def problems(self, path: str) -> tuple[Diagnostic, ...]:
+        """The same as diagnostics; `path` is what was to be played."""
+        return (Diagnostic(self.code, str(self), None, hint=self.hint, path=path),)
 
 
 class NoSuchPlan(PlayError):
-    """The plan that was asked for is not there, or is not the only one of that name."""
+    """The plan or robot that was asked for is not there, or is not the only one of that name."""
+
+    code = "E032"
+
+
+class NoSuchAgent(PlayError):
+    """Something is for an agent that there is not."""
+
+    code = "E032"
+
+
+class WrongInput(PlayError):
+    """Lines of an input mean nothing."""
+
+    def __init__(self, found: tuple[Diagnostic, ...]) -> None:
+        super().__init__("\n".join(item.message for item in found))
+        self._found = found
+
+    def problems(self, path: str) -> tuple[Diagnostic, ...]:
+        """What is wrong, each with its line."""
+        return self._found
+
+
+def there_are(name: str, known: Iterable[str], what: str = "there are") -> str:
+    """The hint for a name that is unknown: the one that was meant, and all that there are."""
+    names = list(known)
+    near = closest(name, names)
+    said = f"{what} {', '.join(names)}" if names else "there is none"
+    return f"did you mean `{near}`? {said}" if near else said
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,14 +221,15 @@ def select(systems: Sequence[Loaded], plan: str | None) -> tuple[Loaded, str | N
     known = {f"{item.name}.{name}": item for item in systems for name in item.charts}
     if plan is None:
         if len(systems) > 1:
-            raise NoSuchPlan(f"there are several systems: choose a plan of {', '.join(known)}")
+            raise NoSuchPlan("there are several systems", f"choose a plan of {', '.join(known)}")
         return systems[0], None
     found = [name for name in known if plan in (name, name.partition(".")[2])]
     if len(found) != 1:
+        if found:
+            raise NoSuchPlan(f"several plans are called `{plan}`", f"there are {', '.join(found)}")
         near = closest(plan, [*known, *(name.partition(".")[2] for name in known)])
-        hint = f"did you mean {near}? " if near and not found else ""
-        what = "several plans are" if found else "no plan is"
-        raise NoSuchPlan(f"{what} called {plan}; {hint}there are {', '.join(found or known)}")
+        hint = f"did you mean `{near}`? " if near else ""
+        raise NoSuchPlan(f"no plan is called `{plan}`", f"{hint}there are {', '.join(known)}")
     return known[found[0]], found[0].partition(".")[2]
 
 
@@ -428,10 +468,8 @@ def check_robot(loaded: Loaded, robot: str) -> None:
     names = [name for name, _ in loaded.team]
     if robot not in names:
         if not names:
-            raise NoSuchPlan(f"{loaded.name} declares no team, so it has no robot {robot}")
-        near = closest(robot, names)
-        hint = f"did you mean {near}? " if near else ""
-        raise NoSuchPlan(f"there is no robot {robot}; {hint}there are {', '.join(names)}")
+            raise NoSuchPlan(f"{loaded.name} declares no team, so it has no robot `{robot}`")
+        raise NoSuchPlan(f"there is no robot `{robot}`", there_are(robot, names))
 
 
 class _Reports:
@@ -457,14 +495,26 @@ def _script(path: Path | None, loaded: Loaded) -> tuple[Scripted, ...]:
     if path is None:
         return ()
     try:
-        return read_script(outside.read_text(path).splitlines(), loaded.messages)
+        text = outside.read_text(path)
+        return read_script(text.splitlines(), loaded.messages)
     except OSError as problem:
         raise PlayError(f"{path} cannot be read: {problem.strerror or problem}") from problem
     except UnicodeDecodeError as problem:
         raise PlayError(f"{path} is not UTF-8") from problem
     except ScriptError as problem:
-        lines = "\n".join(f"{path}: {line}" for line in str(problem).splitlines())
-        raise PlayError(lines) from problem
+        source = Source(str(path), "\n".join(text.splitlines()))
+        raise WrongInput(
+            tuple(
+                Diagnostic("E031", said, _line_of(source, number)) for number, said in problem.lines.items()
+            )
+        ) from problem
+
+
+def _line_of(source: Source, number: int) -> Span:
+    """What is written in a line."""
+    line = source.line(number)
+    start = source.line_start(number)
+    return Span(source, start + len(line) - len(line.lstrip()), start + len(line.rstrip()))
 
 
 def _duration(request: Request, configuration: Configuration, world: object) -> int | None:
@@ -573,7 +623,7 @@ def _bodies(
     names = names or [agent or plan or next(iter(loaded.charts))]
     strangers = [name for name in given if name and name not in names]
     if strangers:
-        raise PlayError(f"there is no agent {strangers[0]} for a body; there are {', '.join(names)}")
+        raise NoSuchAgent(f"there is no agent `{strangers[0]}` for a body", there_are(strangers[0], names))
     return {
         name: call(function, name=name)
         for name in names

@@ -63,6 +63,8 @@ class Sniffer:
         self._left_out: Counter[str] = Counter()
         self._others: set[str] = set()
         self._shown: set[str] = set()
+        self._seen: set[str] = set()
+        """Who takes part in anything, wanted or not."""
         self.system = ""
         self.clock = "virtual"
         self.start: datetime | None = None
@@ -80,6 +82,7 @@ class Sniffer:
     def rows(self, record: Record) -> Iterator[Row]:
         """What a line shows, if it is wanted."""
         for row in self._all(record):
+            self._seen.update(_who(row))
             protocol = self._protocols.get(row.conversation, "")
             if self._is_wanted(row, protocol):
                 self._shown.update(_who(row))
@@ -93,6 +96,16 @@ class Sniffer:
         names = [name for name in self._agents if name in self._shown]
         names += sorted(self._shown - self._agents.keys())
         return tuple(Lifeline(name, self._role(name)) for name in names)
+
+    @property
+    def team(self) -> tuple[str, ...]:
+        """The agents of the run, in their order."""
+        return tuple(self._agents)
+
+    def unknown(self) -> tuple[str, ...]:
+        """The agents that are asked for, and that are neither in the team nor take part in anything."""
+        asked = dict.fromkeys(self._wanted.agents)
+        return tuple(name for name in asked if name not in self._agents and name not in self._seen)
 
     def remarks(self) -> tuple[str, ...]:
         """What was left out, in words; nothing if nothing was."""

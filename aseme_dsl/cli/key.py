@@ -6,7 +6,8 @@ from pathlib import Path
 
 import click
 
-from aseme_dsl.cli.shared import FilePath
+from aseme_dsl.cli.shared import FilePath, Refused
+from aseme_dsl.diagnostics import Diagnostic
 
 
 @click.command(
@@ -24,6 +25,6 @@ def command(file: Path) -> int:
     try:
         key = write_key(file)
     except KeyFileError as problem:
-        raise click.ClickException(str(problem)) from problem
+        raise Refused([Diagnostic("E009", str(problem), None, path=str(file))]) from problem
     click.echo(f"{click.format_filename(file)} has the key {key.name}")
     return 0

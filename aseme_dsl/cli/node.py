@@ -32,6 +32,8 @@ from aseme_dsl.cli.run_end import end_data, end_lines, exit_code
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
     FilePath,
+    Refused,
+    WronglyUsed,
     activities_option,
     check_choice,
     check_outputs,
@@ -149,7 +151,8 @@ def command(
             systems = [item for item in there if system in (None, item.name)]
             if len(systems) != 1:
                 known = ", ".join(item.name for item in there)
-                raise NoSuchPlan(f"choose one system with --system; there are {known}")
+                what = f"there is no system `{system}`" if system else "there are several systems"
+                raise NoSuchPlan(what, f"choose one with --system; there are {known}")
             loaded = systems[0] if version is None else in_version(systems[0], version, configuration)
         else:
             built = build_target(target, output, activities, None, False, False, colour, backends)
@@ -199,9 +202,8 @@ def command(
                 listeners=(telling,),
             )
     except PlayError as problem:
-        if isinstance(problem, NoSuchPlan):
-            raise click.UsageError(f"{problem}.") from problem
-        raise click.ClickException(str(problem)) from problem
+        refused = WronglyUsed if isinstance(problem, NoSuchPlan) else Refused
+        raise refused(problem.problems(str(source or target)), colour) from problem
     telling.end()
     result = played.result
     for agent in result.agents:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 import click
 
-from aseme_dsl.cli.shared import FilePath
+from aseme_dsl.cli.shared import FilePath, Refused
+from aseme_dsl.diagnostics import Diagnostic
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -35,7 +36,7 @@ def reached(key: Path | None, output: Path, system: str | None = None) -> Iterat
     """The robots of the build in an output folder; None without a key.
 
     Raises:
-        click.ClickException: they cannot be reached.
+        Refused: they cannot be reached.
     """
     if key is None:
         yield None
@@ -48,7 +49,7 @@ def reached(key: Path | None, output: Path, system: str | None = None) -> Iterat
 
     configuration, problems = find_configuration(output)
     if has_errors(problems):
-        raise click.ClickException("\n".join(item.message for item in problems))
+        raise Refused(problems)
     try:
         systems = [
             item
@@ -56,13 +57,20 @@ def reached(key: Path | None, output: Path, system: str | None = None) -> Iterat
             if item.team and system in (None, item.name)
         ]
     except PlayError as problem:
-        raise click.ClickException(str(problem)) from problem
+        raise Refused(problem.problems(str(output))) from problem
     if len(systems) != 1:
         names = ", ".join(item.name for item in systems) or "none"
-        raise click.ClickException(f"{output} must have one system with a team; it has {names}")
+        raise not_done([f"{output} must have one system with a team; it has {names}"], output)
     team = [name for name, _ in systems[0].team]
     try:
         with robots_of(systems[0].name, team, configuration, key) as robots:
             yield robots
     except RemoteError as problem:
-        raise click.ClickException(str(problem)) from problem
+        raise not_done([str(problem)], output) from problem
+
+
+def not_done(reasons: Iterable[object], output: Path, first: str | None = None) -> Refused:
+    """What cannot be done with robots that run from an output folder; `first` says what became of them."""
+    about = [] if first is None else [first]
+    text = "\n".join([*about, *map(str, reasons)])
+    return Refused([Diagnostic("E034", text, None, path=str(output))])

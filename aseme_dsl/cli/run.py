@@ -26,6 +26,8 @@ from aseme_dsl.cli.playing import (
 from aseme_dsl.cli.run_end import allow_option, end_data, end_lines, exit_code
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
+    Refused,
+    WronglyUsed,
     activities_option,
     check_choice,
     check_outputs,
@@ -236,11 +238,11 @@ def command(
                 tick=telling.tick,
             )
     except PlayError as problem:
+        found = problem.problems(target)
         if as_json:
-            print_json({"result": None, "problem": str(problem), **diagnostics_json(())})
-        if isinstance(problem, NoSuchPlan):
-            raise click.UsageError(f"{problem}.") from problem
-        raise click.ClickException(str(problem)) from problem
+            print_json({"result": None, "problem": str(problem), **diagnostics_json(found)})
+        refused = WronglyUsed if isinstance(problem, NoSuchPlan) else Refused
+        raise refused(found, colour) from problem
     telling.end()
     code = exit_code(played.result, allowed, INTERRUPTED)
     _print(played, loaded, report, folder, telling, as_json, bare, target, output)

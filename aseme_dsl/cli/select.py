@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from aseme_dsl.cli.reaching import key_option, reached
+from aseme_dsl.cli.reaching import key_option, not_done, reached
 from aseme_dsl.cli.shared import json_option, print_json, running_option
 
 
@@ -33,7 +33,7 @@ def command(agent: str, plan: str, output: Path, key: Path | None, as_json: bool
         if as_json:
             print_json({"ok": False, "reasons": list(problem.args)})
             return 1
-        raise click.ClickException("\n".join(problem.args)) from problem
+        raise not_done(problem.args, output) from problem
     if as_json:
         print_json(reply)
     else:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, NoReturn, TypeVar
 
@@ -125,8 +125,43 @@ def refuse(found: Iterable[Diagnostic], as_json: bool, colour: str) -> int:
     return 1
 
 
+def say_unreadable(problem: object, path: Path, colour: str = "auto") -> None:
+    """Say that a trace cannot be read, or only up to a line."""
+    print_diagnostics([Diagnostic("E035", str(problem), None, path=str(path))], colour)
+
+
+def not_in_traces(unknown: Iterable[str], team: Collection[str], files: Sequence[Path]) -> list[Diagnostic]:
+    """What is wrong with agents that traces have nothing about."""
+    problems = []
+    for name in unknown:
+        near = closest(name, team)
+        hint = f"did you mean `{near}`?" if near else f"the team has {', '.join(team)}"
+        message = f"the trace has nothing about an agent `{name}`"
+        problems.append(Diagnostic("E029", message, None, hint=hint, path=", ".join(map(str, files))))
+    return problems
+
+
 WRONG_USE = 2
 """The exit code of a call that cannot be meant."""
+
+
+class Refused(click.ClickException):
+    """What was asked for cannot be done: diagnostics, which are shown as all others are."""
+
+    def __init__(self, found: Sequence[Diagnostic], colour: str = "auto") -> None:
+        super().__init__("\n".join(item.message for item in found))
+        self.found = tuple(found)
+        self._colour = colour
+
+    def show(self, file: IO[Any] | None = None) -> None:
+        """Print them on standard error."""
+        print_diagnostics(self.found, self._colour)
+
+
+class WronglyUsed(Refused):
+    """What was asked for cannot be meant."""
+
+    exit_code = WRONG_USE
 
 
 def refuse_options(

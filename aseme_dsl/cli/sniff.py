@@ -20,9 +20,12 @@ from aseme_dsl.cli.shared import (
     colour_option,
     json_option,
     moment_of,
+    not_in_traces,
     plural,
     print_diagnostics,
     print_json,
+    refuse,
+    say_unreadable,
     targets_argument,
 )
 
@@ -105,10 +108,10 @@ def command(
         return 1
     try:
         if follow:
-            return _follow(paths, wanted, as_json)
-        return _show(paths, wanted, format_, output, each, as_json)
+            return _follow(paths, wanted, as_json, colour)
+        return _show(paths, wanted, format_, output, each, as_json, colour)
     except TraceError as problem:
-        click.echo(f"asemec: {problem}", err=True)
+        say_unreadable(problem, paths[0], colour)
         return 1
 
 
@@ -124,7 +127,7 @@ def _format(given: str | None, output: Path | None) -> str:
 # ---- as it comes ---------------------------------------------------------------------------------
 
 
-def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool) -> int:
+def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool, colour: str) -> int:
     """Until all runs have ended, or somebody ends it."""
     from aseme_dsl.build.following import TraceFollower
     from aseme_dsl.build.sniff import Sniffer, line_of
@@ -158,14 +161,22 @@ def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool) -> int:
             item.close()
         for text in sniffer.remarks():
             click.echo(text, err=True)
-    return 0
+    unknown = not_in_traces(sniffer.unknown(), sniffer.team, paths)
+    print_diagnostics(unknown, colour)
+    return int(bool(unknown))
 
 
 # ---- after the run -------------------------------------------------------------------------------
 
 
 def _show(
-    paths: Sequence[Path], wanted: Wanted, format_: str, output: Path | None, each: bool, as_json: bool
+    paths: Sequence[Path],
+    wanted: Wanted,
+    format_: str,
+    output: Path | None,
+    each: bool,
+    as_json: bool,
+    colour: str,
 ) -> int:
     from aseme_dsl.build.sniff import Sniffer, line_of
     from aseme_dsl.runtime.trace_reading import TraceReader
@@ -184,7 +195,9 @@ def _show(
         records = [_shifted(item, began[item["trace"]], began.values()) for item in records]
         records.sort(key=lambda item: int(item["time"]))
     rows = [row for record in records for row in sniffer.rows(record)]
-    problems = [reader.problem for reader in readers if reader.problem is not None]
+    if unknown := not_in_traces(sniffer.unknown(), sniffer.team, paths):
+        return refuse(unknown, as_json, colour)
+    problems = [(reader.problem, reader.path) for reader in readers if reader.problem is not None]
     diagram = sniffer.diagram(rows)
     if output is None:
         if as_json:
@@ -205,8 +218,8 @@ def _show(
             click.echo(f"{', '.join(map(str, files))}: {shown}")
             for text in diagram.remarks:
                 click.echo(text, err=True)
-    for problem in problems:
-        click.echo(f"asemec: {problem}", err=True)
+    for problem, path in problems:
+        say_unreadable(problem, path, colour)
     return int(bool(problems))
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from aseme_dsl.cli.reaching import key_option, reached
+from aseme_dsl.cli.reaching import key_option, not_done, reached
 from aseme_dsl.cli.shared import json_option, print_json, running_option
 
 
@@ -27,7 +27,7 @@ def command(output: Path, key: Path | None, as_json: bool) -> int:
         with reached(key, output) as robots:
             found, silent = look(output, robots)
     except OperateError as problem:
-        raise click.ClickException("\n".join(problem.args)) from problem
+        raise not_done(problem.args, output) from problem
     if as_json:
         processes = [{"socket": str(node.socket), **node.status} for node in found]
         print_json({"processes": processes, "silent": list(silent)})
@@ -40,6 +40,6 @@ def command(output: Path, key: Path | None, as_json: bool) -> int:
             if agent["over"]:
                 doing = f"failed: {agent['failure']}" if agent["failure"] else "has ended"
             click.echo(f"  {agent['name']:<12} {agent['role']:<12} model {agent['model']}  {doing}")
-    for reason in silent:
-        click.echo(f"Error: {reason}", err=True)
+    if silent:
+        not_done(silent, output).show()
     return 1 if silent else 0

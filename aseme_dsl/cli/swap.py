@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from aseme_dsl.cli.reaching import key_option, reached
+from aseme_dsl.cli.reaching import key_option, not_done, reached
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
     colour_option,
@@ -94,7 +94,7 @@ def command(
             return 1
         partly = isinstance(problem, PartlyDone)
         what = "not all robots have changed:" if partly else "nothing has changed:"
-        raise click.ClickException("\n".join((what, *problem.args))) from problem
+        raise not_done(problem.args, output, what) from problem
     notes = [note for reply in replies for note in reply["notes"]]
     if as_json:
         print_json({"ok": True, "model": model, "notes": notes, **diagnostics_json(found)})

@@ -15,10 +15,12 @@ from aseme_dsl.cli.shared import (
     colour_option,
     json_option,
     moment_of,
+    not_in_traces,
     plural,
     print_diagnostics,
     print_json,
     refuse,
+    say_unreadable,
     targets_argument,
 )
 from aseme_dsl.diagnostics import has_errors
@@ -137,7 +139,7 @@ def command(
         try:
             reader = TraceReader(path)
             if output is not None:
-                code = max(code, _convert(reader, wanted, output, as_json))
+                code = max(code, _convert(reader, wanted, output, as_json, colour))
                 continue
             if lines:
                 _list(reader, wanted, as_json)
@@ -146,11 +148,11 @@ def command(
                 if not as_json:
                     click.echo("\n".join(_shown(sums[-1], blank_before=number > 0)))
         except TraceError as problem:
-            click.echo(f"asemec: {problem}", err=True)
+            say_unreadable(problem, path, colour)
             code = 1
             continue
         if reader.problem is not None:
-            click.echo(f"asemec: {reader.problem}", err=True)
+            say_unreadable(reader.problem, reader.path, colour)
             code = 1
     if as_json and not lines and output is None:
         print_json({"traces": sums})
@@ -160,7 +162,6 @@ def command(
 def _unknown_agents(files: Sequence[Path], agents: Sequence[str]) -> list[Diagnostic]:
     """What is wrong with the agents that are asked for: those that are in no team and that no line names."""
     from aseme_dsl.build.traces import Filter
-    from aseme_dsl.diagnostics import Diagnostic, closest
     from aseme_dsl.runtime.trace_files import TraceError
     from aseme_dsl.runtime.trace_reading import TraceReader
 
@@ -179,22 +180,15 @@ def _unknown_agents(files: Sequence[Path], agents: Sequence[str]) -> list[Diagno
                     return []
         except TraceError:
             return []  # which is said when it is read once more
-    problems = []
-    for name in unknown:
-        near = closest(name, team)
-        hint = f"did you mean `{near}`?" if near else f"the team has {', '.join(team)}"
-        message = f"the trace has nothing about an agent `{name}`"
-        where = ", ".join(map(str, files))
-        problems.append(Diagnostic("E029", message, None, hint=hint, path=where))
-    return problems
+    return not_in_traces(unknown, team, files)
 
 
-def _convert(reader: TraceReader, wanted: Filter, output: Path, as_json: bool) -> int:
+def _convert(reader: TraceReader, wanted: Filter, output: Path, as_json: bool, colour: str) -> int:
     from aseme_dsl.build.traces import convert
 
     number = convert(reader, wanted, output)
     if reader.problem is not None:
-        click.echo(f"asemec: {reader.problem}", err=True)
+        say_unreadable(reader.problem, reader.path, colour)
     if as_json:
         print_json({"file": str(output), "lines": number, "problem": reader.problem})
     else:

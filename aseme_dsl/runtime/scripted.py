@@ -26,7 +26,11 @@ _MEMBERS = {"at", "agent", "channel", "message", "event", "sender"}
 
 
 class ScriptError(ValueError):
-    """A line of a script means nothing; the text says which and why."""
+    """Lines of a script mean nothing; the text says which and why, `lines` the same by their numbers."""
+
+    def __init__(self, lines: Mapping[int, str]) -> None:
+        super().__init__("\n".join(f"line {number}: {text}" for number, text in lines.items()))
+        self.lines = lines
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,15 +60,15 @@ def read_script(lines: Iterable[str], messages: Mapping[str, Any]) -> tuple[Scri
         ScriptError: a line means nothing; all such lines are named.
     """
     found: list[Scripted] = []
-    errors: list[str] = []
+    errors: dict[int, str] = {}
     for number, line in enumerate(lines, 1):
         if line.strip():
             try:
                 found.append(_read(line, messages))
             except ValueError as error:
-                errors.append(f"line {number}: {error}")
+                errors[number] = str(error)
     if errors:
-        raise ScriptError("\n".join(errors))
+        raise ScriptError(errors)
     return tuple(found)
 
 

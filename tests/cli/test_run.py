@@ -269,13 +269,13 @@ class TestPlans:
         done = here("run", "robot", "--for", "1s")
         assert done.code == 2
         assert "choose a plan of Runner.robot, Walker.robot" in done.err
-        assert "several plans are called robot" in here("run", "robot", "--plan", "robot").err
+        assert "several plans are called `robot`" in here("run", "robot", "--plan", "robot").err
         assert here("run", "robot", "--plan", "Runner.robot", "--for", "1s").code == 0
 
     def test_a_plan_that_is_not_there(self, here: Here, folder: Path) -> None:
         done = here("run", "good.aseme", "--plan", "robbot")
         assert done.code == 2
-        assert "no plan is called robbot; did you mean robot?" in done.err
+        assert "error[E032]: no plan is called `robbot`\n   hint: did you mean `robot`?" in done.err
         told = here("run", "good.aseme", "--plan", "robbot", "--json")
         assert (told.code, told.json["result"]) == (2, None)
 
@@ -288,10 +288,10 @@ class TestScripts:
     @pytest.mark.parametrize(
         ("line", "words"),
         [
-            ("{", "line 1: not JSON"),
+            ("{", "script.jsonl:1:1: error[E031]: not JSON"),
             ('{"at": "soon", "event": "x"}', "is no duration"),
             ('{"channel": "eyes.state.Sun", "message": {}}', "is no channel"),
-            ('{"channel": "eyes.state.Seen", "message": {"ball": 3}}', "line 1"),
+            ('{"channel": "eyes.state.Seen", "message": {"ball": 3}}', "script.jsonl:1:1: error[E031]"),
             ('{"agent": "three", "event": "Bumped"}', "there are one, two"),
         ],
     )
@@ -427,7 +427,7 @@ class TestProjects:
         assert done.code == 0, done.err
         done = here("run", ".", "--body", "three=world:body", "--for", "1s")
         assert done.code == 1
-        assert "no agent three for a body; there are one, two" in done.err
+        assert "error[E032]: there is no agent `three` for a body\n   hint: there are one, two" in done.err
 
     def test_several_systems_and_no_choice(self, here: Here, project: Path) -> None:
         (project / "other.aseme").write_text(GOOD.replace("Walker", "Runner"))
@@ -509,7 +509,8 @@ def test_processes_need_zenoh_and_it_is_said_how_to_get_it(tmp_path: Path) -> No
 def test_a_robot_that_the_team_does_not_have(here: Here, folder: Path) -> None:
     done = here("node", "onne", "good.aseme")
     assert done.code == 2
-    assert "there is no robot onne; did you mean one? there are one, two" in done.err
+    assert "good.aseme: error[E032]: there is no robot `onne`" in done.err
+    assert "hint: did you mean `one`? there are one, two" in done.err
 
 
 STUCK = """\

@@ -86,7 +86,7 @@ USES = {
     "view": Use(says="src/walker.aseme: http://"),
     "run": Use(after=("--for", "2s", "--allow", "waiting"), says="  trace: made/trace.jsonl\n"),
     "node": Use(("one",), ("--for", "1ms", "--trace", "one.jsonl"), says="  trace: one.jsonl\n"),
-    "swap": Use(code=1, says="nothing runs from made: "),
+    "swap": Use(code=1, says="error[E034]: nothing has changed:\nnothing runs from made: "),
     "trace": Use(says="made/trace.jsonl: Walker, seed 1, virtual time\n"),
     "sniff": Use(says="nobody says anything\n"),
     "optimise": Use(after=("--measure", "Walk", "--runs", "1", "--quicker", "1", "--for", "1s"), says="# "),

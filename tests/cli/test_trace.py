@@ -184,7 +184,7 @@ def test_a_torn_trace_is_read_and_the_exit_code_says_so(here: Here, trace: Path)
     done = here("trace", "run.jsonl")
     assert done.code == 1
     assert done.out.startswith("run.jsonl.part: Walker") and "12 lines" in done.out
-    assert done.err.startswith("asemec: run.jsonl.part:13: the trace breaks off here")
+    assert done.err.startswith("run.jsonl.part: error[E035]: run.jsonl.part:13: the trace breaks off here")
     done = here("trace", "run.jsonl", "-o", "whole.jsonl")
     assert (done.code, done.out) == (1, "whole.jsonl: 12 lines\n")
 
@@ -193,7 +193,7 @@ def test_what_cannot_be_read_is_named(here: Here, trace: Path) -> None:
     Path("bad.jsonl").write_bytes(trace.read_bytes().replace(b'{"kind": "fault"', b"oops", 1))
     done = here("trace", "bad.jsonl", "nowhere.jsonl", "run.jsonl")
     assert done.code == 1 and "run.jsonl: Walker" in done.out
-    assert "asemec: bad.jsonl:10: a line of a trace is wanted, not 'oops" in done.err
+    assert "error[E035]: bad.jsonl:10: a line of a trace is wanted, not 'oops" in done.err
     assert "nowhere.jsonl: error[E001]: there is no file nowhere.jsonl\n" in done.err
     done = here("trace", "bad.jsonl", "-o", "x.mcap")
     assert done.code == 1 and not Path("x.mcap").exists() and not Path("x.mcap.part").exists()

@@ -69,3 +69,45 @@ def test_templates_of_a_project_that_are_no_folder_are_an_error(built: Here, fol
     (folder / "pyproject.toml").write_text('[tool.asemec]\nfiles = ["team.aseme"]\ntemplates = "nowhere"\n')
     done = built("build")
     assert (done.code, "error[E030]" in done.err) == (1, True)
+
+
+def test_an_agent_that_sniff_finds_nowhere_is_an_error(built: Here) -> None:
+    for options in ((), ("--json",), ("--follow",)):
+        done = built("sniff", "out", "--agent", "bobb", *options)
+        said = done.out if options == ("--json",) else done.err
+        assert done.code == 1
+        assert "E029" in said and "did you mean `bob`?" in said
+    assert built("sniff", "out", "--agent", "bob").code == 0
+
+
+def test_what_cannot_be_played_or_reached_has_a_code(built: Here, folder: Path) -> None:
+    (folder / "input.jsonl").write_text('\n  {"at": "soon", "event": "goal"}\n{}\n')
+    (folder / "no.jsonl").write_text("nothing\n")
+    for arguments, code, said in [
+        (("run", "team.aseme", "--input", "input.jsonl"), 1, "input.jsonl:2:3: error[E031]: 'soon' is no"),
+        (("run", "team.aseme", "--input", "input.jsonl"), 1, "input.jsonl:3:1: error[E031]: a `channel`"),
+        (
+            ("node", "bobb", "team.aseme"),
+            2,
+            "error[E032]: there is no robot `bobb`\n   hint: did you mean `bob`?",
+        ),
+        (("node", "bob", "out", "--system", "Tam"), 2, "error[E032]: there is no system `Tam`"),
+        (
+            ("run", "out", "--plan", "playr"),
+            2,
+            "error[E032]: no plan is called `playr`\n   hint: did you mean",
+        ),
+        (("run", "out", "--body", "bobb=a:b"), 1, "error[E032]: there is no agent `bobb` for a body"),
+        (("run", "out", "--world", "nowhere:world"), 1, "out: error[E033]: no function world"),
+        (("status", "-o", "out"), 1, "out: error[E034]: nothing runs from out"),
+        (("status", "-o", "out", "--key", "no.jsonl"), 1, "out: error[E034]: no.jsonl"),
+        (("select", "bob", "player", "-o", "out"), 1, "out: error[E034]: nothing runs from out"),
+        (("swap", "team.aseme", "-o", "out"), 1, "out: error[E034]: nothing has changed:"),
+        (("trace", "no.jsonl"), 1, "no.jsonl: error[E035]: no.jsonl:1: the header of a trace is wanted"),
+        (("sniff", "no.jsonl"), 1, "no.jsonl: error[E035]: no.jsonl:1: the header of a trace is wanted"),
+        (("key", "no.jsonl"), 1, "no.jsonl: error[E009]: no.jsonl is there already"),
+    ]:
+        done = built(*arguments)
+        assert (done.code, said in done.err) == (code, True), (arguments, done.err)
+    told = built("run", "team.aseme", "--input", "input.jsonl", "--json").json
+    assert [item["code"] for item in told["diagnostics"]] == ["E031", "E031"]

@@ -147,7 +147,7 @@ def test_a_team_in_several_processes_changes_as_one_or_not_at_all(here: Here) ->
     code, said = here.asemec("status", "-o", "out")
     assert code == 1
     pid = here.running[1].pid
-    assert f"Error: process {pid} (b) does not answer within" in said
+    assert f"error[E034]: process {pid} (b) does not answer within" in said
     assert [line.split()[:2] for line in said.splitlines() if line.startswith("  ")] == [["a", "player"]]
     here.running[1].send_signal(signal.SIGCONT)
     assert {a["model"] for a in here.agents().values()} == {before["a"]["model"]}
