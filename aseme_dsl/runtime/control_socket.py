@@ -14,7 +14,6 @@ import os
 import socket
 import struct
 import threading
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from io import BufferedReader
@@ -22,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from aseme_dsl import outside
+from aseme_dsl.runtime.connections import MOST, Places, Timely
 from aseme_dsl.runtime.control import FORMAT, Control
 from aseme_dsl.runtime.control import LARGEST as REQUEST
 from aseme_dsl.runtime.control_log import Origin
@@ -30,12 +30,6 @@ from aseme_dsl.runtime.transport.port import TransportError
 
 LARGEST = 1 << 20
 """A reply has at most so many bytes."""
-MOST = 64
-"""So many connections there may be at once; further ones are refused."""
-_IDLE_SECONDS = 60.0
-"""A connection on which nothing is asked for so long is closed."""
-_REQUEST_SECONDS = 10.0
-"""A request has come as a whole so long after its first byte, or its connection is closed."""
 
 
 class ControlError(Exception):
@@ -125,7 +119,8 @@ def ask(path: Path, request: dict[str, Any], timeout: float = 5.0) -> dict[str, 
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as connection:
             connection.settimeout(timeout)
             connection.connect(str(path))
-            connection.sendall(json.dumps({"version": FORMAT, **request}).encode() + b"\n")
+            with contextlib.suppress(BrokenPipeError):  # who takes no request may have said why
+                connection.sendall(json.dumps({"version": FORMAT, **request}).encode() + b"\n")
             with connection.makefile("rb") as lines:
                 line = lines.readline(LARGEST + 1)
     except TimeoutError as problem:
@@ -154,27 +149,26 @@ def _safe(name: str) -> str:
 
 
 def _serve(server: socket.socket, control: Control) -> None:
-    places = threading.BoundedSemaphore(MOST)
-
-    def answer(connection: socket.socket) -> None:
-        try:
-            _answer(connection, control)
-        finally:
-            places.release()
-
+    places = Places()
     while True:
         try:
             connection, _ = server.accept()
         except OSError:  # it was closed: the run is over
             return
-        if places.acquire(blocking=False):
-            threading.Thread(target=answer, args=(connection,), name="aseme operator", daemon=True).start()
+        if places.take(connection):
+            threading.Thread(
+                target=_answer, args=(connection, control, places), name="aseme operator", daemon=True
+            ).start()
             continue
         with connection, contextlib.suppress(OSError):
-            origin = Origin("socket", uid=_user_of(connection))
-            reply = control.refuse(origin, None, f"{MOST} others are connected")
-            connection.settimeout(0.0)
-            connection.sendall(json.dumps(reply).encode() + b"\n")
+            _refuse(connection, control, f"{MOST} others are being answered")
+
+
+def _refuse(connection: socket.socket, control: Control, reason: str) -> None:
+    """Say why nothing is answered here, to who takes it at once. Raises OSError if it is not taken."""
+    reply = control.refuse(Origin("socket", uid=_user_of(connection)), None, reason)
+    connection.settimeout(0.0)
+    connection.sendall(json.dumps(reply).encode() + b"\n")
 
 
 def _user_of(connection: socket.socket) -> int | None:
@@ -186,39 +180,32 @@ def _user_of(connection: socket.socket) -> int | None:
     return int(struct.unpack("3i", credentials)[1])
 
 
-def _request(connection: socket.socket, lines: BufferedReader) -> bytes:
-    """A line, or its beginning if it is too long; empty at the end. Raises OSError if it takes too long.
-
-    A timeout of the socket counts from its last byte: who sends one now and then would hold the place.
-    """
-    connection.settimeout(_IDLE_SECONDS)
-    line = b""
-    last: float | None = None
-    while len(line) <= REQUEST and not line.endswith(b"\n"):
-        if last is not None:
-            connection.settimeout(max(last - time.monotonic(), 0.001))
-        here = lines.peek(1)
-        if not here:
-            break
-        last = last or time.monotonic() + _REQUEST_SECONDS
-        line += lines.readline(min(len(here), REQUEST + 1 - len(line)))
-        if time.monotonic() > last:
-            raise TimeoutError
-    connection.settimeout(_IDLE_SECONDS)
-    return line
+def _answer(connection: socket.socket, control: Control, places: Places) -> None:
+    """Answer the requests of a connection until it is closed or silent, or others need its place."""
+    with connection, contextlib.suppress(OSError):
+        try:
+            with contextlib.suppress(OSError):
+                _converse(connection, control, places)
+        finally:
+            kept = places.leave(connection)
+        if not kept:
+            _refuse(connection, control, f"{MOST} others are connected, and this one had waited longest")
 
 
-def _answer(connection: socket.socket, control: Control) -> None:
-    """Answer the requests of a connection until it is closed or silent."""
-    with connection, contextlib.suppress(OSError), connection.makefile("rb") as lines:
-        connection.settimeout(_IDLE_SECONDS)
-        origin = Origin("socket", uid=_user_of(connection))
-        foreign = origin.uid not in (None, os.geteuid())
-        while line := _request(connection, lines):
-            if foreign:
-                reply = control.refuse(origin, None, "this socket is for another user")
-            else:
-                reply = control.read(line, origin)
-            connection.sendall(json.dumps(reply).encode() + b"\n")
-            if foreign or not line.endswith(b"\n"):  # the rest of it would be taken for another request
-                return
+def _converse(connection: socket.socket, control: Control, places: Places) -> None:
+    """Raises OSError if nothing is asked, or what is asked or answered takes too long."""
+    origin = Origin("socket", uid=_user_of(connection))
+    foreign = origin.uid not in (None, os.geteuid())
+    coming = Timely(connection)
+    lines = BufferedReader(coming)
+    while (line := lines.readline(REQUEST + 1)) and places.answer(connection):
+        if foreign:
+            reply = control.refuse(origin, None, "this socket is for another user")
+        else:
+            reply = control.read(line, origin)
+        places.wait(connection, socket.SHUT_RDWR)  # until the reply is taken
+        connection.sendall(json.dumps(reply).encode() + b"\n")
+        if foreign or not line.endswith(b"\n"):  # the rest of it would be taken for another request
+            return
+        places.wait(connection)
+        coming.next()

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import shutil
 import socket
 import tempfile
+import threading
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import jsonschema
 import pytest
 
-from aseme_dsl.runtime import control_socket
+from aseme_dsl.runtime import connections, control_socket
+from aseme_dsl.runtime.connections import MOST
 from aseme_dsl.runtime.control import Control
+from aseme_dsl.runtime.control_log import Origin
 from aseme_dsl.runtime.control_socket import ask, listening
 from aseme_dsl.runtime.loading import activities_of
 from aseme_dsl.runtime.swap import Version
@@ -244,31 +249,102 @@ def test_hostile_requests_to_the_socket_are_refused_with_a_reason_and_traced(
     assert {r["uid"] for r in records if r["kind"] == "control"} == {os.geteuid()}
 
 
-def test_a_control_socket_has_few_connections(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def opened(path: Path) -> socket.socket:
+    """A connection to a control socket."""
+    connection = socket.socket(socket.AF_UNIX)
+    connection.settimeout(LONG)
+    connection.connect(str(path))
+    return connection
+
+
+@contextmanager
+def crowd(path: Path) -> Iterator[list[socket.socket]]:
+    """As many connections as there may be."""
+    with contextlib.ExitStack() as stack:
+        yield [stack.enter_context(opened(path)) for _ in range(MOST)]
+
+
+def replies(connection: socket.socket) -> list[dict[str, object]]:
+    """What comes until the connection is closed at the other end."""
+    with connection.makefile("rb") as lines:
+        return [json.loads(line) for line in lines]
+
+
+STATUS = b'{"version": 1, "request": "status"}\n'
+
+
+@line("a process without the secret", "keep others from a control socket by silent or slow connections")
+@pytest.mark.parametrize("said", [b"", STATUS[:9], STATUS])
+def test_who_waits_longest_on_a_control_socket_makes_room(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: bytes
+) -> None:
+    """Before a request, in the midst of one, and after one."""
     monkeypatch.setenv("XDG_RUNTIME_DIR", "")
-    with Running() as (team, records), listening(Control(team), tmp_path / "out", "team") as path:
+    with (
+        Running() as (team, records),
+        listening(Control(team), tmp_path / "out", "team") as path,
+        crowd(path) as silent,
+    ):
+        for connection in silent:
+            connection.sendall(said)
+            if said.endswith(b"\n"):
+                assert b'"ok": true' in connection.recv(1 << 20)
+        assert ask(path, {"request": "status"})["ok"]
+        (refusal,) = replies(silent[0])
+        assert refusal["reasons"] == [f"{MOST} others are connected, and this one had waited longest"]
+        for connection in silent[1:]:  # they have kept their places
+            connection.sendall(STATUS if said == STATUS else STATUS[len(said) :])
+            assert b'"ok": true' in connection.recv(1 << 20)
+    refused = [r for r in records if r["kind"] == "control" and r["what"] == "refused"]
+    assert [r["reasons"] for r in refused[:1]] == [refusal["reasons"]]
 
-        def opened() -> socket.socket:
-            connection = socket.socket(socket.AF_UNIX)
-            connection.settimeout(LONG)
-            connection.connect(str(path))
-            return connection
 
-        idle = [opened() for _ in range(control_socket.MOST)]
-        with opened() as connection:
-            reply = json.loads(connection.makefile("rb").readline())
-        assert reply["reasons"] == [f"{control_socket.MOST} others are connected"]
-        for connection in idle:
-            connection.close()
-        wait_until(lambda: ask(path, {"request": "status"})["ok"])
-    assert next(r["what"] for r in records if r["kind"] == "control") == "refused"
+def test_who_takes_no_replies_makes_room_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_RUNTIME_DIR", "")
+    with (
+        Running() as (team, records),
+        listening(Control(team), tmp_path / "out", "team") as path,
+        crowd(path) as deaf,
+    ):
+        for connection in deaf:
+            connection.setblocking(False)
+            with contextlib.suppress(BlockingIOError):
+                while True:
+                    connection.sendall(STATUS * 99)
+        assert ask(path, {"request": "status"}, LONG)["ok"]
+        wait_until(lambda: any("waited longest" in str(record.get("reasons")) for record in list(records)))
+
+
+def test_who_is_being_answered_loses_no_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_RUNTIME_DIR", "")
+    held, go = threading.Semaphore(0), threading.Event()
+    with Running() as (team, _):
+        control = Control(team)
+        read = control.read
+
+        def slow(data: bytes, origin: Origin) -> dict[str, object]:
+            held.release()
+            go.wait(LONG)
+            return read(data, origin)
+
+        monkeypatch.setattr(control, "read", slow)
+        with listening(control, tmp_path / "out", "team") as path, crowd(path) as busy:
+            for connection in busy:
+                connection.sendall(STATUS)
+            for _ in busy:
+                assert held.acquire(timeout=LONG)
+            assert ask(path, {"request": "status"})["reasons"] == [f"{MOST} others are being answered"]
+            go.set()
+            for connection in busy:
+                assert b'"ok": true' in connection.recv(1 << 20)
+            assert wait_until(lambda: ask(path, {"request": "status"})["ok"])
 
 
 def test_who_sends_a_byte_now_and_then_holds_no_place_for_ever(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("XDG_RUNTIME_DIR", "")
-    monkeypatch.setattr(control_socket, "_REQUEST_SECONDS", 0.5, raising=False)
+    monkeypatch.setattr(connections, "REQUEST_SECONDS", 0.5)
     with Running() as (team, _), listening(Control(team), tmp_path / "out", "team") as path:
         with socket.socket(socket.AF_UNIX) as connection:
             connection.connect(str(path))
