@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl import outside
 from aseme_dsl.build.build import Choice
 from aseme_dsl.build.remote import RemoteError, Robot
+from aseme_dsl.diagnostics import closest
 from aseme_dsl.runtime.versions import VERSIONS
 
 if TYPE_CHECKING:
@@ -90,10 +91,17 @@ def select(output: Path, agent: str, plan: str, robots: Sequence[Robot] | None =
     there = nodes(output, None if robots is None else [r for r in robots if r.name == agent] or robots)
     node = next((node for node in there if agent in node.agents), None)
     if node is None:
-        known = ", ".join(name for node in there for name in node.agents)
-        raise OperateError(f"there is no agent {agent}; there are {known}")
+        raise OperateError(_unknown(agent, there))
     request = {"request": "select", "agent": agent, "plan": plan}
     return _ask_all({node.socket: request}, 10.0)[node.socket]
+
+
+def _unknown(agent: str, there: Iterable[Node]) -> str:
+    """Why an agent cannot be meant: who is meant instead, and who is there."""
+    known = [name for node in there for name in node.agents]
+    near = closest(agent, known)
+    meant = f"did you mean {near}? " if near else ""
+    return f"there is no agent {agent}; {meant}there are {', '.join(known)}"
 
 
 def generate_version(system: System, output: Path, choice: Choice) -> tuple[Path, str]:
@@ -212,7 +220,7 @@ def swap(
     concerned = [node for node in there if names is None or set(node.agents) & set(names)]
     missing = [name for name in names or () if not any(name in node.agents for node in there)]
     if missing:
-        raise OperateError(f"there is no agent {missing[0]}")
+        raise OperateError(_unknown(missing[0], there))
     request: Reply = {
         "request": "swap",
         "hash": name,

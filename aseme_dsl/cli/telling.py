@@ -22,7 +22,9 @@ _STATUS_SECONDS = 0.1
 """How often the time is renewed on a terminal."""
 _LONG_NAME = 40
 _QUIET_AFTER = 20
-"""So many different faults, and passed deadlines, are shown; of the others there is only the number."""
+"""So many different faults are shown; of the others there is only the number."""
+_SAME = 3
+"""So many passed deadlines of an activity are shown; then there is only their number."""
 
 
 class Telling:
@@ -57,8 +59,8 @@ class Telling:
         self._width = max(map(len, self._roles or self._plans), default=1)
         self._doing: dict[tuple[str, str], str] = {}
         self._faults: Counter[tuple[str, str]] = Counter()
-        self._late = 0
-        """How many deadlines have passed."""
+        self._late: Counter[tuple[str, str, str]] = Counter()
+        """How many deadlines have passed: by agent, activity and its place."""
         self.untaken = 0
         """How many agent messages were there for a participant that left without having taken them."""
         self.unexpected = 0
@@ -106,9 +108,7 @@ class Telling:
                 self._crashed(record)
             elif record["what"] == "cancel":
                 if "reason" in record:  # its deadline has passed
-                    self._late += 1
-                    if self._late <= _QUIET_AFTER:
-                        self._warn(record, "deadline", f"{record['activity']} is {record['reason']}", None)
+                    self._passed(record)
             elif self._activities and record["what"] == "start":
                 self._started(record)
         elif kind == "module":
@@ -137,9 +137,12 @@ class Telling:
         again = self.faults - min(len(self._faults), _QUIET_AFTER)
         if again > 0:
             click.echo(f"... and {plural(again, 'fault')} more; the trace has them all", err=True)
-        if self._late > _QUIET_AFTER:
-            late = plural(self._late - _QUIET_AFTER, "passed deadline")
-            click.echo(f"... and {late} more; the trace has them all", err=True)
+        for (agent, activity, at), times in self._late.items():
+            if times > _SAME:
+                late = plural(times, "passed deadline")
+                click.echo(
+                    f"... {late} of {activity} of {agent}{_place(at)}; the trace has them all", err=True
+                )
         counts = ((self.untaken, "not taken"), (self.unexpected, "not expected"))
         if lost := [f"{plural(count, 'agent message')} {what}" for count, what in counts if count]:
             click.echo(f"... {', '.join(lost)}: `asemec sniff` shows which", err=True)
@@ -200,6 +203,14 @@ class Telling:
             label = label.rpartition(".")[0]
         return label
 
+    def _passed(self, record: Mapping[str, Any]) -> None:
+        """An activity was not done in time: told the first times, and counted."""
+        state = self._plan(record["agent"]).by_label.get(record["label"])
+        key = (record["agent"], record["activity"], state.at if state is not None else "")
+        self._late[key] += 1
+        if self._late[key] <= _SAME:
+            self._warn(record, "deadline", f"{record['activity']} is {record['reason']}", key[2])
+
     def _crashed(self, record: Mapping[str, Any]) -> None:
         """An activity raised: where in its code, innermost."""
         frames = record.get("traceback") or [None]
@@ -215,7 +226,7 @@ class Telling:
 
     def _warn(self, record: Mapping[str, Any], what: str, reason: str, at: str | None) -> None:
         self._clear()
-        place = f" ({at})" if at else ""
+        place = _place(at)
         mild = what in ("fault", "deadline")
         painted = click.style(what, fg="yellow" if mild else "red") if self._colour else what
         text = f"{_time(record['time'])}  {record['agent']}  {painted}: {harmless(reason)}{place}"
@@ -245,6 +256,10 @@ def _state(plan: Plan, label: str) -> str:
     if len(name) > _LONG_NAME:
         name = f"{name[:_LONG_NAME]} …"
     return label if name == label else f"{label} {name}"
+
+
+def _place(at: str | None) -> str:
+    return f" ({at})" if at else ""
 
 
 def _time(moment: int) -> str:

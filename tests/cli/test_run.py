@@ -192,7 +192,11 @@ srm r {
 """)
     done = here("run", "late.aseme")
     told = [line.split(maxsplit=2)[2] for line in done.err.splitlines() if "deadline: " in line]
-    assert told == ["r  deadline: Brew is not done within 2 s"] * 3
+    assert told == ["r  deadline: Brew is not done within 2 s (late.aseme:3:18)"] * 3
+    (folder / "late.aseme").write_text((folder / "late.aseme").read_text().replace("< 3", "< 9"))
+    done = here("run", "late.aseme")
+    assert done.err.count("deadline: Brew") == 3
+    assert "... 9 passed deadlines of Brew of r (late.aseme:3:18); the trace has them all\n" in done.err
 
 
 def test_what_comes_again_after_something_else_is_told_again(here: Here, folder: Path) -> None:
