@@ -16,6 +16,7 @@ import click
 
 from aseme_dsl.cli.playing import (
     INTERRUPTED,
+    QUIET_AND_VERBOSE,
     body_option,
     build_target,
     duration_option,
@@ -39,9 +40,11 @@ from aseme_dsl.cli.shared import (
     check_outputs,
     colour_option,
     folder_option,
+    given_options,
     leave_at_once,
     play_backend_option,
     refuse,
+    refuse_options,
     target_argument,
     wants_colour,
 )
@@ -138,9 +141,22 @@ def command(
 
     if trace is not None:
         check_outputs([(trace, "trace")], [target, *([script] if script is not None else [])])
+    folder = source or Path(target)
+    played_as_it_is = source is not None or is_output(folder)
+    given = given_options()
+    unused: list[tuple[str, str, str]] = []
+    if source is not None and "TARGET" in given:
+        unused.append((f"TARGET {target}", "with `--from`", "name one of them"))
+    if played_as_it_is and output is not None:
+        unused.append(("-o", "on an output folder, which is played as it is", "leave it out"))
+    if not played_as_it_is and system is not None:
+        unused.append(("--system", "on what has one system", "leave it out, or name the output folder"))
+    if quiet and verbose:
+        unused.append(QUIET_AND_VERBOSE)
+    if (code := refuse_options(unused, str(folder), False, colour)) is not None:
+        return code
     try:
-        if source is not None or is_output(Path(target)):
-            folder = source or Path(target)
+        if played_as_it_is:
             configuration: Configuration
             configuration, problems = read_configuration(project) if project else find_configuration(folder)
             if has_errors(problems):

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from aseme_dsl.build.build import Choice, Report
     from aseme_dsl.build.configuration import Configuration
 
+QUIET_AND_VERBOSE = ("--verbose", "with `--quiet`", "leave one of them out")
+"""Why the one is refused where the other is given."""
 INTERRUPTED = 130
 """The exit code of what was ended by a signal."""
 

@@ -10,6 +10,7 @@ import click
 
 from aseme_dsl.cli.playing import (
     INTERRUPTED,
+    QUIET_AND_VERBOSE,
     body_option,
     build_target,
     duration_option,
@@ -35,6 +36,7 @@ from aseme_dsl.cli.shared import (
     count_lines,
     diagnostics_json,
     folder_option,
+    given_options,
     json_option,
     leave_at_once,
     play_backend_option,
@@ -159,6 +161,11 @@ def command(
     if agent is not None and plan is None and not list_:
         hint = "add `--plan ROLE`; without it, the whole team plays"
         unused.append(("--agent", "without `--plan`", hint))
+    if list_:
+        why = "with `--list`, which plays nothing"
+        unused += [(option, why, "leave it out") for option in given_options() if option not in _LISTED]
+    elif quiet and verbose:
+        unused.append(QUIET_AND_VERBOSE)
     if played_as_it_is:
         why = "on an output folder, which is played as it is"
         hint = "leave it out, or name the .aseme file or the project's folder to build"
@@ -194,6 +201,12 @@ def command(
         if platform is None and plan is None and (real or process_per_robot):
             platform = configuration.platform
         if platform == ZENOH or process_per_robot:
+            if allowed:
+                why = "where each robot is a process"
+                hint = "leave it out: the robots end by themselves, or when the time is over"
+                code = refuse_options([("--allow", why, hint)], target, as_json, colour)
+                assert code is not None
+                return code
             if not quiet and not as_json and bare is not None:
                 for line in lines_without_code(bare, target, output):
                     click.echo(line)
@@ -420,6 +433,11 @@ def _print(
         for line in count_lines(report.count):
             click.echo(f"  {line}")
 
+
+_LISTED = frozenset(
+    "TARGET --list --output --templates --backend --activities --force --json --color".split()
+)
+"""What has an effect on the list of plans: which they are, and how they are said."""
 
 _REASONS = {
     "finished": "all agents have finished",

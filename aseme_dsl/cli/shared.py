@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, NoReturn, TypeVar
 
 import click
+from click.core import ParameterSource
 
 from aseme_dsl.diagnostics import (
     Diagnostic,
@@ -162,6 +163,16 @@ class WronglyUsed(Refused):
     """What was asked for cannot be meant."""
 
     exit_code = WRONG_USE
+
+
+def given_options() -> list[str]:
+    """The options that were written on the command line, by their usual names; an argument is `TARGET`."""
+    context = click.get_current_context()
+    return [
+        max(parameter.opts, key=len) if isinstance(parameter, click.Option) else str(parameter.name).upper()
+        for parameter in context.command.params
+        if context.get_parameter_source(str(parameter.name)) is ParameterSource.COMMANDLINE
+    ]
 
 
 def refuse_options(

@@ -25,6 +25,7 @@ from aseme_dsl.cli.shared import (
     print_diagnostics,
     print_json,
     refuse,
+    refuse_options,
     say_unreadable,
     targets_argument,
 )
@@ -96,6 +97,12 @@ def command(
     from aseme_dsl.build.target import all_traces_of
     from aseme_dsl.runtime.trace_files import TraceError
 
+    if as_json and format_ is not None and output is None:
+        unused = [("--format", "with `--json`, which prints rows", "write a file with -o, or leave one out")]
+        where = ", ".join(targets) or "."
+        code = refuse_options(unused, where, as_json, colour)
+        assert code is not None
+        return code
     format_ = _format(format_, output)
     if each and output is None:
         raise click.UsageError("--each writes files: name one with -o.")

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from aseme_dsl.cli.run import command as run
 from tests.cli.support import Here
 
 TEAM = """system Team
@@ -111,3 +112,43 @@ def test_what_cannot_be_played_or_reached_has_a_code(built: Here, folder: Path) 
         assert (done.code, said in done.err) == (code, True), (arguments, done.err)
     told = built("run", "team.aseme", "--input", "input.jsonl", "--json").json
     assert [item["code"] for item in told["diagnostics"]] == ["E031", "E031"]
+
+
+VALUES = {
+    "--output": ("other",), "--plan": ("player",), "--agent": ("bob",), "--for": ("1s",), "--seed": ("1",),
+    "--platform": ("zenoh",), "--input": ("i.jsonl",), "--trace": ("t.jsonl",), "--state": ("m",),
+    "--activities": ("a",), "--templates": ("a",), "--world": ("a:b",), "--backend": ("monas",),
+    "--body": ("a:b",), "--allow": ("waiting",), "--color": ("never",),
+}  # fmt: skip
+"""What the options that take a value are given."""
+LISTED = {"--list", "--output", "--templates", "--backend", "--activities", "--force", "--json", "--color"}
+
+
+@pytest.mark.parametrize("option", [max(item.opts, key=len) for item in run.params if item.name != "target"])
+def test_an_option_changes_the_list_of_plans_or_is_refused(built: Here, folder: Path, option: str) -> None:
+    (folder / "a").mkdir()
+    given = (option, *VALUES.get(option, ()))
+    done = built("run", "team.aseme", "--list", *given)
+    assert ("error[E028]" in done.err) == (option not in LISTED), done.err
+    assert (done.code == 2) == (option not in LISTED)  # of --activities, it finds that a file is missing
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("run", "team.aseme", "-q", "-v"), "`--verbose` has no effect with `--quiet`"),
+        (("node", "bob", "team.aseme", "-q", "-v"), "`--verbose` has no effect with `--quiet`"),
+        (("node", "bob", "team.aseme", "--from", "out"), "`TARGET team.aseme` has no effect with `--from`"),
+        (("node", "bob", "out", "-o", "other"), "`-o` has no effect on an output folder"),
+        (("node", "bob", "--from", "out", "-o", "other"), "`-o` has no effect on an output folder"),
+        (
+            ("node", "bob", "team.aseme", "--system", "Team"),
+            "`--system` has no effect on what has one system",
+        ),
+        (("run", "out", "--process-per-robot", "--allow", "waiting"), "`--allow` has no effect where each"),
+        (("sniff", "out", "--json", "--format", "svg"), "`--format` has no effect with `--json`"),
+    ],
+)
+def test_options_without_effect_are_refused(built: Here, arguments: tuple[str, ...], said: str) -> None:
+    done = built(*arguments)
+    assert (done.code, "E028" in done.out + done.err, said in done.out + done.err) == (2, True, True), done
