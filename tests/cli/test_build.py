@@ -154,12 +154,13 @@ class TestActivities:
 
     def test_they_may_be_elsewhere(self, here: Here, folder: Path) -> None:
         (folder / "skills").mkdir()
-        (folder / "skills/walk.py").write_text("mine")
+        mine = "class Walk:\n    def execute(self, context):\n        context.wait(1.0)\n"
+        (folder / "skills/walk.py").write_text(mine)
         assert here("scaffold", "good.aseme", "--activities", "skills").code == 0
         done = here("build", "good.aseme", "-o", "out", "--activities", "skills")
         assert done.code == 0
         assert {path.name for path in (folder / "skills").iterdir()} == {"walk.py", "stand.py"}
-        assert (folder / "skills/walk.py").read_text() == "mine"
+        assert (folder / "skills/walk.py").read_text() == mine
         assert not (folder / "out/monas/activities").exists()
 
     def test_only_for_the_activities_that_have_none(self, here: Here, folder: Path) -> None:

@@ -35,7 +35,7 @@ srm player {
     enter Kik  : [ready && near]
     enter Look : else
   }
-  activities { Look every 100ms writes vision.state.Ball }
+  activities { Look every 100ms writes vision.state.Ball, ready }
 }
 
 team All { robot : player }
@@ -162,6 +162,6 @@ def test_the_class_of_an_activity_leads_to_the_model(tmp_path: Path) -> None:
     )
     assert (tmp_path / "result").exists(), done.stdout + done.stderr
     assert (tmp_path / "result").read_text().splitlines() == [
-        "team.aseme: activities { Look every 100ms writes vision.state.Ball }",
+        "team.aseme: activities { Look every 100ms writes vision.state.Ball, ready }",
         "look.py: class Look:",
     ]
