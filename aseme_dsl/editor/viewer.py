@@ -6,17 +6,21 @@ it hands to whoever has opened it.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import secrets
+import socket
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from importlib import resources
+from io import BufferedReader
 from typing import TYPE_CHECKING, Any
 from urllib.parse import parse_qsl
 
 from aseme_dsl import outside
+from aseme_dsl.runtime.connections import MOST, Places, Timely
 
 if TYPE_CHECKING:
     from aseme_dsl.editor.diagram import LiveDrawing
@@ -103,13 +107,35 @@ class Viewer:
         return path.removeprefix(start) if host in hosts and path.startswith(start) else None
 
 
-_IDLE = 60.0
-"""A connection on which nothing is asked for so many seconds is closed."""
+_BUSY = b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n"
 
 
 class _Server(ThreadingHTTPServer):
+    """Serves few connections at once. Those that have not said the secret make room for others."""
+
     daemon_threads = True
     block_on_close = False
+    request_queue_size = MOST
+    """With few, who connects while others do would wait for seconds."""
+
+    def __init__(self, address: tuple[str, int], handler: type[BaseHTTPRequestHandler]) -> None:
+        self.places = Places()
+        super().__init__(address, handler)
+
+    def process_request(self, request: Any, client_address: Any) -> None:
+        """Serve a connection in a thread of its own."""
+        if self.places.take(request, socket.SHUT_RDWR):
+            super().process_request(request, client_address)
+            return
+        with contextlib.suppress(OSError):
+            request.settimeout(0.0)
+            request.sendall(_BUSY)
+        self.shutdown_request(request)
+
+    def shutdown_request(self, request: Any) -> None:
+        """End a connection."""
+        self.places.leave(request)
+        super().shutdown_request(request)
 
     def handle_error(self, request: Any, client_address: Any) -> None:
         """A page that goes away in the midst of something is none."""
@@ -155,10 +181,26 @@ def _handler(viewer: Viewer) -> type[BaseHTTPRequestHandler]:
         """Answers the page of one viewer."""
 
         protocol_version = "HTTP/1.1"
-        timeout = _IDLE
+        server: _Server
+
+        def setup(self) -> None:
+            super().setup()
+            self.rfile.close()
+            self._coming = Timely(self.connection)
+            self.rfile = BufferedReader(self._coming)
+
+        def handle_one_request(self) -> None:
+            self._coming.next()
+            super().handle_one_request()
+            self.server.places.wait(self.connection, socket.SHUT_RDWR)
+
+        def _asked(self) -> str | None:
+            """What is asked for by who knows the secret, and keeps the place while it is answered."""
+            asked = viewer.is_asked(self.headers.get("Host", ""), self.path)
+            return asked if asked is not None and self.server.places.answer(self.connection) else None
 
         def do_GET(self) -> None:
-            asked = viewer.is_asked(self.headers.get("Host", ""), self.path)
+            asked = self._asked()
             name, _, question = (asked or "").partition("?")
             if asked is None or name not in ("", "state"):
                 self._answer(HTTPStatus.NOT_FOUND)
@@ -176,7 +218,7 @@ def _handler(viewer: Viewer) -> type[BaseHTTPRequestHandler]:
                     self._answer(HTTPStatus.OK, found[1], "application/json", {"X-Version": str(found[0])})
 
         def do_POST(self) -> None:
-            asked = viewer.is_asked(self.headers.get("Host", ""), self.path)
+            asked = self._asked()
             length = self.headers.get("Content-Length", "")
             if asked != "act" or not length.isdecimal() or int(length[:18]) > _LARGEST:
                 self.close_connection = True

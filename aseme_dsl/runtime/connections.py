@@ -32,11 +32,11 @@ class Places:
         """Those that wait for who has opened them, the longest first; and what of each is shut to end it."""
         self._answered: set[socket.socket] = set()
 
-    def take(self, connection: socket.socket) -> bool:
+    def take(self, connection: socket.socket, how: int = socket.SHUT_RD) -> bool:
         """Take a place: if none is free, that of the connection that has waited longest.
 
-        A connection that loses its place is at its end for who reads from it. False if none can be had: all
-        are being answered.
+        A connection that loses its place is shut, in the way that was given for it: who reads from it is at
+        its end. False if none can be had: all are being answered.
         """
         with self._lock:
             if len(self._waiting) + len(self._answered) >= MOST:
@@ -46,7 +46,7 @@ class Places:
                 how = self._waiting.pop(longest)
                 with contextlib.suppress(OSError):  # it has just been closed
                     longest.shutdown(how)
-            self._waiting[connection] = socket.SHUT_RD
+            self._waiting[connection] = how
             return True
 
     def answer(self, connection: socket.socket) -> bool:

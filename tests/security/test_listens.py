@@ -2,26 +2,32 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import re
+import socket
 import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
 from pathlib import Path
+from urllib.parse import urlsplit
 
 import psutil
 import pytest
 
+from aseme_dsl.editor.viewer import LOOPBACK, Viewer, page_state
+from aseme_dsl.runtime import connections
+from aseme_dsl.runtime.connections import MOST
 from aseme_dsl.runtime.control_socket import endpoints
 from aseme_dsl.runtime.transport import meeting as meetings
 from tests.cli.support import asemec
 from tests.faults.team import NAME, PATIENT, ROOT, project, started
 from tests.faults.test_network import certificates, port
 from tests.security.lines import line
-from tests.support.waiting import wait_until
+from tests.support.waiting import LONG, wait_until
 
 __all__ = ["certificates", "port"]
 
@@ -76,9 +82,9 @@ def listed(folder: Path) -> dict[str, list[str]]:
 def test_a_team_in_one_process_opens_a_control_socket_alone(tmp_path: Path) -> None:
     folder = project(tmp_path)
     with running("run", "--real", str(folder), folder=folder) as process:
-        (socket,) = wait_until(lambda: endpoints(folder / "out"))
+        (path,) = wait_until(lambda: endpoints(folder / "out"))
         assert internet(process) == set()
-        assert {path.parent for path in unix(process)} == {socket.parent}
+        assert {one.parent for one in unix(process)} == {path.parent}
     assert listed(folder)["in_process"] == ["nothing on the network"]
     assert listed(folder)["all"] == ["a Unix socket for control, where a run listens for it"]
 
@@ -158,6 +164,88 @@ def test_the_viewer_is_on_the_loopback_interface(tmp_path: Path) -> None:
         assert address == "127.0.0.1"
         assert unix(process) == set()
     assert listed(folder)["asemec view"] == ["tcp/127.0.0.1, any free port"]
+
+
+@pytest.fixture
+def shown() -> Iterator[Viewer]:
+    made = Viewer(lambda said: None)
+    made.show(page_state(title="one"))
+    yield made
+    made.close()
+
+
+@contextmanager
+def crowd(shown: Viewer) -> Iterator[list[socket.socket]]:
+    """As many connections to the viewer as there may be."""
+    with contextlib.ExitStack() as stack:
+        yield [
+            stack.enter_context(socket.create_connection((LOOPBACK, shown.port), LONG)) for _ in range(MOST)
+        ]
+
+
+def state_of(shown: Viewer, after: int = 0, wrong: str = "") -> bytes:
+    """What a page asks."""
+    where = urlsplit(shown.url)
+    return f"GET {where.path}{wrong}state?after={after} HTTP/1.1\r\nHost: {where.netloc}\r\n\r\n".encode()
+
+
+def status_of(connection: socket.socket) -> bytes:
+    """The first line of an answer; empty where the connection is closed."""
+    with connection.makefile("rb") as lines:
+        return lines.readline().rstrip()
+
+
+@line("another user of this machine", "hold up the page of `asemec view` by silent or slow connections")
+@pytest.mark.parametrize("how", ["silent", "in the midst", "refused"])
+def test_who_does_not_know_the_secret_of_the_viewer_makes_room(shown: Viewer, how: str) -> None:
+    with crowd(shown) as silent:
+        for connection in silent:
+            if how == "in the midst":
+                connection.sendall(b"GET / HT")
+            elif how == "refused":
+                connection.sendall(state_of(shown, wrong="x"))
+                assert b"404" in connection.recv(1 << 20)
+        with socket.create_connection((LOOPBACK, shown.port), LONG) as page:
+            page.sendall(state_of(shown))
+            assert status_of(page) == b"HTTP/1.1 200 OK"
+        assert status_of(silent[0]) == b""
+        for connection in silent[1:]:
+            connection.sendall(b"TP/1.1\r\n\r\n" if how == "in the midst" else state_of(shown, wrong="x"))
+            assert status_of(connection) == b"HTTP/1.1 404 Not Found"
+
+
+def test_pages_that_wait_for_news_lose_no_place(shown: Viewer) -> None:
+    version = shown.wait(0)
+    assert version is not None
+    with crowd(shown) as pages:
+        for page in pages:
+            page.sendall(state_of(shown, version[0]))
+        places = shown._server.places
+        wait_until(lambda: len(places._answered) == MOST)
+        with socket.create_connection((LOOPBACK, shown.port), LONG) as one_more:
+            assert status_of(one_more) == b"HTTP/1.1 503 Service Unavailable"
+        shown.show(page_state(title="two"))
+        for page in pages:
+            assert status_of(page) == b"HTTP/1.1 200 OK"
+
+
+@pytest.mark.parametrize("said", [b"GET / HTTP/1.1\r\nx: ", b""])
+def test_who_sends_the_viewer_a_byte_now_and_then_is_closed(
+    shown: Viewer, monkeypatch: pytest.MonkeyPatch, said: bytes
+) -> None:
+    monkeypatch.setattr(connections, "REQUEST_SECONDS", 0.5)
+    with socket.create_connection((LOOPBACK, shown.port), LONG) as connection:
+        connection.sendall(said)
+
+        def is_closed() -> bool:
+            """Send one more byte."""
+            try:
+                connection.sendall(b"x")
+            except OSError:
+                return True
+            return False
+
+        wait_until(is_closed, 20.0, pause=0.05)
 
 
 BROWSER = """#!/bin/sh
