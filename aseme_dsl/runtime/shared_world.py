@@ -9,7 +9,9 @@ the clock that all processes of the machine share.
 from __future__ import annotations
 
 import contextlib
+import os
 import pickle
+import secrets
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -19,6 +21,8 @@ from typing import Any
 
 from aseme_dsl.runtime.body import Body, BodyLost, Heard, World
 from aseme_dsl.runtime.clock import SECOND
+from aseme_dsl.runtime.transport.meeting import private_folder
+from aseme_dsl.runtime.transport.port import TransportError
 
 PATIENCE = 5.0
 """How long, in seconds, a body may take to answer before it counts as lost."""
@@ -27,6 +31,30 @@ HURRY = 5
 
 Doing = Mapping[str, tuple[tuple[str, ...], ...]]
 """What each agent is doing: its active states, region by region."""
+
+
+def _place() -> str:
+    """Where a world of this process listens; what worlds that were killed have left there goes.
+
+    Raises:
+        OSError: there is no folder of the user's own for it.
+    """
+    try:
+        folder = private_folder("worlds")
+    except TransportError as error:
+        raise OSError(str(error)) from error
+    for path in folder.glob("*.sock"):
+        if not _is_alive(path.name.partition("-")[0]):
+            path.unlink(missing_ok=True)
+    return str(folder / f"{os.getpid()}-{secrets.token_hex(4)}.sock")
+
+
+def _is_alive(process: str) -> bool:
+    try:
+        os.kill(int(process), 0)
+    except (ValueError, ProcessLookupError, PermissionError):  # gone; or another user has its number now
+        return False
+    return True
 
 
 class WorldServer:
@@ -38,7 +66,8 @@ class WorldServer:
         self.doing: dict[str, tuple[tuple[str, ...], ...]] = {}
         """What the agents have told last of what they are doing."""
         self._key = key
-        self._listener = Listener()  # without a key: who does not answer must not keep others waiting
+        # Without a key: who does not answer must not keep others waiting.
+        self._listener = Listener(_place(), "AF_UNIX")
         self.address = str(self._listener.address)
         """Where the bodies are: for `FarBody`."""
         self._lock = threading.Lock()

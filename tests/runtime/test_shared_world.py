@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import socket
+import subprocess
+import sys
 import threading
 import time
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,6 +17,7 @@ from aseme_dsl.field.match import Match
 from aseme_dsl.field.team import team_sheet
 from aseme_dsl.runtime.body import BodyLost, Heard
 from aseme_dsl.runtime.shared_world import FarBody, WorldServer
+from aseme_dsl.runtime.transport.meeting import private_folder
 from tests.support.waiting import wait_until
 
 KEY = b"only for us"
@@ -94,3 +98,18 @@ def test_a_world_that_does_not_answer_is_lost(
     with pytest.raises(BodyLost):
         body.sense()
     body.close()
+
+
+def test_a_world_listens_in_a_folder_of_the_user_s_own(match: Match) -> None:
+    folder = private_folder("worlds")
+    ended = subprocess.Popen([sys.executable, "-c", ""])
+    ended.wait()
+    (folder / f"{ended.pid}-0.sock").touch()  # as a world that was killed leaves it
+    server = WorldServer(match, KEY)
+    place = Path(server.address)
+    assert place.parent == folder
+    assert folder.stat().st_mode & 0o777 == 0o700
+    assert not (folder / f"{ended.pid}-0.sock").exists()
+    assert place.exists()
+    server.close()
+    assert not place.exists()
