@@ -17,7 +17,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import analyse
-from aseme_dsl.compiler.conditions import prover_of
+from aseme_dsl.compiler.checks.conditions import prover_of
 from aseme_dsl.proofs.choice import Seen, judge
 from aseme_dsl.source import Source
 

@@ -25,7 +25,7 @@ from pygls.exceptions import JsonRpcException
 from pygls.lsp.client import LanguageClient
 
 from aseme_dsl.compiler import analyse
-from aseme_dsl.editor.positions import Lines
+from aseme_dsl.editor.files.positions import Lines
 from aseme_dsl.source import Source
 from tests.support.large import large_file
 

@@ -117,9 +117,9 @@ def judged(name: str, samples: Sequence[Sample]) -> bool:
 def played(duration: int, trace: Path | None) -> list[Sample]:
     """The example team plays one match of this length in virtual time."""
     from aseme_dsl import compile
-    from aseme_dsl.build.build import Choice, build
-    from aseme_dsl.build.configuration import find_configuration
-    from aseme_dsl.build.play import load
+    from aseme_dsl.project.building.build import Choice, build
+    from aseme_dsl.project.playing.play import load
+    from aseme_dsl.project.settings.configuration import find_configuration
     from aseme_dsl.runtime.loading import activities_in
     from aseme_dsl.runtime.team import Team, make_team
 

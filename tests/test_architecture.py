@@ -17,7 +17,7 @@ PACKAGE = Path(__file__).resolve().parent.parent / "aseme_dsl"
 FLOORS = {
     "cli": 5,
     "documents": 5,
-    "build": 4,
+    "project": 4,
     "editor": 4,
     "compiler": 3,
     "backends": 3,
@@ -174,8 +174,8 @@ SOMETIMES = {
     "subprocess",
     "tempfile",
     "tomllib",
-    "aseme_dsl.build.build",
-    "aseme_dsl.grammar.explain",
+    "aseme_dsl.project.building.build",
+    "aseme_dsl.grammar.parsing.explain",
     "aseme_dsl.interop.proto",
     "aseme_dsl.runtime.inputs",
 }

@@ -21,13 +21,13 @@ from typing import Any
 import pytest
 
 import aseme_dsl
-from aseme_dsl.build.configuration import Configuration
-from aseme_dsl.build.platforms import GIVEN, _mango_hosts, given_environment, provided
 from aseme_dsl.cli.program import run_program
-from aseme_dsl.editor.navigation import PythonFolders
+from aseme_dsl.editor.answers.navigation import PythonFolders
+from aseme_dsl.editor.files.workspace import Project
 from aseme_dsl.editor.server import make_server
-from aseme_dsl.editor.workspace import Project
 from aseme_dsl.grammar import parse
+from aseme_dsl.project.settings.configuration import Configuration
+from aseme_dsl.project.settings.platforms import GIVEN, _mango_hosts, given_environment, provided
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.loading import Loaded
 from aseme_dsl.runtime.process_wide import switching, uncollected

@@ -22,8 +22,8 @@ from aseme_dsl.cli.shared import (
 from aseme_dsl.diagnostics import closest, has_errors
 
 if TYPE_CHECKING:
-    from aseme_dsl.build.bench import Bench
-    from aseme_dsl.build.outputs import Kind
+    from aseme_dsl.project.files.outputs import Kind
+    from aseme_dsl.project.studying.bench import Bench
 
 
 @click.command(
@@ -75,7 +75,7 @@ def command(
     """Print the report in Markdown; 1 if the file has errors, or two ways to run a role do not agree."""
     from tempfile import TemporaryDirectory
 
-    from aseme_dsl.build.write import check_room
+    from aseme_dsl.project.files.write import check_room
 
     if traces and seed is not None:
         raise click.UsageError("--seed draws inputs, --inputs takes recorded ones: choose one.")
@@ -101,8 +101,8 @@ def command(
     if problems:
         print_diagnostics(problems, colour)
         return 1
-    from aseme_dsl.build.bench import Different, bench
-    from aseme_dsl.build.recorded import NotPlayable
+    from aseme_dsl.project.studying.bench import Different, bench
+    from aseme_dsl.project.studying.recorded import NotPlayable
 
     path = [
         compiled.configuration.folder,
@@ -133,9 +133,9 @@ def _leave(found: Bench, output: Path | None, plot: Path | None, as_json: bool, 
     """Write the files, and print what is to be printed; the exit code."""
     from dataclasses import asdict
 
-    from aseme_dsl.build.bench_report import markdown
-    from aseme_dsl.build.plots import PlotsMissing, costs_plot
-    from aseme_dsl.build.write import write_file
+    from aseme_dsl.project.files.write import write_file
+    from aseme_dsl.project.studying.bench_report import markdown
+    from aseme_dsl.project.studying.plots import PlotsMissing, costs_plot
 
     files: dict[Path, bytes] = {}
     if plot is not None:

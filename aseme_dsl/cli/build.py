@@ -33,12 +33,12 @@ from aseme_dsl.cli.shared import (
 from aseme_dsl.diagnostics import Diagnostic, has_errors, in_order
 
 if TYPE_CHECKING:
-    from aseme_dsl.build.build import Choice
-    from aseme_dsl.build.build import Report as Built
-    from aseme_dsl.build.inputs import Inputs
-    from aseme_dsl.build.project import Compiled
-    from aseme_dsl.build.workshop import Workshop
     from aseme_dsl.cli.watching import Done
+    from aseme_dsl.project.building.build import Choice
+    from aseme_dsl.project.building.build import Report as Built
+    from aseme_dsl.project.building.project import Compiled
+    from aseme_dsl.project.building.workshop import Workshop
+    from aseme_dsl.project.files.inputs import Inputs
 
 
 @click.command(
@@ -94,8 +94,8 @@ def command(
     colour: str,
 ) -> int:
     """Build each system; 1 if there is an error in a file, or something cannot be written."""
-    from aseme_dsl.build.build import PARTS
-    from aseme_dsl.build.project import once, path_of
+    from aseme_dsl.project.building.build import PARTS
+    from aseme_dsl.project.building.project import once, path_of
 
     form = form_of(form, as_json, report)
     check_backends((item for item in only if item not in PARTS), PARTS)
@@ -148,9 +148,9 @@ def _built(
     targets: tuple[str, ...], output: Path | None, chosen: dict[str, Any], workshop: Workshop | None
 ) -> _Done:
     """Compile and build once; with an error in any of the systems, none is built."""
-    from aseme_dsl.build.build import build, choose
-    from aseme_dsl.build.configuration import OUTPUT
-    from aseme_dsl.build.project import compile_root, inputs_of, path_of
+    from aseme_dsl.project.building.build import build, choose
+    from aseme_dsl.project.building.project import compile_root, inputs_of, path_of
+    from aseme_dsl.project.settings.configuration import OUTPUT
 
     inputs = inputs_of(targets, standard_input)
     compiled = [
@@ -188,7 +188,7 @@ def _built(
 def _left_behind(system: str, folder: Path, other: Path) -> Iterator[str]:
     """What is to be said if there is a build of a system where it is written when it is built with others,
     or alone, which this one leaves as it is: programs may still import it."""
-    from aseme_dsl.build.manifest import DamagedManifest, read_manifest
+    from aseme_dsl.project.files.manifest import DamagedManifest, read_manifest
 
     try:
         before = read_manifest(other).system
@@ -200,7 +200,7 @@ def _left_behind(system: str, folder: Path, other: Path) -> Iterator[str]:
 
 def _check_native(choice: Choice) -> None:
     """Raises a usage error if nothing is generated that could be compiled; another where mypyc is missing."""
-    from aseme_dsl.build.native import BACKEND, NativeError, check_installed
+    from aseme_dsl.project.building.native import BACKEND, NativeError, check_installed
 
     if BACKEND not in (choice.only or choice.generated):
         raise click.UsageError(f"--native compiles what --backend {BACKEND} makes: ask for that, too.")

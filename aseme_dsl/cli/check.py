@@ -21,14 +21,14 @@ from aseme_dsl.cli.shared import (
     targets_argument,
     watch_option,
 )
-from aseme_dsl.compiler.holes import HOLE
+from aseme_dsl.compiler.formula.holes import HOLE
 from aseme_dsl.diagnostics import Severity, has_errors
 
 if TYPE_CHECKING:
-    from aseme_dsl.build.fix import Fixed
-    from aseme_dsl.build.project import Checked
-    from aseme_dsl.build.workshop import Workshop
     from aseme_dsl.cli.watching import Done
+    from aseme_dsl.project.building.project import Checked
+    from aseme_dsl.project.building.workshop import Workshop
+    from aseme_dsl.project.editing.fix import Fixed
 
 _INSTALL_Z3 = 'pip install "aseme-dsl[check]"'
 
@@ -57,7 +57,7 @@ def command(
     colour: str,
 ) -> int:
     """Print the diagnostics and a summary; 1 if there is an error."""
-    from aseme_dsl.build.project import check, inputs_of
+    from aseme_dsl.project.building.project import check, inputs_of
 
     form = form_of(form, as_json, report)
     if diff and not mend:
@@ -78,7 +78,7 @@ def command(
         checked = check(inputs)
         failed = _report(checked, None, form, report, colour, strict)
         return int(failed or _is_bad(checked, strict))
-    from aseme_dsl.build.fix import difference, fix, write_fixed
+    from aseme_dsl.project.editing.fix import difference, fix, write_fixed
 
     fixed = fix(inputs)
     if diff:
@@ -94,8 +94,8 @@ def command(
 
 
 def _once(targets: tuple[str, ...], workshop: Workshop) -> Done:
-    from aseme_dsl.build.project import check, inputs_of
     from aseme_dsl.cli.watching import Done
+    from aseme_dsl.project.building.project import check, inputs_of
 
     checked = check(inputs_of(targets, standard_input), workshop=workshop)
     return Done(checked.diagnostics, checked.compiled, summary(checked.diagnostics, len(checked.files)))
@@ -146,7 +146,7 @@ def _summary(checked: Checked) -> str:
 
 def _tip(checked: Checked) -> str:
     """What somebody at a terminal may do next."""
-    from aseme_dsl.build.fix import is_mendable
+    from aseme_dsl.project.editing.fix import is_mendable
 
     worst = min(checked.diagnostics, key=lambda item: list(Severity).index(item.severity))
     tip = f"asemec explain {worst.code} tells more"

@@ -81,11 +81,11 @@ def command(
     colour: str,
 ) -> int:
     """Draw and write; 1 if the file has errors or a drawing cannot be made or written."""
-    from aseme_dsl.build.build import with_labels
-    from aseme_dsl.build.draw import NoSuchDrawing, choose, draw_all, into_folder
-    from aseme_dsl.build.outputs import marked
-    from aseme_dsl.build.write import write_file
     from aseme_dsl.diagrams import FORMATS, DrawingFailed, Expressions, Layout, NoSuchState, Options
+    from aseme_dsl.project.building.build import with_labels
+    from aseme_dsl.project.building.draw import NoSuchDrawing, choose, draw_all, into_folder
+    from aseme_dsl.project.files.outputs import marked
+    from aseme_dsl.project.files.write import write_file
 
     compiled = one_system(target)
     if compiled.system is None:

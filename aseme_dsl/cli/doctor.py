@@ -32,9 +32,9 @@ from aseme_dsl.cli.shared import (
 def command(target: str | None, as_json: bool, colour: str) -> int:
     """Print a line a tool, and what a run opens; 1 if a needed one is missing."""
     from aseme_dsl import __version__
-    from aseme_dsl.build.openings import openings
-    from aseme_dsl.build.target import configuration_of, project_here
-    from aseme_dsl.build.tools import tools
+    from aseme_dsl.project.settings.openings import openings
+    from aseme_dsl.project.settings.target import configuration_of, project_here
+    from aseme_dsl.project.settings.tools import tools
 
     configuration, problems = configuration_of(Path(target or project_here()))
     if problems and target is not None:  # without a project, too, there are tools

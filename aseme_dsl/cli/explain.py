@@ -141,7 +141,7 @@ def _example(example: Example) -> Iterator[str]:
 
 
 def _diagnostics(example: Example) -> tuple[Diagnostic, ...]:
-    from aseme_dsl.build.examples import diagnostics_of
+    from aseme_dsl.project.building.examples import diagnostics_of
 
     return diagnostics_of(example)
 

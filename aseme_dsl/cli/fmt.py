@@ -38,9 +38,9 @@ _COLOURS = {"+": "green", "-": "red", "@": "cyan"}
 @colour_option
 def command(targets: tuple[str, ...], check: bool, diff: bool, as_json: bool, colour: str) -> int:
     """Lay out each file; 1 if one has errors or cannot be written, or with --check if one would change."""
-    from aseme_dsl.build.format import files_to_format, format_file
-    from aseme_dsl.build.inputs import STANDARD_INPUT
     from aseme_dsl.diagnostics import has_errors
+    from aseme_dsl.project.editing.format import files_to_format, format_file
+    from aseme_dsl.project.files.inputs import STANDARD_INPUT
 
     inputs = files_to_format(targets, standard_input)
     look_only = check or diff

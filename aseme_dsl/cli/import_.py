@@ -27,8 +27,8 @@ from aseme_dsl.cli.shared import (
 @colour_option
 def command(file: Path, as_json: bool, colour: str) -> int:
     """Print the text; 1 if the file cannot be read."""
-    from aseme_dsl.build.foreign import imported_modules
     from aseme_dsl.diagnostics import has_errors
+    from aseme_dsl.project.files.foreign import imported_modules
 
     text, found = imported_modules(file)
     if as_json:

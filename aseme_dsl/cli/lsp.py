@@ -14,10 +14,10 @@ import click
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
     from aseme_dsl.compiler import Options
-    from aseme_dsl.compiler.memory import Memory
+    from aseme_dsl.compiler.read.memory import Memory
     from aseme_dsl.diagnostics import Diagnostic, Suppressed
-    from aseme_dsl.editor.navigation import PythonFolders
-    from aseme_dsl.editor.workspace import Project
+    from aseme_dsl.editor.answers.navigation import PythonFolders
+    from aseme_dsl.editor.files.workspace import Project
 
 LOOPBACK = "127.0.0.1"
 
@@ -61,8 +61,8 @@ def command(port: int | None, stdio: bool) -> int:
 
 def project() -> Project:
     """What projects on disk say, for an editor; of their Python, only what has changed is read again."""
-    from aseme_dsl.compiler.memory import Memory
-    from aseme_dsl.editor.workspace import Project
+    from aseme_dsl.compiler.read.memory import Memory
+    from aseme_dsl.editor.files.workspace import Project
 
     known: dict[Path, Memory] = {}
     return Project(
@@ -74,7 +74,7 @@ def project() -> Project:
 
 def _options(root: Path) -> tuple[Options, tuple[Diagnostic, ...]]:
     """How the project of a root wants to be compiled, and what is wrong with its configuration."""
-    from aseme_dsl.build.project import configuration_for, options_of
+    from aseme_dsl.project.building.project import configuration_for, options_of
 
     configuration, problems = configuration_for(root)
     return options_of(configuration), problems
@@ -84,7 +84,7 @@ def _code(
     root: Path, system: System, memory: Memory
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """What the code of the activities gets wrong."""
-    from aseme_dsl.build.project import code_problems, configuration_for
+    from aseme_dsl.project.building.project import code_problems, configuration_for
 
     return code_problems(system, configuration_for(root)[0], None, memory)
 
@@ -93,17 +93,17 @@ def _without_read(
     root: Path, system: System, found: tuple[Diagnostic, ...], memory: Memory
 ) -> tuple[Diagnostic, ...]:
     """Without what the code of the activities makes untrue."""
-    from aseme_dsl.build.project import configuration_for, without_read
+    from aseme_dsl.project.building.project import configuration_for, without_read
 
     return without_read(found, system, configuration_for(root)[0], None, memory)
 
 
 def _python_folders(root: Path) -> PythonFolders:
     """Where the Python of a root is: its activities, and what functions name, from the project's folder."""
-    from aseme_dsl.build.build import activities_folder, choose
-    from aseme_dsl.build.configuration import OUTPUT
-    from aseme_dsl.build.project import configuration_for
-    from aseme_dsl.editor.navigation import PythonFolders
+    from aseme_dsl.editor.answers.navigation import PythonFolders
+    from aseme_dsl.project.building.build import activities_folder, choose
+    from aseme_dsl.project.building.project import configuration_for
+    from aseme_dsl.project.settings.configuration import OUTPUT
 
     configuration, _ = configuration_for(root)
     output = configuration.output or configuration.folder / OUTPUT

@@ -29,7 +29,7 @@ from aseme_dsl.diagnostics import has_errors
 @colour_option
 def command(folder: Path, name: str | None, as_json: bool, colour: str) -> int:
     """Write it; 1 if something is in the way."""
-    from aseme_dsl.build.new import BadName, new_project
+    from aseme_dsl.project.editing.new import BadName, new_project
 
     try:
         written = new_project(folder, name)

@@ -53,7 +53,7 @@ from aseme_dsl.diagnostics import has_errors
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from aseme_dsl.build.configuration import Configuration
+    from aseme_dsl.project.settings.configuration import Configuration
     from aseme_dsl.runtime.control import Changed
 
 GRACE = 2.0
@@ -122,11 +122,9 @@ def command(
     colour: str,
 ) -> int:
     """Play; 1 if there are errors, it cannot be played, or the robot fails."""
-    from aseme_dsl.build.build import activities_folder, choose
-    from aseme_dsl.build.configuration import find_configuration, read_configuration
-    from aseme_dsl.build.deployment import Deployment
-    from aseme_dsl.build.platform_settings import IN_PROCESS
-    from aseme_dsl.build.play import (
+    from aseme_dsl.cli.telling import Telling
+    from aseme_dsl.project.building.build import activities_folder, choose
+    from aseme_dsl.project.playing.play import (
         NoSuchPlan,
         PlayError,
         Request,
@@ -136,8 +134,10 @@ def command(
         load,
         play,
     )
-    from aseme_dsl.build.supervisor import WORLD
-    from aseme_dsl.cli.telling import Telling
+    from aseme_dsl.project.playing.supervisor import WORLD
+    from aseme_dsl.project.settings.configuration import find_configuration, read_configuration
+    from aseme_dsl.project.settings.deployment import Deployment
+    from aseme_dsl.project.settings.platform_settings import IN_PROCESS
 
     if trace is not None:
         check_outputs([(trace, "trace")], [target, *([script] if script is not None else [])])
@@ -247,7 +247,7 @@ def command(
 
 def _told_to_begin() -> Callable[[], int | None]:
     """Says that we are ready and waits for the beginning; from then on we end when our supervisor does."""
-    from aseme_dsl.build.supervisor import READY
+    from aseme_dsl.project.playing.supervisor import READY
 
     def begin() -> int | None:
         sys.stdout.write(READY + "\n")
@@ -263,7 +263,7 @@ def _told_to_begin() -> Callable[[], int | None]:
 
 def _tell_change(change: Changed) -> None:
     """Says that we play another version now, which our supervisor takes if it starts us again."""
-    from aseme_dsl.build.supervisor import CHANGED
+    from aseme_dsl.project.playing.supervisor import CHANGED
 
     sys.stdout.write(CHANGED + json.dumps(asdict(change), default=str) + "\n")
     sys.stdout.flush()
@@ -271,7 +271,7 @@ def _tell_change(change: Changed) -> None:
 
 def _tell_end(end: dict[str, Any]) -> None:
     """Say what our run has left open, which our supervisor shows when all have ended."""
-    from aseme_dsl.build.supervisor import ENDED
+    from aseme_dsl.project.playing.supervisor import ENDED
 
     sys.stdout.write(ENDED + json.dumps(end) + "\n")
     sys.stdout.flush()

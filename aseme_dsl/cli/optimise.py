@@ -29,13 +29,13 @@ from aseme_dsl.diagnostics import Diagnostic, has_errors
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
-    from aseme_dsl.build.outputs import Kind
-    from aseme_dsl.build.study_report import Study
-    from aseme_dsl.build.variation import Knob
+    from aseme_dsl.project.files.outputs import Kind
+    from aseme_dsl.project.studying.study_report import Study
+    from aseme_dsl.project.studying.variation import Knob
 
 
 def _knobs(context: click.Context, parameter: click.Parameter, values: tuple[str, ...]) -> tuple[Knob, ...]:
-    from aseme_dsl.build.variation import VariationError, knob
+    from aseme_dsl.project.studying.variation import VariationError, knob
 
     try:
         knobs = tuple(knob(value) for value in values)
@@ -124,14 +124,14 @@ def command(
     colour: str,
 ) -> int:
     """Play and report; 1 if the file has errors or cannot be played so."""
-    from aseme_dsl.build.build import activities_folder, choose
-    from aseme_dsl.build.configuration import OUTPUT
-    from aseme_dsl.build.optimise import Question, optimise
-    from aseme_dsl.build.play import PLAY_NS
-    from aseme_dsl.build.study import TIME, Plan, StudyError
-    from aseme_dsl.build.variation import VariationError
     from aseme_dsl.cli.playing import is_function
     from aseme_dsl.diagnostics import Severity
+    from aseme_dsl.project.building.build import activities_folder, choose
+    from aseme_dsl.project.playing.play import PLAY_NS
+    from aseme_dsl.project.settings.configuration import OUTPUT
+    from aseme_dsl.project.studying.optimise import Question, optimise
+    from aseme_dsl.project.studying.study import TIME, Plan, StudyError
+    from aseme_dsl.project.studying.variation import VariationError
 
     if duration == 0:
         raise click.BadParameter("in 0s nothing can be measured.", param_hint="'--for'")
@@ -187,7 +187,7 @@ _FILES: Mapping[str, Kind] = {
 
 def _in_the_way(folder: Path) -> tuple[Diagnostic, ...]:
     """Why nothing can be written there, as far as that is known before all is played."""
-    from aseme_dsl.build.write import check_room
+    from aseme_dsl.project.files.write import check_room
 
     around = (folder, *folder.absolute().parents)
     there = next(place for place in around if os.path.exists(place))  # noqa: PTH110  raises nothing
@@ -202,7 +202,7 @@ def _in_the_way(folder: Path) -> tuple[Diagnostic, ...]:
 
 def _measures(system: System) -> str:
     """What may be measured, for whoever has not said it."""
-    from aseme_dsl.build.optimise import activities_of
+    from aseme_dsl.project.studying.optimise import activities_of
 
     names = ", ".join(activities_of(system))
     lines = [
@@ -234,11 +234,11 @@ def _leave(study: Study, folder: Path, as_json: bool, colour: str) -> int:
     """Write the report, its data and its plots, and print it; the exit code."""
     import json
 
-    from aseme_dsl.build.findings import is_measured
-    from aseme_dsl.build.plots import PlotsMissing, gains_plot, measure_plot
-    from aseme_dsl.build.study_report import as_json as data_of
-    from aseme_dsl.build.study_report import markdown
-    from aseme_dsl.build.write import write_file
+    from aseme_dsl.project.files.write import write_file
+    from aseme_dsl.project.studying.findings import is_measured
+    from aseme_dsl.project.studying.plots import PlotsMissing, gains_plot, measure_plot
+    from aseme_dsl.project.studying.study_report import as_json as data_of
+    from aseme_dsl.project.studying.study_report import markdown
 
     text, data = markdown(study), data_of(study)
     measured = is_measured(study.rows)

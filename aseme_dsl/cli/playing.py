@@ -24,9 +24,9 @@ from aseme_dsl.cli.shared import (
 from aseme_dsl.diagnostics import has_errors
 
 if TYPE_CHECKING:
-    from aseme_dsl.build.activity_files import WithoutCode
-    from aseme_dsl.build.build import Choice, Report
-    from aseme_dsl.build.configuration import Configuration
+    from aseme_dsl.project.building.build import Choice, Report
+    from aseme_dsl.project.code.activity_files import WithoutCode
+    from aseme_dsl.project.settings.configuration import Configuration
 
 QUIET_AND_VERBOSE = ("--verbose", "with `--quiet`", "leave one of them out")
 """Why the one is refused where the other is given."""
@@ -36,7 +36,7 @@ INTERRUPTED = 130
 
 def duration_of(context: click.Context, parameter: click.Parameter, value: str | None) -> int | None:
     """A duration on the command line, in ns."""
-    from aseme_dsl.build.duration import duration
+    from aseme_dsl.project.files.duration import duration
 
     try:
         return None if value is None else duration(value)
@@ -125,10 +125,10 @@ def build_target(
 
     No activity is started: that is what `build` and `scaffold` are for.
     """
-    from aseme_dsl.build.activity_files import without_code
-    from aseme_dsl.build.build import activities_folder, build, choose
-    from aseme_dsl.build.configuration import OUTPUT
     from aseme_dsl.diagnostics import Severity
+    from aseme_dsl.project.building.build import activities_folder, build, choose
+    from aseme_dsl.project.code.activity_files import without_code
+    from aseme_dsl.project.settings.configuration import OUTPUT
 
     compiled = one_system(target, activities)
     # Notes are about what is still to be written: `check` and `build` say them.

@@ -15,7 +15,7 @@ from aseme_dsl.diagnostics import Diagnostic
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from aseme_dsl.build.remote import Robot
+    from aseme_dsl.project.playing.remote import Robot
 
 CommandT = TypeVar("CommandT", bound="Callable[..., object]")
 
@@ -41,11 +41,11 @@ def reached(key: Path | None, output: Path, system: str | None = None) -> Iterat
     if key is None:
         yield None
         return
-    from aseme_dsl.build.build import choose
-    from aseme_dsl.build.configuration import find_configuration
-    from aseme_dsl.build.play import PlayError, carried
-    from aseme_dsl.build.remote import RemoteError, robots_of
     from aseme_dsl.diagnostics import has_errors
+    from aseme_dsl.project.building.build import choose
+    from aseme_dsl.project.playing.play import PlayError, carried
+    from aseme_dsl.project.playing.remote import RemoteError, robots_of
+    from aseme_dsl.project.settings.configuration import find_configuration
 
     configuration, problems = find_configuration(output)
     if has_errors(problems):

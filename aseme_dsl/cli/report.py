@@ -73,7 +73,7 @@ def print_report(report: Report, form: str, file: Path | None, colour: str) -> b
     if file is None:
         click.echo(text, nl=False)
         return False
-    from aseme_dsl.build.write import write_file
+    from aseme_dsl.project.files.write import write_file
 
     written = write_file(file, text.encode("utf-8", "backslashreplace"))
     print_diagnostics(written.diagnostics, colour)

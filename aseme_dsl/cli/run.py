@@ -51,11 +51,11 @@ from aseme_dsl.diagnostics import has_errors
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from aseme_dsl.build.activity_files import WithoutCode
-    from aseme_dsl.build.build import Report
-    from aseme_dsl.build.configuration import Configuration
-    from aseme_dsl.build.play import Played, Request
     from aseme_dsl.cli.telling import Telling
+    from aseme_dsl.project.building.build import Report
+    from aseme_dsl.project.code.activity_files import WithoutCode
+    from aseme_dsl.project.playing.play import Played, Request
+    from aseme_dsl.project.settings.configuration import Configuration
     from aseme_dsl.runtime.loading import Loaded
 
 
@@ -140,11 +140,20 @@ def command(
 ) -> int:
     """Play; 1 if the file has errors, it cannot be played, or an agent fails or waits for ever."""
     from aseme_dsl.backends.backend import AGENTS
-    from aseme_dsl.build.build import activities_folder, choose
-    from aseme_dsl.build.configuration import find_configuration
-    from aseme_dsl.build.platform_settings import IN_PROCESS, ZENOH
-    from aseme_dsl.build.play import NoSuchPlan, PlayError, Request, carried, is_output, load, play, select
     from aseme_dsl.cli.telling import Telling
+    from aseme_dsl.project.building.build import activities_folder, choose
+    from aseme_dsl.project.playing.play import (
+        NoSuchPlan,
+        PlayError,
+        Request,
+        carried,
+        is_output,
+        load,
+        play,
+        select,
+    )
+    from aseme_dsl.project.settings.configuration import find_configuration
+    from aseme_dsl.project.settings.platform_settings import IN_PROCESS, ZENOH
 
     if plan is not None and (team or process_per_robot):
         raise click.UsageError("--plan plays one plan: not with --team or --process-per-robot.")
@@ -304,7 +313,7 @@ def _supervise(
     as_json: bool,
 ) -> int:
     """Play with a process for each robot, and say how it ended; the exit code."""
-    from aseme_dsl.build.supervisor import supervise
+    from aseme_dsl.project.playing.supervisor import supervise
 
     width = max((len(name) for name, _ in loaded.team), default=0)
 

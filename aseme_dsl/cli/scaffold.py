@@ -36,10 +36,10 @@ from aseme_dsl.cli.shared import (
 @colour_option
 def command(targets: tuple[str, ...], activities: Path | None, diff: bool, as_json: bool, colour: str) -> int:
     """Complete each file; 1 if one has errors or cannot be written."""
-    from aseme_dsl.build.complete import complete
-    from aseme_dsl.build.inputs import STANDARD_INPUT
-    from aseme_dsl.build.project import inputs_of
     from aseme_dsl.diagnostics import Severity, has_errors, render_json
+    from aseme_dsl.project.building.project import inputs_of
+    from aseme_dsl.project.editing.complete import complete
+    from aseme_dsl.project.files.inputs import STANDARD_INPUT
 
     inputs = inputs_of(targets, standard_input)
     completed = [complete(root, write=not diff, activities=activities) for root in inputs.roots]

@@ -24,7 +24,7 @@ from aseme_dsl.cli.shared import json_option, print_json, running_option
 @json_option
 def command(agent: str, plan: str, output: Path, key: Path | None, as_json: bool) -> int:
     """Change it; 1 if it cannot be."""
-    from aseme_dsl.build.operate import OperateError, select
+    from aseme_dsl.project.playing.operate import OperateError, select
 
     try:
         with reached(key, output) as robots:

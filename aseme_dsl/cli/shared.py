@@ -23,12 +23,12 @@ from aseme_dsl.diagnostics import (
 )
 
 if TYPE_CHECKING:
-    from aseme_dsl.build.build import Choice
-    from aseme_dsl.build.counting import Count
-    from aseme_dsl.build.inputs import Inputs
-    from aseme_dsl.build.outputs import Kind
-    from aseme_dsl.build.project import Compiled
-    from aseme_dsl.build.write import Written
+    from aseme_dsl.project.building.build import Choice
+    from aseme_dsl.project.building.counting import Count
+    from aseme_dsl.project.building.project import Compiled
+    from aseme_dsl.project.files.inputs import Inputs
+    from aseme_dsl.project.files.outputs import Kind
+    from aseme_dsl.project.files.write import Written
 
 CommandT = TypeVar("CommandT", bound=Callable[..., Any])
 
@@ -76,7 +76,7 @@ def activities_option(command: CommandT) -> CommandT:
 
 def moment_of(context: click.Context, parameter: click.Parameter, value: str | None) -> int | None:
     """A time on the command line, in ns."""
-    from aseme_dsl.build.duration import duration
+    from aseme_dsl.project.files.duration import duration
 
     try:
         return None if value is None else duration(value)
@@ -230,7 +230,7 @@ def summary(diagnostics: Iterable[Diagnostic], files: int) -> str:
 
 def standard_input() -> bytes:
     """The bytes of standard input, not many more than a file may have."""
-    from aseme_dsl.compiler.load import LARGEST
+    from aseme_dsl.compiler.read.load import LARGEST
 
     return sys.stdin.buffer.read(LARGEST + 1)
 
@@ -249,8 +249,8 @@ def one_system(target: str, activities: Path | None = None) -> Compiled:
 
     `activities` is the folder with the code of its activities, if an option says so.
     """
-    from aseme_dsl.build.configuration import Configuration
-    from aseme_dsl.build.project import Compiled, compile_root, inputs_of
+    from aseme_dsl.project.building.project import Compiled, compile_root, inputs_of
+    from aseme_dsl.project.settings.configuration import Configuration
 
     inputs = inputs_of([target], standard_input)
     if inputs.diagnostics:
@@ -263,8 +263,8 @@ def one_system(target: str, activities: Path | None = None) -> Compiled:
 def one_file(target: str) -> Path | tuple[Diagnostic, ...]:
     """The one file that declares the system that a target means, or what is wrong with that; more or less
     than one is wrong use."""
-    from aseme_dsl.build.project import inputs_of
-    from aseme_dsl.compiler.load import read_source
+    from aseme_dsl.compiler.read.load import read_source
+    from aseme_dsl.project.building.project import inputs_of
 
     if target == "-":
         raise click.UsageError("Standard input is not a file that can be looked at again.")
@@ -286,7 +286,7 @@ def _not_one(target: str, inputs: Inputs) -> str:
 
 def check_outputs(outputs: Iterable[tuple[Path, Kind]], inputs: Iterable[Path | str] = ()) -> None:
     """Refuse, as wrong use, to write over what is not asemec's, or is among what is read, or twice."""
-    from aseme_dsl.build import outputs as files
+    from aseme_dsl.project.files import outputs as files
 
     try:
         files.check_outputs(outputs, inputs)
@@ -332,7 +332,7 @@ def written_summary(written: Written) -> str:
 
 
 def target_argument(command: CommandT) -> CommandT:
-    """`TARGET`: what the command works on (see `build/target.py`); without it, the project here."""
+    """`TARGET`: what the command works on (see `project/settings/target.py`); without it, the project here."""
     return click.argument("target", required=False, type=FilePath(), default=_project_here)(command)
 
 
@@ -342,7 +342,7 @@ def targets_argument(command: CommandT) -> CommandT:
 
 
 def _project_here() -> str:
-    from aseme_dsl.build.target import project_here
+    from aseme_dsl.project.settings.target import project_here
 
     return project_here()
 
@@ -356,7 +356,7 @@ def running_option(command: CommandT) -> CommandT:
     """`-o`: the output folder that something runs from; the project's, if nothing is said."""
 
     def default(context: click.Context, parameter: click.Parameter, value: Path | None) -> Path:
-        from aseme_dsl.build.configuration import OUTPUT, find_configuration
+        from aseme_dsl.project.settings.configuration import OUTPUT, find_configuration
 
         return value or find_configuration(Path())[0].output or Path(OUTPUT)
 

@@ -31,8 +31,8 @@ from aseme_dsl.cli.shared import (
 )
 
 if TYPE_CHECKING:
-    from aseme_dsl.build.sniff import Wanted
-    from aseme_dsl.diagrams.sequence import Row, SequenceDiagram
+    from aseme_dsl.diagrams.sequence.sequence import Row, SequenceDiagram
+    from aseme_dsl.project.playing.sniff import Wanted
     from aseme_dsl.runtime.trace_reading import Record
 
 _PAUSE = 0.1
@@ -93,8 +93,8 @@ def command(
     colour: str,
 ) -> int:
     """Show or write; 1 if a trace cannot be read or is not whole."""
-    from aseme_dsl.build.sniff import Wanted
-    from aseme_dsl.build.target import all_traces_of
+    from aseme_dsl.project.playing.sniff import Wanted
+    from aseme_dsl.project.settings.target import all_traces_of
     from aseme_dsl.runtime.trace_files import TraceError
 
     if as_json and format_ is not None and output is None:
@@ -136,9 +136,9 @@ def _format(given: str | None, output: Path | None) -> str:
 
 def _follow(paths: Sequence[Path], wanted: Wanted, as_json: bool, colour: str) -> int:
     """Until all runs have ended, or somebody ends it."""
-    from aseme_dsl.build.following import TraceFollower
-    from aseme_dsl.build.sniff import Sniffer, line_of
-    from aseme_dsl.build.target import traces_of
+    from aseme_dsl.project.playing.following import TraceFollower
+    from aseme_dsl.project.playing.sniff import Sniffer, line_of
+    from aseme_dsl.project.settings.target import traces_of
 
     followers = [TraceFollower(path) for path in paths]
     sniffer = Sniffer(wanted)
@@ -185,7 +185,7 @@ def _show(
     as_json: bool,
     colour: str,
 ) -> int:
-    from aseme_dsl.build.sniff import Sniffer, line_of
+    from aseme_dsl.project.playing.sniff import Sniffer, line_of
     from aseme_dsl.runtime.trace_reading import TraceReader
 
     sniffer = Sniffer(wanted)
@@ -234,9 +234,9 @@ def _write(
     diagram: SequenceDiagram, format_: str, output: Path, each: bool, read: Sequence[Path]
 ) -> list[Path]:
     """The files: one a page of each picture."""
-    from aseme_dsl.build.outputs import marked
-    from aseme_dsl.build.sniff import of_conversation
-    from aseme_dsl.diagrams.sequence import pages
+    from aseme_dsl.diagrams.sequence.sequence import pages
+    from aseme_dsl.project.files.outputs import marked
+    from aseme_dsl.project.playing.sniff import of_conversation
 
     pictures = [(output, diagram)]
     if each:
@@ -261,9 +261,9 @@ def _named(path: Path, what: str) -> Path:
 
 
 def _drawn(diagram: SequenceDiagram, format_: str) -> str:
-    from aseme_dsl.build.sniff import line_of
-    from aseme_dsl.diagrams.sequence_mermaid import mermaid
-    from aseme_dsl.diagrams.sequence_svg import drawn
+    from aseme_dsl.diagrams.sequence.sequence_mermaid import mermaid
+    from aseme_dsl.diagrams.sequence.sequence_svg import drawn
+    from aseme_dsl.project.playing.sniff import line_of
 
     if format_ == "svg":
         return drawn(diagram)

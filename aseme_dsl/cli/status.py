@@ -21,7 +21,7 @@ from aseme_dsl.cli.shared import json_option, print_json, running_option
 @json_option
 def command(output: Path, key: Path | None, as_json: bool) -> int:
     """Print what the processes say; 1 if there is none, or one does not answer."""
-    from aseme_dsl.build.operate import OperateError, look
+    from aseme_dsl.project.playing.operate import OperateError, look
 
     try:
         with reached(key, output) as robots:

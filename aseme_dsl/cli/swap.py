@@ -22,7 +22,7 @@ from aseme_dsl.diagnostics import has_errors
 
 
 def _seconds(context: click.Context, parameter: click.Parameter, value: str) -> float:
-    from aseme_dsl.build.duration import duration
+    from aseme_dsl.project.files.duration import duration
 
     try:
         return duration(value) / 1e9
@@ -66,10 +66,17 @@ def command(
     colour: str,
 ) -> int:
     """Change it; 1 if the file has errors or the change is refused."""
-    from aseme_dsl.build.build import activities_folder, choose
-    from aseme_dsl.build.configuration import OUTPUT
-    from aseme_dsl.build.operate import OperateError, PartlyDone, activities_of, nodes, swap, write_version
     from aseme_dsl.diagnostics import Severity
+    from aseme_dsl.project.building.build import activities_folder, choose
+    from aseme_dsl.project.playing.operate import (
+        OperateError,
+        PartlyDone,
+        activities_of,
+        nodes,
+        swap,
+        write_version,
+    )
+    from aseme_dsl.project.settings.configuration import OUTPUT
 
     compiled = one_system(target, activities)
     found = tuple(item for item in compiled.diagnostics if item.severity is not Severity.NOTE)

@@ -28,8 +28,8 @@ from aseme_dsl.diagnostics import has_errors
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
-    from aseme_dsl.build.traces import Filter
     from aseme_dsl.diagnostics import Diagnostic
+    from aseme_dsl.project.playing.traces import Filter
     from aseme_dsl.runtime.trace_reading import TraceReader
 
 _NANOSECONDS = 1e9
@@ -38,7 +38,7 @@ _NANOSECONDS = 1e9
 def _kinds(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
     from click.shell_completion import CompletionItem
 
-    from aseme_dsl.build.traces import kinds
+    from aseme_dsl.project.playing.traces import kinds
 
     found = kinds().items()
     return [CompletionItem(kind, help=text) for kind, text in found if kind.startswith(incomplete)]
@@ -47,8 +47,8 @@ def _kinds(context: click.Context, parameter: click.Parameter, incomplete: str) 
 def _known_kinds(
     context: click.Context, parameter: click.Parameter, values: tuple[str, ...]
 ) -> tuple[str, ...]:
-    from aseme_dsl.build.traces import kinds
     from aseme_dsl.diagnostics import closest
+    from aseme_dsl.project.playing.traces import kinds
 
     for value in values:
         if value not in kinds():
@@ -117,8 +117,8 @@ def command(
     colour: str,
 ) -> int:
     """Sum up, list or convert; 1 if a file cannot be read or written, or is not whole."""
-    from aseme_dsl.build.target import all_traces_of
-    from aseme_dsl.build.traces import Filter
+    from aseme_dsl.project.playing.traces import Filter
+    from aseme_dsl.project.settings.target import all_traces_of
     from aseme_dsl.runtime.trace_files import TraceError
     from aseme_dsl.runtime.trace_reading import TraceReader
 
@@ -161,7 +161,7 @@ def command(
 
 def _unknown_agents(files: Sequence[Path], agents: Sequence[str]) -> list[Diagnostic]:
     """What is wrong with the agents that are asked for: those that are in no team and that no line names."""
-    from aseme_dsl.build.traces import Filter
+    from aseme_dsl.project.playing.traces import Filter
     from aseme_dsl.runtime.trace_files import TraceError
     from aseme_dsl.runtime.trace_reading import TraceReader
 
@@ -184,7 +184,7 @@ def _unknown_agents(files: Sequence[Path], agents: Sequence[str]) -> list[Diagno
 
 
 def _convert(reader: TraceReader, wanted: Filter, output: Path, as_json: bool, colour: str) -> int:
-    from aseme_dsl.build.traces import convert
+    from aseme_dsl.project.playing.traces import convert
 
     number = convert(reader, wanted, output)
     if reader.problem is not None:
@@ -198,7 +198,7 @@ def _convert(reader: TraceReader, wanted: Filter, output: Path, as_json: bool, c
 
 def _list(reader: TraceReader, wanted: Filter, as_json: bool) -> None:
     """The lines: as they are, or a table."""
-    from aseme_dsl.build.traces import told
+    from aseme_dsl.project.playing.traces import told
 
     width = 5
     for line in reader:
@@ -216,7 +216,7 @@ def _list(reader: TraceReader, wanted: Filter, as_json: bool) -> None:
 
 
 def _sum(reader: TraceReader, wanted: Filter) -> dict[str, Any]:
-    from aseme_dsl.build.traces import Summary
+    from aseme_dsl.project.playing.traces import Summary
 
     summary = Summary()
     for line in reader:

@@ -17,9 +17,9 @@ import click
 from aseme_dsl.cli.shared import TARGET_HELP, colour_option, one_file, print_diagnostics, target_argument
 
 if TYPE_CHECKING:
-    from aseme_dsl.editor.diagram import Diagrams, LiveDrawing
-    from aseme_dsl.editor.program import Program
-    from aseme_dsl.editor.workspace import Workspace
+    from aseme_dsl.editor.answers.diagram import Diagrams, LiveDrawing
+    from aseme_dsl.editor.files.program import Program
+    from aseme_dsl.editor.files.workspace import Workspace
 
 
 @click.command(
@@ -39,9 +39,9 @@ if TYPE_CHECKING:
 def command(target: str, model: str | None, port: int, opens: bool, colour: str) -> int:
     """Serve until somebody ends it; 1 if there is nothing to show."""
     from aseme_dsl.cli.lsp import project
-    from aseme_dsl.editor.diagram import Diagrams
+    from aseme_dsl.editor.answers.diagram import Diagrams
+    from aseme_dsl.editor.files.workspace import Workspace
     from aseme_dsl.editor.viewer import Viewer
-    from aseme_dsl.editor.workspace import Workspace
 
     file = one_file(target)
     if not isinstance(file, Path):
@@ -100,7 +100,7 @@ class Watched:
     """A file that is looked at, and what is shown of it in each tab of a browser ("": in a new one)."""
 
     def __init__(self, file: Path, workspace: Workspace, diagrams: Diagrams, model: str | None) -> None:
-        from aseme_dsl.build.watch import Watch
+        from aseme_dsl.project.building.watch import Watch
 
         self._path = str(file)
         self._workspace = workspace
@@ -141,7 +141,7 @@ class Watched:
     def state(self, tab: str = "") -> dict[str, Any]:
         """What the page shows now in a tab."""
         from aseme_dsl.diagrams import GraphvizMissing
-        from aseme_dsl.editor.diagram import models_of
+        from aseme_dsl.editor.answers.diagram import models_of
         from aseme_dsl.editor.viewer import page_state
 
         selection = self._selection(tab)

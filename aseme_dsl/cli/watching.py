@@ -16,9 +16,9 @@ from aseme_dsl.cli.shared import plural, print_diagnostics
 from aseme_dsl.diagnostics import Diagnostic, Severity
 
 if TYPE_CHECKING:
-    from aseme_dsl.build.project import Compiled
-    from aseme_dsl.build.watch import Changes
-    from aseme_dsl.build.workshop import Workshop
+    from aseme_dsl.project.building.project import Compiled
+    from aseme_dsl.project.building.watch import Changes
+    from aseme_dsl.project.building.workshop import Workshop
 
 _NAMED = 6
 """How many files are named; of more, it is said how many they are."""
@@ -52,8 +52,8 @@ def watch(
     colour: str,
 ) -> int:
     """Do it once, and again after each change; 0 after Ctrl-C."""
-    from aseme_dsl.build.watch import Watch, watched
-    from aseme_dsl.build.workshop import Workshop
+    from aseme_dsl.project.building.watch import Watch, watched
+    from aseme_dsl.project.building.workshop import Workshop
 
     workshop, watcher = Workshop(), Watch()
     before: tuple[Diagnostic, ...] = ()

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from aseme_dsl.compiler.formula_to_statechart import LARGEST
+from aseme_dsl.compiler.formula.formula_to_statechart import LARGEST
 from aseme_dsl.diagnostics.policy import NO_POLICY, Policy
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
-    from aseme_dsl.compiler.missing import Missing
+    from aseme_dsl.compiler.read.missing import Missing
     from aseme_dsl.diagnostics import Diagnostic, Suppressed
 
 

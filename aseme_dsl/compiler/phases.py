@@ -14,8 +14,13 @@ from aseme_dsl.amola.srm import Activity, Module, Plays, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
-from aseme_dsl.compiler.activities import by_name, merge_activity, type_activity
-from aseme_dsl.compiler.activity_use import (
+from aseme_dsl.compiler.analysis import Analysis, Options
+from aseme_dsl.compiler.chart.aip_to_eac import Protocol, aip_to_eac, read_protocol
+from aseme_dsl.compiler.chart.chart import World
+from aseme_dsl.compiler.chart.flow import check_flow, check_reach, check_timers
+from aseme_dsl.compiler.chart.srm_to_iac import Role, read_role, srm_to_iac
+from aseme_dsl.compiler.chart.statecharts import GivenChart, build_statechart, read_statechart
+from aseme_dsl.compiler.checks.activity_use import (
     all_activities,
     check_described,
     close_names,
@@ -23,50 +28,50 @@ from aseme_dsl.compiler.activity_use import (
     used_activities,
     used_in,
 )
-from aseme_dsl.compiler.aip_to_eac import Protocol, aip_to_eac, read_protocol
-from aseme_dsl.compiler.allow import allow
-from aseme_dsl.compiler.analysis import Analysis, Options
-from aseme_dsl.compiler.blocks import Blocks, blocks_of
-from aseme_dsl.compiler.chart import World
-from aseme_dsl.compiler.conditions import FROM_CONDITIONS, check_conditions, contradiction, vocabulary_of
-from aseme_dsl.compiler.consequences import without_consequences
-from aseme_dsl.compiler.damage import Damaged, damage
-from aseme_dsl.compiler.dialogue import check_multiplicity, check_waits
-from aseme_dsl.compiler.flow import check_flow, check_reach, check_timers
-from aseme_dsl.compiler.goals import not_played, out_of_reach, without_functionality
-from aseme_dsl.compiler.holes import apart_from_holes
-from aseme_dsl.compiler.inclusion import Inclusion, errors_alone, include
-from aseme_dsl.compiler.load import Loaded, Read, load
-from aseme_dsl.compiler.memory import Memory
-from aseme_dsl.compiler.missing import Missing
-from aseme_dsl.compiler.modules import also_activities, read_modules
-from aseme_dsl.compiler.outcomes import check_deadlines, check_outcomes
-from aseme_dsl.compiler.pieces import InPieces, finished
-from aseme_dsl.compiler.renamed import renamed
-from aseme_dsl.compiler.resolve import resolve
-from aseme_dsl.compiler.sag_to_suc import read_sag, sag_to_suc
-from aseme_dsl.compiler.scope import Scope
-from aseme_dsl.compiler.scopes import (
+from aseme_dsl.compiler.checks.conditions import (
+    FROM_CONDITIONS,
+    check_conditions,
+    contradiction,
+    vocabulary_of,
+)
+from aseme_dsl.compiler.checks.consequences import without_consequences
+from aseme_dsl.compiler.checks.dialogue import check_multiplicity, check_waits
+from aseme_dsl.compiler.checks.outcomes import check_deadlines, check_outcomes
+from aseme_dsl.compiler.checks.unused import check_agents, check_exchange, check_unused
+from aseme_dsl.compiler.checks.unwritten import check_unwritten
+from aseme_dsl.compiler.checks.use import check_use
+from aseme_dsl.compiler.checks.waking import check_waking
+from aseme_dsl.compiler.formula.holes import apart_from_holes
+from aseme_dsl.compiler.names.inclusion import Inclusion, errors_alone, include
+from aseme_dsl.compiler.names.renamed import renamed
+from aseme_dsl.compiler.names.resolve import resolve
+from aseme_dsl.compiler.names.scope import Scope
+from aseme_dsl.compiler.names.symbols import Symbols
+from aseme_dsl.compiler.names.usecases import UseCases, use_cases
+from aseme_dsl.compiler.read.allow import allow
+from aseme_dsl.compiler.read.blocks import Blocks, blocks_of
+from aseme_dsl.compiler.read.damage import Damaged, damage
+from aseme_dsl.compiler.read.load import Loaded, Read, load
+from aseme_dsl.compiler.read.memory import Memory
+from aseme_dsl.compiler.read.missing import Missing
+from aseme_dsl.compiler.read.pieces import InPieces, finished
+from aseme_dsl.compiler.requirements.goals import not_played, out_of_reach, without_functionality
+from aseme_dsl.compiler.requirements.sag_to_suc import read_sag, sag_to_suc
+from aseme_dsl.compiler.requirements.suc_to_aip import read_aip, suc_to_aip
+from aseme_dsl.compiler.requirements.suc_to_srm import read_srm, suc_to_srm
+from aseme_dsl.compiler.types.activities import by_name, merge_activity, type_activity
+from aseme_dsl.compiler.types.modules import also_activities, read_modules
+from aseme_dsl.compiler.types.scopes import (
     TypedParticipant,
     TypedRole,
     global_scope,
     protocol_scopes,
     role_scope,
 )
-from aseme_dsl.compiler.settings import settle
-from aseme_dsl.compiler.srm_to_iac import Role, read_role, srm_to_iac
-from aseme_dsl.compiler.state_values import check_states
-from aseme_dsl.compiler.statecharts import GivenChart, build_statechart, read_statechart
-from aseme_dsl.compiler.suc_to_aip import read_aip, suc_to_aip
-from aseme_dsl.compiler.suc_to_srm import read_srm, suc_to_srm
-from aseme_dsl.compiler.symbols import Symbols
-from aseme_dsl.compiler.unused import check_agents, check_exchange, check_unused
-from aseme_dsl.compiler.unwritten import check_unwritten
-from aseme_dsl.compiler.use import check_use
-from aseme_dsl.compiler.usecases import UseCases, use_cases
-from aseme_dsl.compiler.waking import check_waking
+from aseme_dsl.compiler.types.settings import settle
+from aseme_dsl.compiler.types.state_values import check_states
 from aseme_dsl.diagnostics import Diagnostic, Edit, has_errors
-from aseme_dsl.grammar import tree
+from aseme_dsl.grammar.text import tree
 from aseme_dsl.proofs.prover import Prover
 from aseme_dsl.source import Source, Span
 
@@ -504,7 +509,7 @@ def _named(block: tree.Srm | tree.Aip) -> frozenset[str]:
 
 
 _OF_CODE = frozenset(("N726", "W542"))
-"""What is found only where the activities' code is at hand (build/activity_code.py)."""
+"""What is found only where the activities' code is at hand (project/code/activity_code.py)."""
 
 _IMPORTABLE = (
     tree.Import,

@@ -15,8 +15,7 @@ from aseme_dsl.amola.srm import Activity, Srm
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.suc import Suc
 from aseme_dsl.amola.system import System
-from aseme_dsl.diagrams import aip, division, sag, srm, statechart, suc, tree
-from aseme_dsl.diagrams.drawing import (
+from aseme_dsl.diagrams.look.drawing import (
     DEFAULT,
     Drawing,
     Expressions,
@@ -25,9 +24,10 @@ from aseme_dsl.diagrams.drawing import (
     Options,
     of_sheet,
 )
-from aseme_dsl.diagrams.drawn import Drawn, draw
-from aseme_dsl.diagrams.layout import FORMATS, DrawingFailed, GraphvizMissing, program, render
-from aseme_dsl.diagrams.view import view
+from aseme_dsl.diagrams.look.view import view
+from aseme_dsl.diagrams.models import aip, division, sag, srm, statechart, suc, tree
+from aseme_dsl.diagrams.rendering.drawn import Drawn, draw
+from aseme_dsl.diagrams.rendering.layout import FORMATS, DrawingFailed, GraphvizMissing, program, render
 
 __all__ = [
     "FORMATS",

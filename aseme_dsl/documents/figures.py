@@ -9,16 +9,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from aseme_dsl.build.build import with_labels
-from aseme_dsl.build.draw import NoSuchDrawing, choose
-from aseme_dsl.build.project import Compiled, compile_root, path_of
-from aseme_dsl.build.stamp import CLOCK
 from aseme_dsl.diagnostics import Diagnostic, Severity, render_text
 from aseme_dsl.diagrams import DrawingFailed, NoSuchState
-from aseme_dsl.diagrams.drawn import WHOLE
-from aseme_dsl.diagrams.store import Store, key_of
-from aseme_dsl.diagrams.words import words
+from aseme_dsl.diagrams.look.words import words
+from aseme_dsl.diagrams.rendering.drawn import WHOLE
+from aseme_dsl.diagrams.rendering.store import Store, key_of
 from aseme_dsl.documents.request import Request
+from aseme_dsl.project.building.build import with_labels
+from aseme_dsl.project.building.draw import NoSuchDrawing, choose
+from aseme_dsl.project.building.project import Compiled, compile_root, path_of
+from aseme_dsl.project.files.stamp import CLOCK
 from aseme_dsl.source import Source
 
 _MOST = 16

@@ -23,7 +23,7 @@ try:
 except ImportError as missing:
     raise ImportError('the plugin needs MkDocs: pip install "aseme-dsl[mkdocs]"') from missing
 
-from aseme_dsl.diagrams.store import Store
+from aseme_dsl.diagrams.rendering.store import Store
 from aseme_dsl.documents import html
 from aseme_dsl.documents.fences import DIAGRAM, Fence, WrongFence, fences
 from aseme_dsl.documents.figures import Drawer, Picture

@@ -22,7 +22,7 @@ except ImportError as missing:
 
 from aseme_dsl import outside
 from aseme_dsl.diagrams import Drawing, DrawingFailed
-from aseme_dsl.diagrams.store import Store
+from aseme_dsl.diagrams.rendering.store import Store
 from aseme_dsl.documents import html
 from aseme_dsl.documents.figures import Drawer, Figures, Picture, Problem
 from aseme_dsl.documents.request import OPTIONS, Request, WrongOption, request_of

@@ -13,19 +13,19 @@ from aseme_dsl import outside
 from aseme_dsl.diagnostics import Edit
 from aseme_dsl.diagnostics.changes import apply
 from aseme_dsl.diagnostics.pages import file_of
-from aseme_dsl.editor.actions import CLASS, Action, ActionKind, actions, carry_out
-from aseme_dsl.editor.activities import activity_class
-from aseme_dsl.editor.completion import offered
-from aseme_dsl.editor.items import Item, ItemKind
-from aseme_dsl.editor.known import Known, known_in
-from aseme_dsl.editor.positions import Lines
-from aseme_dsl.editor.rewriting import Refused
-from aseme_dsl.editor.signatures import Signature, signatures
+from aseme_dsl.editor.changes.actions import CLASS, Action, ActionKind, actions, carry_out
+from aseme_dsl.editor.changes.activities import activity_class
+from aseme_dsl.editor.changes.rewriting import Refused
+from aseme_dsl.editor.files.known import Known, known_in
+from aseme_dsl.editor.files.positions import Lines
+from aseme_dsl.editor.typing.completion import offered
+from aseme_dsl.editor.typing.items import Item, ItemKind
+from aseme_dsl.editor.typing.signatures import Signature, signatures
 from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:
+    from aseme_dsl.editor.files.view import View
     from aseme_dsl.editor.session import Server
-    from aseme_dsl.editor.view import View
 
 _Asked = tuple[Source, int, Known]
 

@@ -7,8 +7,8 @@ from collections.abc import Awaitable, Callable, Coroutine, Mapping
 from typing import Any, Generic, TypeVar
 
 from aseme_dsl.diagrams import GraphvizMissing
-from aseme_dsl.editor.diagram import LiveDrawing
-from aseme_dsl.editor.view import View
+from aseme_dsl.editor.answers.diagram import LiveDrawing
+from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.viewer import Viewer, page_state
 from aseme_dsl.source import Span
 

@@ -9,10 +9,10 @@ from lsprotocol import types as lsp
 
 from aseme_dsl import outside
 from aseme_dsl.diagnostics import Edit
+from aseme_dsl.editor.answers.python_files import ActivityClass, activity_classes, class_at, places, problems
 from aseme_dsl.editor.authoring import GO_ON
-from aseme_dsl.editor.program import Program
-from aseme_dsl.editor.python_files import ActivityClass, activity_classes, class_at, places, problems
-from aseme_dsl.editor.quick_fixes import mending
+from aseme_dsl.editor.changes.quick_fixes import mending
+from aseme_dsl.editor.files.program import Program
 from aseme_dsl.source import Source
 
 if TYPE_CHECKING:

@@ -13,16 +13,18 @@ from pygls.exceptions import JsonRpcException, JsonRpcInvalidParams
 from pygls.uris import to_fs_path
 
 from aseme_dsl.diagrams import GraphvizMissing
-from aseme_dsl.editor import calls, hints, hover, layout, navigation, outline, reading, rename, tokens
+from aseme_dsl.editor.answers import calls, hints, hover, navigation, outline, tokens
+from aseme_dsl.editor.answers.diagram import LiveDrawing
 from aseme_dsl.editor.authoring import answer_authors
-from aseme_dsl.editor.diagram import LiveDrawing
+from aseme_dsl.editor.changes import layout, rename
+from aseme_dsl.editor.files.index import Kind, Symbol, Use
+from aseme_dsl.editor.files.positions import Change, Position, changed
+from aseme_dsl.editor.files.view import View
+from aseme_dsl.editor.files.workspace import Project
 from aseme_dsl.editor.following import Page
-from aseme_dsl.editor.index import Kind, Symbol, Use
-from aseme_dsl.editor.positions import Change, Position, changed
 from aseme_dsl.editor.python_answers import answer_in_python
+from aseme_dsl.editor.reading import reading
 from aseme_dsl.editor.session import IDLE, FoldersOf, Server, is_python, outdated, plain_range
-from aseme_dsl.editor.view import View
-from aseme_dsl.editor.workspace import Project
 from aseme_dsl.source import Span
 
 DIAGRAM, CURSOR = "aseme/diagram", "aseme/cursor"

@@ -24,17 +24,18 @@ from pygls.lsp.server import LanguageServer
 from pygls.uris import from_fs_path, to_fs_path
 
 from aseme_dsl import diagnostics
-from aseme_dsl.compiler.pieces import InPieces
+from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.diagnostics.pages import file_of
-from aseme_dsl.editor import navigation, reading
-from aseme_dsl.editor.bounded_input import BoundedInput, BoundedReader, Limits
-from aseme_dsl.editor.carrying import carry
-from aseme_dsl.editor.diagram import Diagrams
-from aseme_dsl.editor.positions import Lines, Position
-from aseme_dsl.editor.program import Program
-from aseme_dsl.editor.view import View
-from aseme_dsl.editor.workspace import Project, Workspace
-from aseme_dsl.grammar.parts import TooSlow
+from aseme_dsl.editor.answers import navigation
+from aseme_dsl.editor.answers.diagram import Diagrams
+from aseme_dsl.editor.files.carrying import carry
+from aseme_dsl.editor.files.positions import Lines, Position
+from aseme_dsl.editor.files.program import Program
+from aseme_dsl.editor.files.view import View
+from aseme_dsl.editor.files.workspace import Project, Workspace
+from aseme_dsl.editor.reading import reading
+from aseme_dsl.editor.reading.bounded_input import BoundedInput, BoundedReader, Limits
+from aseme_dsl.grammar.parsing.parts import TooSlow
 from aseme_dsl.source import Source, Span
 
 DEBOUNCE = 0.04

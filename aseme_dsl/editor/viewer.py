@@ -23,7 +23,7 @@ from aseme_dsl import outside
 from aseme_dsl.runtime.connections import MOST, Places, Timely
 
 if TYPE_CHECKING:
-    from aseme_dsl.editor.diagram import LiveDrawing
+    from aseme_dsl.editor.answers.diagram import LiveDrawing
 
 LOOPBACK = "127.0.0.1"
 PATIENCE = 20.0

@@ -7,17 +7,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from aseme_dsl.grammar.parse import parse
+from aseme_dsl.grammar.parsing.parse import parse
 
 if TYPE_CHECKING:
-    from aseme_dsl.grammar.language import aseme_language
+    from aseme_dsl.grammar.parsing.language import aseme_language
 
 __all__ = ["aseme_language", "parse"]
 
 
 def __getattr__(name: str) -> Any:
     if name == "aseme_language":
-        from aseme_dsl.grammar.language import aseme_language
+        from aseme_dsl.grammar.parsing.language import aseme_language
 
         return aseme_language
     raise AttributeError(name)

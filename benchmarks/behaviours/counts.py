@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from aseme_dsl.build import course as recorded
+from aseme_dsl.project.studying import course as recorded
 from aseme_dsl.runtime.inputs import Arrived, Completed, Happened, Input, Written
 from aseme_dsl.runtime.plan import Plan
 from benchmarks.behaviours.aseme import camel, channel, labels, names, text_of

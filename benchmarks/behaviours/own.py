@@ -36,11 +36,11 @@ from aseme_dsl.amola.expression import (
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.plain.generate import problems_of
-from aseme_dsl.build.course import Course, Given, Recorder, begun, give, runs
 from aseme_dsl.codegen.expressions import Names, converted, evaluate, function_key, holds
 from aseme_dsl.codegen.flat import FlatChart, Way
 from aseme_dsl.codegen.place import place
 from aseme_dsl.diagnostics import render_text
+from aseme_dsl.project.studying.course import Course, Given, Recorder, begun, give, runs
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.inputs import Arrived, Completed, Crashed, Happened, Input, Written
 from aseme_dsl.runtime.plain import NEVER

@@ -15,13 +15,13 @@ from typing import Any
 
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
-from aseme_dsl.build.bench import Different, compare, plain_classes, plain_pass, recordings_of
-from aseme_dsl.build.build import Choice, build
-from aseme_dsl.build.course import Course
-from aseme_dsl.build.drawn import drawn
-from aseme_dsl.build.project import compile_root
-from aseme_dsl.build.recorded import NotPlayable
 from aseme_dsl.diagnostics import has_errors, render_text
+from aseme_dsl.project.building.build import Choice, build
+from aseme_dsl.project.building.project import compile_root
+from aseme_dsl.project.studying.bench import Different, compare, plain_classes, plain_pass, recordings_of
+from aseme_dsl.project.studying.course import Course
+from aseme_dsl.project.studying.drawn import drawn
+from aseme_dsl.project.studying.recorded import NotPlayable
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.loading import Loaded, load_system
 from aseme_dsl.runtime.machine import Machine

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
 
-from aseme_dsl.build.table import table
+from aseme_dsl.project.studying.table import table
 from benchmarks.peers.contenders import CORE_TYPED, PEERS, POST, SEND
 from benchmarks.peers.measuring import Results
 from benchmarks.peers.own import Found, Role

@@ -15,9 +15,9 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 from tables import table
 
-from aseme_dsl.build.examples import diagnostics_of
 from aseme_dsl.diagnostics import CODES, GROUPS, Code, render_text
 from aseme_dsl.diagnostics.pages import blocks, fenced, page
+from aseme_dsl.project.building.examples import diagnostics_of
 
 FOLDER = "diagnostics"
 """Where the pages of the codes stand, in the folder of the documentation."""

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.build.course import Course
-from aseme_dsl.build.drawn import drawn
-from aseme_dsl.build.recorded import recorded
+from aseme_dsl.project.studying.course import Course
+from aseme_dsl.project.studying.drawn import drawn
+from aseme_dsl.project.studying.recorded import recorded
 from aseme_dsl.runtime.loading import importing
 from benchmarks.behaviours.counts import counts_of
 from benchmarks.behaviours.description import (

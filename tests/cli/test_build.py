@@ -373,7 +373,7 @@ def test_without_graphviz_there_are_texts_and_a_warning(
     def missing() -> str:
         raise GraphvizMissing
 
-    monkeypatch.setattr("aseme_dsl.diagrams.layout.program", missing)
+    monkeypatch.setattr("aseme_dsl.diagrams.rendering.layout.program", missing)
     done = here("build", "good.aseme", "-o", "out")
     assert done.code == 0
     assert done.err.count("warning[W003]") == 1

@@ -169,7 +169,7 @@ def test_without_graphviz(here: Here, folder: Path, monkeypatch: pytest.MonkeyPa
     def missing() -> str:
         raise GraphvizMissing
 
-    monkeypatch.setattr("aseme_dsl.diagrams.layout.program", missing)
+    monkeypatch.setattr("aseme_dsl.diagrams.rendering.layout.program", missing)
     done = here("diagram", "good.aseme")
     assert done.code == 1
     assert "Graphviz is needed to draw" in done.err

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import aseme_dsl
-from aseme_dsl.build.tools import OPTIONAL
+from aseme_dsl.project.settings.tools import OPTIONAL
 from tests.cli.support import Here
 
 ROOT = Path(__file__).parents[2]
@@ -55,8 +55,8 @@ def test_json(here: Here) -> None:
 
 
 def test_what_is_missing_and_how_to_get_it(here: Here, monkeypatch: pytest.MonkeyPatch) -> None:
-    from aseme_dsl.build import tools
     from aseme_dsl.diagrams import GraphvizMissing
+    from aseme_dsl.project.settings import tools
 
     there = metadata.version
 
@@ -78,7 +78,7 @@ def test_what_is_missing_and_how_to_get_it(here: Here, monkeypatch: pytest.Monke
 
 
 def test_without_what_is_needed_the_exit_code_is_1(here: Here, monkeypatch: pytest.MonkeyPatch) -> None:
-    from aseme_dsl.build import tools
+    from aseme_dsl.project.settings import tools
 
     there = metadata.version
 

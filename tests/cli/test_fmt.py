@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl import outside
-from aseme_dsl.build.format import format_file
-from aseme_dsl.build.write import Disk
+from aseme_dsl.project.editing.format import format_file
+from aseme_dsl.project.files.write import Disk
 from tests.cli.support import Here
 
 UGLY = "system   A\nlet a=1 // one\n"

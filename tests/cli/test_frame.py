@@ -84,7 +84,7 @@ def test_our_own_mistakes_show_no_traceback(
     def broken(*arguments: object) -> None:
         raise KeyError("the drawer is empty")
 
-    monkeypatch.setattr("aseme_dsl.build.project.check", broken)
+    monkeypatch.setattr("aseme_dsl.project.building.project.check", broken)
     done = here("check", "good.aseme")
     assert done.code == 70
     assert "Traceback" not in done.err
@@ -99,7 +99,7 @@ def test_too_little_memory_is_said(here: Here, monkeypatch: pytest.MonkeyPatch, 
     def greedy(*arguments: object) -> None:
         raise MemoryError
 
-    monkeypatch.setattr("aseme_dsl.build.project.check", greedy)
+    monkeypatch.setattr("aseme_dsl.project.building.project.check", greedy)
     done = here("check", "good.aseme")
     assert (done.code, done.err) == (1, "asemec: there is not enough memory for this\n")
 

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.build.write import Written
 from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.project.files.write import Written
 from tests.cli.support import Done, Here, asemec, command
 
 FEED = """\
@@ -273,7 +273,7 @@ def test_a_value_of_another_type_is_refused(here: Here, trips: Path) -> None:
 def test_where_the_report_cannot_go_nothing_is_played(
     here: Here, feed: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("aseme_dsl.build.study.run", None)
+    monkeypatch.setattr("aseme_dsl.project.studying.study.run", None)
     (feed.parent / "file").write_text("mine", "utf-8")
     for folder, why in (
         ("file", "it is a file"),
@@ -298,7 +298,8 @@ def test_a_report_that_cannot_be_left_is_printed(
 ) -> None:
     out = feed.parent / "found"
     problem = Diagnostic("E009", "the disk is full", None, path=str(out))
-    monkeypatch.setattr("aseme_dsl.build.write.write_file", lambda *_: Written(diagnostics=(problem,)))
+    written = Written(diagnostics=(problem,))
+    monkeypatch.setattr("aseme_dsl.project.files.write.write_file", lambda *_: written)
     base = ("optimise", feed, "--measure", "Carry", "--runs", "1", "--for", "5s", "-o", out)
     done = here(*base)
     assert done.code == 1

@@ -16,9 +16,9 @@ from xml.etree import ElementTree
 
 import pytest
 
-from aseme_dsl.build.sniff import Sniffer
 from aseme_dsl.cli import main
-from aseme_dsl.diagrams.sequence import Mark
+from aseme_dsl.diagrams.sequence.sequence import Mark
+from aseme_dsl.project.playing.sniff import Sniffer
 from tests.cli.support import Here
 from tests.conftest import Snapshot
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from aseme_dsl.compiler import analyse
-from aseme_dsl.compiler.holes import as_notes
+from aseme_dsl.compiler.formula.holes import as_notes
 from aseme_dsl.grammar.layout import format_source
 from aseme_dsl.source import Source
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.compiler.load import Loaded, load
+from aseme_dsl.compiler.read.load import Loaded, load
 from aseme_dsl.diagnostics import Diagnostic, render_text
 from aseme_dsl.source import Source
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.amola.messages import Channel, Comm, Kind, Type
-from aseme_dsl.compiler.load import load
-from aseme_dsl.compiler.resolve import Symbols, resolve
+from aseme_dsl.compiler.names.resolve import Symbols, resolve
+from aseme_dsl.compiler.read.load import load
 from aseme_dsl.diagnostics import render_text
 from aseme_dsl.source import Source
 from tests.conftest import Snapshot

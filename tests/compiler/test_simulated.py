@@ -3,7 +3,7 @@
 from jsonschema import Draft202012Validator
 
 from aseme_dsl.amola.as_json import schema, srm_json
-from aseme_dsl.diagrams.srm import sheet
+from aseme_dsl.diagrams.models.srm import sheet
 from tests.support.compiling import analysis, codes, system
 
 SYSTEM = """

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.build.examples import diagnostics_of
 from aseme_dsl.diagnostics import CODES, has_errors, render_text
 from aseme_dsl.diagnostics.pages import Example, page
+from aseme_dsl.project.building.examples import diagnostics_of
 from tests.docs.pages import run_console
 
 WITHOUT_PAGE = frozenset[str]()

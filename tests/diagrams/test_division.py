@@ -9,7 +9,7 @@ import pytest
 import aseme_dsl
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.diagrams import Layout, Options, draw, draw_statechart
-from aseme_dsl.diagrams.division import PIECE
+from aseme_dsl.diagrams.models.division import PIECE
 from aseme_dsl.source import Source
 from tests.diagrams.building import random_statechart, statechart
 from tests.diagrams.pictures import Picture

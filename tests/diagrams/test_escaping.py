@@ -9,9 +9,9 @@ import pytest
 from aseme_dsl.amola.sag import Actor, Goal, Sag
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.diagrams import Drawing, Expressions, Layout, Options, draw_statechart, render
-from aseme_dsl.diagrams import sag as sag_drawing
-from aseme_dsl.diagrams.drawing import of_sheet
-from aseme_dsl.diagrams.labels import wrapped
+from aseme_dsl.diagrams.look.drawing import of_sheet
+from aseme_dsl.diagrams.look.labels import wrapped
+from aseme_dsl.diagrams.models import sag as sag_drawing
 from tests.diagrams.building import SPAN, says, statechart
 from tests.diagrams.pictures import Picture
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.diagrams import DrawingFailed, Layout, Options, draw_statechart, drawings, program, render
-from aseme_dsl.diagrams.pdf import from_svg
+from aseme_dsl.diagrams.rendering.pdf import from_svg
 from tests.diagrams.building import condition, statechart
 from tests.diagrams.test_escaping import drawing_of_goal
 from tests.diagrams.texts import TEAM, compiled

@@ -23,7 +23,7 @@ from aseme_dsl.diagrams import (
     program,
     render,
 )
-from aseme_dsl.diagrams import layout as layout_module
+from aseme_dsl.diagrams.rendering import layout as layout_module
 from tests.diagrams.building import random_statechart, statechart
 from tests.diagrams.pictures import Picture
 from tests.diagrams.programs import counting, stand_in
@@ -101,7 +101,7 @@ def test_a_program_that_hangs_is_ended_with_all_that_it_started(
             return super().communicate(*arguments, **options)
 
     began: list[int] = []
-    monkeypatch.setattr("aseme_dsl.diagrams.layout.subprocess.Popen", Hanging)
+    monkeypatch.setattr("aseme_dsl.diagrams.rendering.layout.subprocess.Popen", Hanging)
     with pytest.raises(DrawingFailed, match=r"dot was not done after 0\.3 s"):
         render(drawing(), "svg", time_limit=0.3)
     assert len(began) == 2

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.diagrams import DrawingFailed, Layout, Options, draw_statechart, drawings, store
-from aseme_dsl.diagrams.drawing import Drawing
-from aseme_dsl.diagrams.store import Store, key_of
-from aseme_dsl.diagrams.words import words
+from aseme_dsl.diagrams import DrawingFailed, Layout, Options, draw_statechart, drawings
+from aseme_dsl.diagrams.look.drawing import Drawing
+from aseme_dsl.diagrams.look.words import words
+from aseme_dsl.diagrams.rendering import store
+from aseme_dsl.diagrams.rendering.store import Store, key_of
 from tests.diagrams.building import statechart
 from tests.diagrams.texts import TEAM, compiled
 
@@ -60,7 +61,7 @@ def test_a_failure_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
     kept = Store()
     with monkeypatch.context() as patch, pytest.raises(DrawingFailed):
         patch.setattr(store, "program", lambda: "/bin/false")
-        patch.setattr("aseme_dsl.diagrams.layout.program", lambda: "/bin/false")
+        patch.setattr("aseme_dsl.diagrams.rendering.layout.program", lambda: "/bin/false")
         kept.render(drawing("A . B"), "svg")
     assert kept.render(drawing("A . B"), "svg")
 

@@ -14,11 +14,12 @@ from typing import Any
 
 from aseme_dsl.amola.liveness import Operator
 from aseme_dsl.amola.messages import BUILT_IN
-from aseme_dsl.compiler.builtins import ACTIONS, FORMS, FUNCTIONS
-from aseme_dsl.grammar import parse, tree
-from aseme_dsl.grammar.expected import words_of
+from aseme_dsl.compiler.read.builtins import ACTIONS, FORMS, FUNCTIONS
+from aseme_dsl.grammar import parse
+from aseme_dsl.grammar.parsing.expected import words_of
+from aseme_dsl.grammar.parsing.terminals import all_rules, parser_model
 from aseme_dsl.grammar.syntax.contexts import EXPRESSION_WORDS
-from aseme_dsl.grammar.terminals import all_rules, parser_model
+from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source
 from tests.docs.pages import ROOT, completed, examples
 

@@ -16,7 +16,7 @@ from mkdocs.commands.build import build
 from mkdocs.config import load_config
 from mkdocs.exceptions import Abort
 
-from aseme_dsl.diagrams import store
+from aseme_dsl.diagrams.rendering import store
 from aseme_dsl.documents.mkdocs import AsemePlugin
 from tests.documents.pages import BROKEN, SMALL, WALKER, ids, svgs, texts
 

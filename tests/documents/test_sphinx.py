@@ -12,9 +12,9 @@ import pytest
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace, patch_docutils
 
-from aseme_dsl.build.project import Compiled
-from aseme_dsl.diagrams import store
+from aseme_dsl.diagrams.rendering import store
 from aseme_dsl.documents import figures
+from aseme_dsl.project.building.project import Compiled
 from aseme_dsl.source import Source
 from tests.documents.pages import BROKEN, SMALL, WALKER, ids, svgs, texts
 

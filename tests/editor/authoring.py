@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from aseme_dsl.editor.completion import complete
-from aseme_dsl.editor.items import Item
-from aseme_dsl.editor.known import Known, known_in
-from aseme_dsl.editor.snippets import filled
-from aseme_dsl.editor.view import View
-from aseme_dsl.editor.workspace import Workspace
+from aseme_dsl.editor.files.known import Known, known_in
+from aseme_dsl.editor.files.view import View
+from aseme_dsl.editor.files.workspace import Workspace
+from aseme_dsl.editor.typing.completion import complete
+from aseme_dsl.editor.typing.items import Item
+from aseme_dsl.editor.typing.snippets import filled
 from aseme_dsl.source import Source
 
 CURSOR = "‸"

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.diagnostics import Edit
-from aseme_dsl.editor.actions import Action, ActionKind, actions, carry_out
-from aseme_dsl.editor.rewriting import Refused, after
+from aseme_dsl.editor.changes.actions import Action, ActionKind, actions, carry_out
+from aseme_dsl.editor.changes.rewriting import Refused, after
 from tests.conftest import Snapshot
 from tests.editor.authoring import opened
 from tests.support.compiling import codes

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.compiler.builtins import FORMS
-from aseme_dsl.editor.items import ItemKind
-from aseme_dsl.editor.names import NEW, PLACES
-from aseme_dsl.editor.snippets import WHOLE, filled
-from aseme_dsl.grammar.expected import all_places, expected_after
+from aseme_dsl.compiler.read.builtins import FORMS
+from aseme_dsl.editor.typing.items import ItemKind
+from aseme_dsl.editor.typing.names import NEW, PLACES
+from aseme_dsl.editor.typing.snippets import WHOLE, filled
+from aseme_dsl.grammar.parsing.expected import all_places, expected_after
 from tests.conftest import Snapshot
 from tests.editor.authoring import CURSOR, accepted, labels, listed, offered
 from tests.support.compiling import codes

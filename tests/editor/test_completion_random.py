@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.editor.completion import complete
-from aseme_dsl.editor.known import known_in
-from aseme_dsl.editor.place import end_of_declaration, place_at
+from aseme_dsl.editor.files.known import known_in
+from aseme_dsl.editor.files.place import end_of_declaration, place_at
+from aseme_dsl.editor.typing.completion import complete
 from aseme_dsl.grammar import parse
 from aseme_dsl.source import Source
 from tests.editor.authoring import PATH, accepted, opened

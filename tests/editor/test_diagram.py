@@ -8,9 +8,9 @@ from xml.etree import ElementTree
 
 import pytest
 
-from aseme_dsl.diagrams import store
-from aseme_dsl.editor.diagram import EARLIER, MISTAKES, READABLE, Diagrams, LiveDrawing
-from aseme_dsl.editor.workspace import Workspace
+from aseme_dsl.diagrams.rendering import store
+from aseme_dsl.editor.answers.diagram import EARLIER, MISTAKES, READABLE, Diagrams, LiveDrawing
+from aseme_dsl.editor.files.workspace import Workspace
 from tests.editor.authoring import CURSOR, PATH
 
 TEXT = """\

@@ -15,20 +15,20 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
-from aseme_dsl.build.project import compile_root
 from aseme_dsl.cli.lsp import project
 from aseme_dsl.compiler import Analysis, analyse
-from aseme_dsl.compiler.pieces import finished
+from aseme_dsl.compiler.read.pieces import finished
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.editor.hints import hints, lenses
-from aseme_dsl.editor.hover import hover
-from aseme_dsl.editor.layout import layout
-from aseme_dsl.editor.navigation import PythonFolders, definition, links, references
-from aseme_dsl.editor.outline import folds, outline, selections
-from aseme_dsl.editor.rename import rename
-from aseme_dsl.editor.tokens import encoded, tokens
-from aseme_dsl.editor.view import View
-from aseme_dsl.editor.workspace import Workspace
+from aseme_dsl.editor.answers.hints import hints, lenses
+from aseme_dsl.editor.answers.hover import hover
+from aseme_dsl.editor.answers.navigation import PythonFolders, definition, links, references
+from aseme_dsl.editor.answers.outline import folds, outline, selections
+from aseme_dsl.editor.answers.tokens import encoded, tokens
+from aseme_dsl.editor.changes.layout import layout
+from aseme_dsl.editor.changes.rename import rename
+from aseme_dsl.editor.files.view import View
+from aseme_dsl.editor.files.workspace import Workspace
+from aseme_dsl.project.building.project import compile_root
 from aseme_dsl.source import Source, Span
 from tests.support.edits import Edit, edited, edits
 from tests.support.large import large_file

@@ -16,9 +16,9 @@ from pygls.lsp.client import LanguageClient
 
 from aseme_dsl.compiler import analyse
 from aseme_dsl.editor import server, session
-from aseme_dsl.editor.navigation import PythonFolders
-from aseme_dsl.editor.positions import Lines
-from aseme_dsl.editor.workspace import Project
+from aseme_dsl.editor.answers.navigation import PythonFolders
+from aseme_dsl.editor.files.positions import Lines
+from aseme_dsl.editor.files.workspace import Project
 from aseme_dsl.source import Source
 from tests.support.edits import KINDS, TOKENS, Edit, edited
 

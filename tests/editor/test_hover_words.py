@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.amola.liveness import Operator
-from aseme_dsl.editor.constructs import constructs, meanings, words
-from aseme_dsl.editor.hover import hover
-from aseme_dsl.grammar.expression import _BINDING
-from aseme_dsl.grammar.lexer import Tokens
+from aseme_dsl.editor.answers.constructs import constructs, meanings, words
+from aseme_dsl.editor.answers.hover import hover
+from aseme_dsl.grammar.formulas.expression import _BINDING
+from aseme_dsl.grammar.text.lexer import Tokens
 from tests.editor.authoring import opened
 
 FORMULA_SIGNS = sorted(

@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.editor.hover import hover
-from aseme_dsl.editor.index import NAMES, UNNAMED, Kind, Symbol, Use
-from aseme_dsl.editor.navigation import PythonFolders, definition, references
-from aseme_dsl.editor.view import View
-from aseme_dsl.editor.workspace import Workspace
-from aseme_dsl.grammar import tree
+from aseme_dsl.editor.answers.hover import hover
+from aseme_dsl.editor.answers.navigation import PythonFolders, definition, references
+from aseme_dsl.editor.files.index import NAMES, UNNAMED, Kind, Symbol, Use
+from aseme_dsl.editor.files.view import View
+from aseme_dsl.editor.files.workspace import Workspace
+from aseme_dsl.grammar.text import tree
 
 ROOT = Path(__file__).parents[2]
 

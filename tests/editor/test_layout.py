@@ -8,8 +8,8 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from aseme_dsl.editor.layout import _cuts, layout
-from aseme_dsl.editor.rewriting import after
+from aseme_dsl.editor.changes.layout import _cuts, layout
+from aseme_dsl.editor.changes.rewriting import after
 from aseme_dsl.grammar.layout import format_source
 from aseme_dsl.source import Source
 from tests.support.edits import Edit, edited, edits

@@ -16,8 +16,8 @@ import pytest
 from aseme_dsl.cli.lsp import project
 from aseme_dsl.cli.view import Watched
 from aseme_dsl.editor import viewer
-from aseme_dsl.editor.diagram import Diagrams
-from aseme_dsl.editor.workspace import Workspace
+from aseme_dsl.editor.answers.diagram import Diagrams
+from aseme_dsl.editor.files.workspace import Workspace
 from tests.cli.support import GOOD
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -9,11 +9,11 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from aseme_dsl.compiler import analyse
-from aseme_dsl.editor.carrying import carry
-from aseme_dsl.editor.hover import hover
-from aseme_dsl.editor.navigation import definition, highlights
-from aseme_dsl.editor.view import View
-from aseme_dsl.editor.workspace import Workspace
+from aseme_dsl.editor.answers.hover import hover
+from aseme_dsl.editor.answers.navigation import definition, highlights
+from aseme_dsl.editor.files.carrying import carry
+from aseme_dsl.editor.files.view import View
+from aseme_dsl.editor.files.workspace import Workspace
 from aseme_dsl.source import Source, Span
 from tests.support.edits import Edit, edited, edits
 

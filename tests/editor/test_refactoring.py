@@ -7,9 +7,9 @@ import re
 import pytest
 
 from aseme_dsl.amola.liveness import Operator, ungrouped, walk
-from aseme_dsl.editor.extract import extract
-from aseme_dsl.editor.inline import inline
-from aseme_dsl.editor.rewriting import Refused, after, piece_at
+from aseme_dsl.editor.changes.extract import extract
+from aseme_dsl.editor.changes.inline import inline
+from aseme_dsl.editor.changes.rewriting import Refused, after, piece_at
 from tests.conftest import Snapshot
 from tests.editor.authoring import opened
 from tests.editor.test_actions import SOCCER, WAREHOUSE, difference, done, refused

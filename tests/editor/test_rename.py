@@ -11,10 +11,10 @@ from lsprotocol import types as lsp
 from pygls.lsp.client import LanguageClient
 
 from aseme_dsl.compiler import analyse
-from aseme_dsl.editor.hover import hover
-from aseme_dsl.editor.navigation import PythonFolders, definition, references
-from aseme_dsl.editor.rename import Refused, Renaming, edited, rename, renameable
-from aseme_dsl.editor.workspace import Workspace
+from aseme_dsl.editor.answers.hover import hover
+from aseme_dsl.editor.answers.navigation import PythonFolders, definition, references
+from aseme_dsl.editor.changes.rename import Refused, Renaming, edited, rename, renameable
+from aseme_dsl.editor.files.workspace import Workspace
 from aseme_dsl.source import Source
 
 KOURETES = (Path(__file__).parents[2] / "examples/robocup/kouretes.aseme").read_text("utf-8")

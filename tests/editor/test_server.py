@@ -17,8 +17,8 @@ from pygls.exceptions import JsonRpcException
 from pygls.lsp.client import LanguageClient as BaseLanguageClient
 from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
 
-from aseme_dsl.editor.positions import Lines
-from aseme_dsl.editor.tokens import TYPES
+from aseme_dsl.editor.answers.tokens import TYPES
+from aseme_dsl.editor.files.positions import Lines
 from tests.editor.test_viewer import Browser
 
 pytestmark = pytest.mark.asyncio(loop_scope="module")
@@ -391,7 +391,7 @@ def applied(text: str, edits: list[lsp.TextEdit]) -> str:
     lines = Lines(text)
 
     def offset(place: lsp.Position) -> int:
-        from aseme_dsl.editor.positions import Position
+        from aseme_dsl.editor.files.positions import Position
 
         return lines.offset(Position(place.line, place.character))
 

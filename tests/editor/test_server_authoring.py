@@ -10,7 +10,7 @@ import pytest
 from lsprotocol import types as lsp
 
 from aseme_dsl.editor.authoring import EXPLAIN, GO_ON
-from aseme_dsl.editor.positions import Lines, Position
+from aseme_dsl.editor.files.positions import Lines, Position
 from tests.editor.test_server import TEAM, Project, at, client, folder, project
 
 __all__ = ["client", "folder", "project"]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from aseme_dsl.editor.known import known_in
-from aseme_dsl.editor.signatures import signatures
+from aseme_dsl.editor.files.known import known_in
+from aseme_dsl.editor.typing.signatures import signatures
 from aseme_dsl.source import Source
 from tests.editor.authoring import CURSOR, PATH, opened
 

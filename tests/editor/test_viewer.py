@@ -22,10 +22,10 @@ import pytest
 from aseme_dsl.cli.lsp import project
 from aseme_dsl.cli.view import Watched
 from aseme_dsl.editor import viewer
-from aseme_dsl.editor.diagram import Diagrams
-from aseme_dsl.editor.program import Program
+from aseme_dsl.editor.answers.diagram import Diagrams
+from aseme_dsl.editor.files.program import Program
+from aseme_dsl.editor.files.workspace import Workspace
 from aseme_dsl.editor.viewer import Viewer, page_state
-from aseme_dsl.editor.workspace import Workspace
 from tests.cli.support import GOOD, command, save
 
 SECONDS = 60.0

@@ -13,8 +13,8 @@ from typing import Any
 import pytest
 
 import aseme_dsl
+from aseme_dsl.editor.answers.hints import DIAGRAM, RUN
 from aseme_dsl.editor.authoring import CARRY_OUT, EXPLAIN
-from aseme_dsl.editor.hints import DIAGRAM, RUN
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "editors/vscode"

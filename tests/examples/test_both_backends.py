@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.build.build import Choice, activities_folder, build
-from aseme_dsl.build.play import Request, load, play
-from aseme_dsl.build.project import Compiled, compile_root
 from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.project.building.build import Choice, activities_folder, build
+from aseme_dsl.project.building.project import Compiled, compile_root
+from aseme_dsl.project.playing.play import Request, load, play
 from aseme_dsl.runtime.chart import Chart
 from aseme_dsl.runtime.inputs import Input, Outcome
 from tests.support import asleep

@@ -78,7 +78,7 @@ def project(folder: Path, lease: str = f"{LONG:g}s", **files: str) -> Path:
 
 PATIENT = f"""
 import sys
-from aseme_dsl.build import supervisor
+from aseme_dsl.project.playing import supervisor
 from aseme_dsl.cli import main
 supervisor.START = supervisor.END = supervisor.SETTLED = {LONG}
 sys.exit(main(sys.argv[1:]))

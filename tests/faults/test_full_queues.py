@@ -183,7 +183,7 @@ def test_signals_that_are_held_back_are_bounded() -> None:
 
 
 def test_a_project_says_how_many(tmp_path: Path) -> None:
-    from aseme_dsl.build.configuration import read_configuration
+    from aseme_dsl.project.settings.configuration import read_configuration
 
     path = tmp_path / "pyproject.toml"
     path.write_text("[tool.asemec.run]\nqueue = 500\n")

@@ -181,8 +181,8 @@ class Running:
 
 def package(folder: Path, text: str) -> tuple[str, str]:
     """The hash of a version on disk, and that of its models."""
-    from aseme_dsl.build.build import Choice
-    from aseme_dsl.build.operate import write_version
+    from aseme_dsl.project.building.build import Choice
+    from aseme_dsl.project.playing.operate import write_version
     from tests.support.generated import system_of
 
     return write_version(system_of(text), folder, Choice(), None)

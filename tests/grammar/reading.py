@@ -9,7 +9,8 @@ from typing import Any
 
 from aseme_dsl.amola.liveness import Formula, canonical
 from aseme_dsl.diagnostics import Diagnostic, render_text
-from aseme_dsl.grammar import parse, tree
+from aseme_dsl.grammar import parse
+from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source, Span
 
 ACCEPTANCE = sorted((Path(__file__).parents[1] / "acceptance").glob("*.aseme"))

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.grammar import parse, tree
-from aseme_dsl.grammar.copies import dump, load, moved
-from aseme_dsl.grammar.parts import Parts, TooSlow
+from aseme_dsl.grammar import parse
+from aseme_dsl.grammar.parsing.copies import dump, load, moved
+from aseme_dsl.grammar.parsing.parts import Parts, TooSlow
+from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source
 
 ROOT = Path(__file__).parents[2]

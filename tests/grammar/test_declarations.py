@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.grammar import tree
+from aseme_dsl.grammar.text import tree
 from tests.grammar.reading import declared, places, read, short
 
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from aseme_dsl.grammar import tree
+from aseme_dsl.grammar.text import tree
 from tests.grammar.reading import condition, declared, mistakes, short, transition
 
 

@@ -7,7 +7,7 @@ import time
 import pytest
 
 from aseme_dsl.grammar import parse
-from aseme_dsl.grammar.recovery import BLOCKS
+from aseme_dsl.grammar.text.recovery import BLOCKS
 from aseme_dsl.source import Source
 
 BEGINNINGS = {

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.build.new import new_project
 from aseme_dsl.grammar.layout import format_source
+from aseme_dsl.project.editing.new import new_project
 from aseme_dsl.source import Source
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -10,8 +10,8 @@ from textx.lang import ALL_TYPE_NAMES
 
 from aseme_dsl.grammar.layout import format_source
 from aseme_dsl.grammar.layout.rules import DROPPED, EXPRESSIONS, FORMULAS, SHAPES, Line
-from aseme_dsl.grammar.parse import parse_with_leaves
-from aseme_dsl.grammar.terminals import all_rules, metamodel, parser_model
+from aseme_dsl.grammar.parsing.parse import parse_with_leaves
+from aseme_dsl.grammar.parsing.terminals import all_rules, metamodel, parser_model
 from aseme_dsl.source import Source
 
 EVERYTHING = Path(__file__).parent / "layout" / "everything.aseme"

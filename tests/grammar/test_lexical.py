@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.grammar import tree
+from aseme_dsl.grammar.text import tree
 from tests.grammar.reading import ACCEPTANCE, condition, declared, mistakes, nodes, places, read, short
 
 

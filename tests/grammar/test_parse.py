@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.grammar import parse, tree
+from aseme_dsl.grammar import parse
+from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Source
 from tests.grammar.reading import ACCEPTANCE, read
 from tests.support.large import large_file

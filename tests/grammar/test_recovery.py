@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.grammar.lexer import clean
+from aseme_dsl.grammar.text.lexer import clean
 from aseme_dsl.source import Source
 from tests.grammar.reading import ACCEPTANCE, mistakes
 

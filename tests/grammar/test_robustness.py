@@ -107,7 +107,7 @@ def test_garbage() -> None:
 
 def test_time_grows_with_length_and_no_faster(monkeypatch: pytest.MonkeyPatch) -> None:
     """Counted in looks at tokens, as no clock is reliable: twice the text, about twice the work."""
-    from aseme_dsl.grammar.lexer import Tokens
+    from aseme_dsl.grammar.text.lexer import Tokens
 
     calls = 0
     word = Tokens.word

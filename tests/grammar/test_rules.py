@@ -12,8 +12,8 @@ from arpeggio import RegExMatch
 from textx import metamodel_from_str
 from textx.model_params import ModelParams
 
-from aseme_dsl.grammar import parser, prepared, rules, terminals
-from aseme_dsl.grammar.terminals import metamodel
+from aseme_dsl.grammar.parsing import parser, prepared, rules, terminals
+from aseme_dsl.grammar.parsing.terminals import metamodel
 from aseme_dsl.source import Source
 from tests.docs.pages import ROOT
 

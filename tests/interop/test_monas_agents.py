@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from aseme_dsl.build.foreign import imported_modules
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import render_text
 from aseme_dsl.interop.monas_agents import modules_of
+from aseme_dsl.project.files.foreign import imported_modules
 from aseme_dsl.source import Source
 
 TEXT = """<?xml version="1.0"?>

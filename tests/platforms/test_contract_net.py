@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.build.activity_files import stubs
+from aseme_dsl.project.code.activity_files import stubs
 from tests.platforms.servers import Server
 from tests.support.compiling import system
 

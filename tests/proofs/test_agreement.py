@@ -12,9 +12,9 @@ import pytest
 
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.codegen.plan import value_term
-from aseme_dsl.compiler.load import load
-from aseme_dsl.compiler.resolve import resolve
-from aseme_dsl.compiler.scopes import global_scope
+from aseme_dsl.compiler.names.resolve import resolve
+from aseme_dsl.compiler.read.load import load
+from aseme_dsl.compiler.types.scopes import global_scope
 from aseme_dsl.proofs.prover import Prover
 from aseme_dsl.proofs.snapshot import Claim, Witness
 from aseme_dsl.proofs.unknowns import Key, Vocabulary

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.build.following import TraceFollower
+from aseme_dsl.project.playing.following import TraceFollower
 from aseme_dsl.runtime.trace_files import TraceError
 from aseme_dsl.runtime.trace_mcap import LONGEST, MAGIC
 from aseme_dsl.runtime.trace_reading import TraceReader

@@ -17,11 +17,11 @@ from typing import Any, cast
 import jsonschema
 import pytest
 
-from aseme_dsl.build import operate
-from aseme_dsl.build.configuration import Configuration
-from aseme_dsl.build.deployment import Deployment
-from aseme_dsl.build.operable import operable
-from aseme_dsl.build.remote import RemoteError, Robot, robots_of
+from aseme_dsl.project.playing import operate
+from aseme_dsl.project.playing.operable import operable
+from aseme_dsl.project.playing.remote import RemoteError, Robot, robots_of
+from aseme_dsl.project.settings.configuration import Configuration
+from aseme_dsl.project.settings.deployment import Deployment
 from aseme_dsl.runtime import operator_gate
 from aseme_dsl.runtime.control import Control
 from aseme_dsl.runtime.loading import Loaded
@@ -592,15 +592,15 @@ def test_robots_that_have_not_changed_are_named(monkeypatch: pytest.MonkeyPatch,
 
 
 def test_a_project_says_where_the_keys_are() -> None:
-    from aseme_dsl.build.deployment import keys_of
+    from aseme_dsl.project.settings.deployment import keys_of
 
     assert keys_of(None, "ann") is None and keys_of(Deployment(), "ann") is None
     assert keys_of(Deployment(control=Path("keys/ROBOT.toml")), "ann") == Path("keys/ann.toml")
 
 
 def test_an_operator_connects_to_all_hosts_and_listens_nowhere(tmp_path: Path) -> None:
-    from aseme_dsl.build.configuration import configuration_of
-    from aseme_dsl.build.deployment import network_of
+    from aseme_dsl.project.settings.configuration import configuration_of
+    from aseme_dsl.project.settings.deployment import network_of
     from aseme_dsl.source import Source
 
     text = """\

@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.build.sniff import Sniffer
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import render_text
-from aseme_dsl.diagrams.sequence_svg import drawn
+from aseme_dsl.diagrams.sequence.sequence_svg import drawn
+from aseme_dsl.project.playing.sniff import Sniffer
 from aseme_dsl.runtime import Context
 from aseme_dsl.source import Source
 from tests.conftest import Snapshot

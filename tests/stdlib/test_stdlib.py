@@ -12,9 +12,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from aseme_dsl.compiler.builtins import PERFORMATIVES
-from aseme_dsl.compiler.load import load
-from aseme_dsl.compiler.resolve import Symbols, resolve
+from aseme_dsl.compiler.names.resolve import Symbols, resolve
+from aseme_dsl.compiler.read.builtins import PERFORMATIVES
+from aseme_dsl.compiler.read.load import load
 from aseme_dsl.diagnostics import render_text
 from aseme_dsl.runtime.library import math as maths
 from aseme_dsl.runtime.library import soccer, time

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from aseme_dsl.amola.expression import Value
-from aseme_dsl.compiler.load import load
-from aseme_dsl.compiler.resolve import resolve
-from aseme_dsl.compiler.scopes import global_scope
+from aseme_dsl.compiler.names.resolve import resolve
+from aseme_dsl.compiler.read.load import load
+from aseme_dsl.compiler.types.scopes import global_scope
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.source import Source
 

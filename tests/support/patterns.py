@@ -12,8 +12,8 @@ from pathlib import Path
 
 from arpeggio import RegExMatch
 
-from aseme_dsl.grammar.recovery import _OUTER, BLOCKS
-from aseme_dsl.grammar.terminals import all_rules, parser_model
+from aseme_dsl.grammar.parsing.terminals import all_rules, parser_model
+from aseme_dsl.grammar.text.recovery import _OUTER, BLOCKS
 from aseme_dsl.pygments_lexer import AsemeLexer
 
 ROOT = Path(__file__).parents[2]

@@ -6,7 +6,7 @@ import random
 import re
 from typing import Any
 
-from aseme_dsl.grammar.parse import parse_with_leaves
+from aseme_dsl.grammar.parsing.parse import parse_with_leaves
 from aseme_dsl.source import Source
 
 _IN_A_TOKEN = re.compile(r"\s+")

@@ -7,12 +7,12 @@ import sys
 import time
 from typing import Any
 
-from aseme_dsl.editor import reader_process
-from aseme_dsl.editor.navigation import PythonFolders
-from aseme_dsl.editor.reading import Reader
+from aseme_dsl.editor.answers.navigation import PythonFolders
+from aseme_dsl.editor.files.workspace import Project
+from aseme_dsl.editor.reading import reader_process
+from aseme_dsl.editor.reading.reading import Reader
 from aseme_dsl.editor.server import make_server
-from aseme_dsl.editor.workspace import Project
-from aseme_dsl.grammar import terminals
+from aseme_dsl.grammar.parsing import terminals
 
 MOST = 2.0
 """Seconds of computing that the reader may take for a text."""

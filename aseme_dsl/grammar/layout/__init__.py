@@ -35,7 +35,7 @@ def format_source(source: Source) -> Formatted:
     """
     from aseme_dsl.grammar.layout.reading import read_blocks
     from aseme_dsl.grammar.layout.writing import write_blocks
-    from aseme_dsl.grammar.parse import parse_with_leaves
+    from aseme_dsl.grammar.parsing.parse import parse_with_leaves
 
     tree, comments, diagnostics = parse_with_leaves(source)
     if any(item.code != "E109" for item in diagnostics):  # holes are laid out as operators are

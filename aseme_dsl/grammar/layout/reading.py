@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from aseme_dsl.grammar.filling import apart
+from aseme_dsl.grammar.formulas.filling import apart
 from aseme_dsl.grammar.layout.pieces import GLUED, ORDER, Block, Gap, Piece, Row
 from aseme_dsl.grammar.layout.rules import (
     DROPPED,
@@ -24,8 +24,8 @@ from aseme_dsl.grammar.layout.rules import (
     Words,
 )
 from aseme_dsl.grammar.layout.spacing import expression, formula, level_of
-from aseme_dsl.grammar.token import Token, token
-from aseme_dsl.grammar.tree import Comment
+from aseme_dsl.grammar.text.token import Token, token
+from aseme_dsl.grammar.text.tree import Comment
 from aseme_dsl.source import Source
 
 _TIGHT_AFTER = frozenset(("(", "[", "..", "@", "#", "."))

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from aseme_dsl.grammar.rules import prepared_text
+from aseme_dsl.grammar.parsing.rules import prepared_text
 from aseme_dsl.grammar.syntax.contexts import outline
 from aseme_dsl.grammar.syntax.emacs import emacs_mode
 from aseme_dsl.grammar.syntax.pygments import pygments_lexer
@@ -20,7 +20,7 @@ def files() -> dict[str, str]:
     """The text of every file that follows from the grammar, by its path from the root of the project."""
     made = outline()
     return {
-        "aseme_dsl/grammar/prepared.py": prepared_text(),
+        "aseme_dsl/grammar/parsing/prepared.py": prepared_text(),
         "editors/vscode/syntaxes/aseme.tmLanguage.json": textmate_grammar(made),
         "aseme_dsl/pygments_lexer.py": pygments_lexer(made),
         "editors/emacs/aseme-mode.el": emacs_mode(made),

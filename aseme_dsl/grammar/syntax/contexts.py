@@ -17,6 +17,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum, auto
 
+from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES
 from aseme_dsl.grammar.layout.rules import EXPRESSIONS, FORMULAS
 from aseme_dsl.grammar.syntax.shape import (
     Choice,
@@ -28,7 +29,6 @@ from aseme_dsl.grammar.syntax.shape import (
     grammar,
     may_be_empty,
 )
-from aseme_dsl.grammar.words import BUILT_IN_TYPES
 
 
 class Kind(Enum):

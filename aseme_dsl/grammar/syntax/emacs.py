@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES, RESERVED
 from aseme_dsl.grammar.syntax.contexts import EXPRESSION_WORDS, Context, Kind
-from aseme_dsl.grammar.words import BUILT_IN_TYPES, RESERVED
 
 _TEXT = """\
 ;;; aseme-mode.el --- Multi-agent systems in text  -*- lexical-binding: t; -*-

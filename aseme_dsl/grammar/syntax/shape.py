@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 from arpeggio import Match, OneOrMore, OrderedChoice, RegExMatch, Repetition, ZeroOrMore
 from arpeggio import Optional as Perhaps
 
-from aseme_dsl.grammar.terminals import metamodel
+from aseme_dsl.grammar.parsing.terminals import metamodel
 
 
 @dataclass(frozen=True, slots=True)

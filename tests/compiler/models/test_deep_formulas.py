@@ -9,9 +9,9 @@ import pytest
 
 from aseme_dsl.amola.liveness import canonical
 from aseme_dsl.compiler import analyse
-from aseme_dsl.compiler.memory import Memory
-from aseme_dsl.compiler.pieces import finished
-from aseme_dsl.compiler.state_values import check_states
+from aseme_dsl.compiler.read.memory import Memory
+from aseme_dsl.compiler.read.pieces import finished
+from aseme_dsl.compiler.types.state_values import check_states
 from aseme_dsl.source import Source
 from tests.support.compiling import system
 from tests.support.work import instructions

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from aseme_dsl.amola.liveness import Formula, Operator
 from aseme_dsl.amola.statechart import NodeType
-from aseme_dsl.compiler.flow import check_flow, check_reach
+from aseme_dsl.compiler.chart.flow import check_flow, check_reach
 from tests.compiler.models.test_protocols import branch, branch_labels
 from tests.support import derivatives, walking
 from tests.support.compiling import role_chart, system

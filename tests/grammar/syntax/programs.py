@@ -10,11 +10,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES, RESERVED
 from aseme_dsl.grammar.layout import format_source
 from aseme_dsl.grammar.layout.rules import EXPRESSIONS, FORMULAS
-from aseme_dsl.grammar.parse import parse_with_leaves
+from aseme_dsl.grammar.parsing.parse import parse_with_leaves
 from aseme_dsl.grammar.syntax.shape import Choice, Repeated, Series, Shape, Terminal, grammar
-from aseme_dsl.grammar.words import BUILT_IN_TYPES, RESERVED
 from aseme_dsl.source import Source
 
 ROOT = Path(__file__).parents[3]

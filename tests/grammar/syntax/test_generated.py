@@ -8,10 +8,10 @@ import re
 
 import pytest
 
-from aseme_dsl.grammar import expression
+from aseme_dsl.grammar.formulas import expression
+from aseme_dsl.grammar.formulas.words import RESERVED
 from aseme_dsl.grammar.syntax import files
 from aseme_dsl.grammar.syntax.contexts import EXPRESSION_WORDS
-from aseme_dsl.grammar.words import RESERVED
 from tests.grammar.syntax.programs import ROOT, words
 
 

@@ -1,1 +1,0 @@
-"""Build: a project on disk: what is read, what is written where, and what is played."""

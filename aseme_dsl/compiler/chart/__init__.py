@@ -1,0 +1,1 @@
+"""Chart: the statecharts of roles and protocols."""

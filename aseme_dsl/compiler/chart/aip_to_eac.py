@@ -1,0 +1,267 @@
+"""AIP to EAC: the processes of a protocol's participants as one statechart (P1, section 4.3 and Figure 5)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.compiler.chart.chart import Part, RelativeLine, World, chart_of
+from aseme_dsl.compiler.control.choices import check_formulas, undecided_formulas, unsettled
+from aseme_dsl.compiler.control.control import (
+    LabelledLine,
+    Lines,
+    check_labels,
+    including_labels,
+    read_lines,
+)
+from aseme_dsl.compiler.control.stopping import stops_of
+from aseme_dsl.compiler.formula import formulas as formula_tables
+from aseme_dsl.compiler.formula.formula_to_statechart import Outline, expand_protocol, too_large
+from aseme_dsl.compiler.formula.formulas import Formulas
+from aseme_dsl.compiler.read.blocks import participants_of
+from aseme_dsl.compiler.read.damage import Damaged
+from aseme_dsl.compiler.read.missing import Missing
+from aseme_dsl.compiler.types.given import give
+from aseme_dsl.compiler.types.scopes import TypedParticipant
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
+from aseme_dsl.grammar.text import tree
+
+PROCESS = "process"
+"""The name of a participant's own formula."""
+
+
+@dataclass(frozen=True, slots=True)
+class Protocol:
+    """An `aip` whose processes have been read: the parts by name, and their chart.
+
+    A participant whose process cannot be expanded is not in `parts`; `outline` is None if any is not.
+    `missing` is what its control does not say yet.
+    """
+
+    written: tree.Aip
+    parts: Mapping[str, Part]
+    outline: Outline | None
+    missing: tuple[Missing, ...]
+
+    @property
+    def name(self) -> str:
+        return self.written.name.text
+
+
+@dataclass(frozen=True, slots=True)
+class _Reading:
+    """A participant on the way: its formulas with their control blocks and lines."""
+
+    written: tree.Participant
+    formulas: Formulas
+    controls: Sequence[tuple[tree.Control, str]]
+    lines: Lines
+
+    @property
+    def name(self) -> str:
+        return self.written.name.text
+
+
+def read_protocol(
+    written: tree.Aip, typed: Mapping[str, TypedParticipant], largest: int, is_damaged: Damaged
+) -> tuple[Protocol, tuple[Diagnostic, ...]]:
+    """The formulas and control lines of every participant, with all that is wrong with them.
+
+    `is_damaged` tells whether syntax errors left something out of a declaration.
+    """
+    controls, problems = _controls(written, is_damaged)
+    found = list(problems)
+    readings: list[_Reading] = []
+    parts: dict[str, Part] = {}
+    participants = participants_of(written)
+    for participant in participants:
+        name = participant.name.text
+        own = [(control, formula) for control, part, formula in controls if part == name]
+        reading, is_sound, problems = _participant(
+            written, participant, own, typed[name], largest, is_damaged
+        )
+        found += problems
+        if reading is None:
+            continue
+        readings.append(reading)
+        if is_sound:
+            lines = Lines(reading.lines.by_way, reactive=reading.lines.reactive)
+            parts[name] = Part(
+                written.name.text,
+                name,
+                reading.formulas,
+                typed[name].variables,
+                lines,
+                (),
+                participant.name.span,
+                _regions(participant),
+            )
+    outline = None
+    labelled: dict[str, tuple[LabelledLine, ...]] = {}
+    if parts and len(parts) == len(participants):
+        ends = [(name, part.branch(), part.span) for name, part in parts.items() for _ in range(part.count)]
+        outline = expand_protocol(written.name.text, ends, written.name.span)
+        labels: dict[str, str] = {}
+        for label, branch in outline.branches.items():
+            labels.setdefault(branch.participant, label)
+        for reading in readings:
+            label = labels[reading.name]
+            labelled[reading.name], problems = check_labels(outline, reading.lines.labelled, label)
+            found += problems
+            relative = _relative(labelled[reading.name], label)
+            parts[reading.name] = replace(parts[reading.name], labelled=relative)
+    missing: list[Missing] = []
+    if not participants and not is_damaged(written.span):
+        missing.append(_no_participants(written))
+    for reading in readings:
+        lines = reading.lines
+        if outline is not None:
+            lines = including_labels(lines, outline, labelled[reading.name])
+        unsure = {formula for control, formula in reading.controls if is_damaged(control.span)}
+        if is_damaged(reading.written.span):
+            unsure |= set(reading.formulas.named)
+        names = {name: reading.name if name == PROCESS else name for name in reading.formulas.named}
+        found += check_formulas(reading.formulas, names, lines, frozenset(unsure))
+        wrong = frozenset(unsure | unsettled(reading.formulas, found))
+        missing += undecided_formulas(reading.formulas, names, lines, written.span, wrong)
+    return Protocol(written, parts, outline, tuple(missing)), tuple(found)
+
+
+def _participant(
+    written: tree.Aip,
+    participant: tree.Participant,
+    controls: Sequence[tuple[tree.Control, str]],
+    typed: TypedParticipant,
+    largest: int,
+    is_damaged: Damaged,
+) -> tuple[_Reading | None, bool, tuple[Diagnostic, ...]]:
+    """What a participant says of itself, and whether its process can be expanded."""
+    owner = f"{written.name}.{participant.name}"
+    formulas, problems = formula_tables.table(owner, participant.formulas, PROCESS)
+    found = list(problems)
+    damaged = is_damaged(participant.span)
+    if formulas is None:
+        if not damaged:
+            found.append(_no_process(written, participant))
+        return None, False, tuple(found)
+    formulas, problems = give(formulas, typed.scope)
+    found += problems
+    lines, problems = read_lines(formulas, controls, typed.scope)
+    found += problems
+    is_sound, problems = formula_tables.check(formulas, stops=stops_of(lines.by_way))
+    # A formula that could not be read may be the one that uses another.
+    found += [item for item in problems if not (damaged and item.code == "E302")]
+    too_many = None
+    if is_sound:
+        too_many = too_large(formulas, {}, largest, participant.name.span, _regions(participant))
+    if too_many is not None:
+        found.append(too_many)
+    reading = _Reading(participant, formulas, controls, lines)
+    return reading, is_sound and too_many is None, tuple(found)
+
+
+def _regions(participant: tree.Participant) -> int:
+    """`[2]` is two agents in each conversation: two regions. How many `[1..2]` are, a run decides: one."""
+    many = participant.multiplicity
+    return many.least if many is not None and many.least == many.most else 1
+
+
+def _relative(labelled: Iterable[LabelledLine], label: str) -> tuple[RelativeLine, ...]:
+    return tuple(
+        RelativeLine(item.source.text[len(label) :], item.target.text[len(label) :], item.line)
+        for item in labelled
+    )
+
+
+def aip_to_eac(protocol: Protocol, world: World) -> Statechart | None:
+    """The EAC of a protocol; None where a process could not be expanded."""
+    if protocol.outline is None:
+        return None
+    parts = {(protocol.name, name): part for name, part in protocol.parts.items()}
+    return chart_of(protocol.name, "EAC", protocol.outline, parts, world, protocol.written.name.span)
+
+
+def _no_participants(written: tree.Aip) -> Missing:
+    hint = "say who takes part: `participant center { process = … }`"
+    note = Diagnostic(
+        "N701", f"the protocol {written.name} has no participants yet", written.name.span, hint=hint
+    )
+    return Missing(note, "// Who takes part? participant … { process = … }", written.span)
+
+
+def _no_process(written: tree.Aip, participant: tree.Participant) -> Diagnostic:
+    message = f"`{participant.name}` of {written.name} has no process"
+    near = closest(PROCESS, [item.name.text for item in participant.formulas])
+    if near is not None:
+        slip = next(item.name.span for item in participant.formulas if item.name.text == near)
+        related = (Related(participant.name.span, "the participant"),)
+        return Diagnostic("E305", message, slip, related, hint=f"did you mean `{PROCESS}`?", fix=PROCESS)
+    hint = "say what it does: `process = WalkTowardsBall . [PassBall]`"
+    return Diagnostic("E305", message, participant.name.span, hint=hint)
+
+
+def _controls(
+    written: tree.Aip, is_damaged: Damaged
+) -> tuple[list[tuple[tree.Control, str, str]], tuple[Diagnostic, ...]]:
+    """Each control block with the participant and the formula that it is about.
+
+    `control center` is about the process of the participant `center`; helper formulas have their own names.
+    """
+    known: dict[str, list[tuple[str, str]]] = {}
+    for participant in participants_of(written):
+        name = participant.name.text
+        for item in participant.formulas:
+            known.setdefault(name if item.name.text == PROCESS else item.name.text, [])
+        known.setdefault(name, [])
+    for participant in participants_of(written):
+        name = participant.name.text
+        for formula in dict.fromkeys(item.name.text for item in participant.formulas):
+            known[name if formula == PROCESS else formula].append((name, formula))
+    found: list[tuple[tree.Control, str, str]] = []
+    problems: list[Diagnostic] = []
+    for control in written.controls:
+        places = known.get(control.name.text)
+        if places is None:
+            if not is_damaged(written.span):
+                problems.append(_unknown_control(written, control, known))
+        elif len(places) > 1:
+            problems.append(_ambiguous_control(written, control, places))
+        else:
+            found += [(control, *place) for place in places]
+    return found, tuple(problems)
+
+
+def _unknown_control(written: tree.Aip, control: tree.Control, known: Iterable[str]) -> Diagnostic:
+    name = control.name.text
+    near = closest(name, known)
+    if name == PROCESS:
+        hint = "the process of a participant is controlled by the participant's name"
+    elif near is not None:
+        hint = f"did you mean `{near}`?"
+    else:
+        hint = "its participants are " + ", ".join(str(p.name) for p in written.participants)
+    message = f"{written.name} has no participant and no formula called `{name}`"
+    return Diagnostic(
+        "E403", message, control.name.span, hint=hint, fix=surely(name, known) if name != PROCESS else None
+    )
+
+
+def _ambiguous_control(
+    written: tree.Aip, control: tree.Control, places: Sequence[tuple[str, str]]
+) -> Diagnostic:
+    related = []
+    for participant in written.participants:
+        for item in participant.formulas:
+            if (participant.name.text, item.name.text) in places:
+                related.append(Related(item.name.span, f"of `{participant.name}`"))
+    return Diagnostic(
+        "E213",
+        f"`{control.name}` means several formulas of {written.name}",
+        control.name.span,
+        tuple(related),
+        hint="give the helper formulas names of their own",
+    )
+
+
+__all__ = ["PROCESS", "Protocol", "aip_to_eac", "read_protocol"]

@@ -1,0 +1,134 @@
+"""Chart: an outline with its control lines, variables and regions as the statechart that all others read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain
+
+from aseme_dsl.amola.aip import DeclaredVariable
+from aseme_dsl.amola.liveness import Formula
+from aseme_dsl.amola.srm import Activity, Module
+from aseme_dsl.amola.statechart import Argument, Node, Origin, OriginKind, Statechart, Variable
+from aseme_dsl.compiler.chart.regions import regions_of
+from aseme_dsl.compiler.control.control import (
+    LabelledLine,
+    Line,
+    Lines,
+    Placed,
+    Renames,
+    rename_value,
+    transitions,
+)
+from aseme_dsl.compiler.formula.formula_to_statechart import Branch, Outline, Way
+from aseme_dsl.compiler.formula.formulas import Formulas
+from aseme_dsl.compiler.names.resolve import Symbols
+from aseme_dsl.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class RelativeLine:
+    """A labelled line of a participant: its ends below the label of the participant's branch (`.2.1`)."""
+
+    source: str
+    target: str
+    line: Line
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """The process of a participant with its control: what is woven in wherever it is played."""
+
+    protocol: str
+    participant: str
+    formulas: Formulas
+    variables: tuple[DeclaredVariable, ...]
+    lines: Lines
+    labelled: tuple[RelativeLine, ...]
+    span: Span
+    count: int = 1
+    """How many regions it has in the protocol's own chart."""
+
+    def branch(self, bindings: Mapping[str, str] | None = None) -> Branch:
+        return Branch(self.protocol, self.participant, self.formulas, bindings or {})
+
+
+@dataclass(frozen=True, slots=True)
+class World:
+    """What every chart of the system shares: its name, its symbols and what is said of the activities."""
+
+    system: str
+    symbols: Symbols
+    activities: Mapping[str, Activity]
+    modules: Mapping[str, tuple[Module, ...]]
+    """Of each role."""
+
+
+def chart_of(
+    name: str,
+    kind: str,
+    outline: Outline,
+    parts: Mapping[tuple[str, str], Part],
+    world: World,
+    span: Span,
+    lines: Lines | None = None,
+    labelled: Sequence[LabelledLine] = (),
+    variables: Sequence[DeclaredVariable] = (),
+) -> Statechart | None:
+    """The statechart of an outline; None where a condition is still to be written.
+
+    `parts` are the participants whose branches are in it. A branch's variables are renewed with the branch,
+    and are told apart by its label: `bids@0.2.3`.
+    """
+    by_way: dict[Way, tuple[Line, ...]] = dict(lines.by_way) if lines is not None else {}
+    origin = Origin(OriginKind.FORMULA, name, "control")
+    placed = [Placed(item.source.text, item.target.text, item.line, origin, None) for item in labelled]
+    own = [Variable(v.name, v.type, v.initial, None, v.span) for v in variables]
+    renamed: dict[str, Renames] = {}
+    for label, branch in outline.branches.items():
+        part = parts[branch.protocol, branch.participant]
+        by_way.update(part.lines.by_way)
+        placed += _placed(label, part, branch.origin)
+        keys = {v.name: f"{v.name}@{label}" for v in part.variables}
+        renamed[label] = Renames(keys, branch.bindings)
+        own += [Variable(keys[v.name], v.type, v.initial, label, v.span) for v in part.variables]
+    every_line = chain(chain.from_iterable(by_way.values()), (item.line for item in placed))
+    if any(line.is_hole for line in every_line):
+        return None
+    reactive = frozenset[Formula]().union(
+        *(part.lines.reactive for part in parts.values()), lines.reactive if lines is not None else ()
+    )
+    found = transitions(outline, by_way, placed, renamed, reactive)
+    nodes = _nodes(outline, renamed, world.symbols)
+    modules = world.modules.get(name, ()) if kind == "IAC" else ()
+    regions = regions_of(nodes, found, world.activities, modules, world.symbols)
+    return Statechart(name, world.system, kind, nodes, found, tuple(own), regions, span, modules)
+
+
+def _nodes(outline: Outline, renamed: Mapping[str, Renames], symbols: Symbols) -> tuple[Node, ...]:
+    """The states, with what those of branches are given in terms of the chart."""
+    nodes = list(outline.nodes)
+    inside = ""
+    for place, node in enumerate(nodes):
+        if node.label in renamed:
+            inside = node.label
+        elif not node.label.startswith(f"{inside}."):
+            inside = ""
+        if inside and node.arguments:
+            values = [rename_value(item.value, renamed[inside]) for item in node.arguments]
+            names = [item.name for item in node.arguments]
+            form = symbols.activities.get(node.activity) if node.activity is not None else None
+            if form is not None:  # the role's own activity calls its parameters as it likes
+                names = [parameter.name for parameter in form.parameters]
+            nodes[place] = replace(
+                node, arguments=tuple(Argument(n, value) for n, value in zip(names, values, strict=False))
+            )
+    return tuple(nodes)
+
+
+def _placed(label: str, part: Part, origin: Origin) -> Iterable[Placed]:
+    for item in part.labelled:
+        yield Placed(label + item.source, label + item.target, item.line, origin, label)
+
+
+__all__ = ["Part", "RelativeLine", "World", "chart_of"]

@@ -1,0 +1,533 @@
+"""Flow: what can complete, be reached and come to rest in a statechart, whatever its conditions say."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from aseme_dsl.amola.expression import (
+    NEVER,
+    After,
+    Age,
+    Assign,
+    Expired,
+    Member,
+    Publish,
+    ReadMessages,
+    StartTimer,
+    TransitionExpression,
+    Value,
+    VariableValue,
+    walk,
+)
+from aseme_dsl.amola.messages import Comm
+from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition, TransitionKind
+from aseme_dsl.compiler.formula.formulas import cut
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related, closest, surely
+from aseme_dsl.source import Span
+
+_POINTS = (NodeType.START, NodeType.CONDITION)
+
+
+@dataclass(frozen=True, slots=True)
+class _Edge:
+    """A transition between two children of one OR state; its own ends may lie deeper inside them."""
+
+    source: str
+    target: str
+    transition: Transition
+
+
+Contradict = Callable[[Sequence[Value], Sequence[Value]], bool]
+"""Whether it can surely not be that the first conditions hold at one moment and the second do not."""
+
+
+def check_flow(chart: Statechart, contradict: Contradict = lambda _, __: False) -> tuple[Diagnostic, ...]:
+    """Waits for what never completes (W402) and cycles that never rest (W403, E412).
+
+    A cycle whose conditions `contradict` each other comes to rest. States are called by their names, not by
+    their labels: what a formula does that is expanded in several places is said once.
+    """
+    edges = _edges(chart)
+    found = list(_endless_waits(chart, edges))
+    found += _cycles(chart, edges, contradict)
+    return tuple(found)
+
+
+def check_reach(chart: Statechart) -> Iterator[Diagnostic]:
+    """States that nothing leads to (W600) and states that nothing leads out of (W601)."""
+    edges = _edges(chart)
+    entered = _entered(chart)
+    left = {transition.source for transition in chart.transitions if transition.is_way}
+    for node in chart.nodes:
+        if node.type is not NodeType.OR:
+            continue
+        start = chart.start_of(node.label)
+        if start is None:
+            continue
+        seen = {start.label, *entered.get(node.label, ())}
+        waiting = list(seen)
+        following: dict[str, list[str]] = {}
+        for edge in edges.get(node.label, ()):
+            following.setdefault(edge.source, []).append(edge.target)
+        while waiting:
+            for label in following.get(waiting.pop(), ()):
+                if label not in seen:
+                    seen.add(label)
+                    waiting.append(label)
+        for child in chart.children(node.label):
+            if child.label not in seen:
+                hint = "lead a transition to it, or remove it"
+                yield Diagnostic("W600", f"no transition leads to {_called(child)}", child.span, hint=hint)
+            elif child.type is not NodeType.END and not _is_left(chart, child, left):
+                message = f"no transition leads out of {_called(child)}"
+                hint = f"lead one out of it; to stay for good, write `{child.label} -> {child.label} :`"
+                yield Diagnostic("W601", message, child.span, hint=hint)
+
+
+def check_timers(chart: Statechart) -> Iterator[Diagnostic]:
+    """W501 for a timer that a region asks for and does not start: it belongs to the region that starts it."""
+    started: dict[str, set[str]] = {}
+    for transition in chart.transitions:
+        for action in transition.expression.actions:
+            if isinstance(action, StartTimer):
+                started.setdefault(action.timer, set()).add(chart.acts_in(transition))
+    found: dict[tuple[str, str], Diagnostic] = {}
+    edits: tuple[Edit, ...]
+    for place, value in chart.values():
+        if isinstance(value, Expired):
+            region = chart.region_of(place)
+            if region not in started.get(value.timer, ()):
+                first = found.get((region, value.timer))
+                if first is not None:
+                    also = (*first.related, Related(value.span, "also here"))
+                    edits = (*first.edits, *_renamed(value, first.edits[0].text)) if first.edits else ()
+                    found[region, value.timer] = replace(first, related=also, edits=edits)
+                    continue
+                hint = f"start it on the way there: / start_timer({value.timer}, 1s)"
+                edits = ()
+                if value.timer in started:
+                    hint = (
+                        "a timer belongs to the region that starts it; this is another one of the same role"
+                    )
+                elif near := closest(value.timer, started):
+                    hint = f"did you mean `{near}`?"
+                    if near == surely(value.timer, started):
+                        edits = _renamed(value, near)
+                message = f"the timer `{value.timer}` is never started here, so it never expires"
+                found[region, value.timer] = Diagnostic("W501", message, value.span, hint=hint, edits=edits)
+    yield from found.values()
+
+
+def _renamed(value: Expired, name: str) -> tuple[Edit, ...]:
+    """The timer of `expired(timer)` by another name, where it is written so."""
+    written = re.search(rf"\b{value.timer}\b", value.span.text)
+    if written is None:
+        return ()
+    start = value.span.start + written.start()
+    return (Edit(Span(value.span.source, start, start + len(value.timer)), name),)
+
+
+def check_completion(chart: Statechart) -> Iterator[Diagnostic]:
+    """N724 for a state that may complete and is then left by time only.
+
+    A line with an event or `when` takes the place of the way out on completion. A message, an event, an
+    `error` or a `when` is plainly meant to be waited for; time alone may be meant besides completion.
+    """
+    completes = _completions(chart, _edges(chart))[0]
+    for node in chart.nodes:
+        if node.type not in (NodeType.BASIC, NodeType.OR) or not completes[node.label]:
+            continue
+        ways = chart.ways_from(node.label)
+        if node.origin.kind is OriginKind.STATECHART:
+            continue  # there is no template whose way out was replaced
+        if not ways or not all(_is_limit(item.expression) for item in ways):
+            continue
+        name, line = cut(node.name), ways[0].span.text.partition(":")[0].strip()
+        hint = "if completion is meant to lead there, too, write a line without event beside this one"
+        if "\n" not in line and len(line) < 60:
+            hint = f"write `{line} :` beside it if it is also left when it is complete"
+        yield Diagnostic(
+            "N724",
+            f"`{name}` is left only by this, not when it is complete",
+            ways[0].span,
+            (Related(node.span, f"`{name}`"),),
+            hint=hint,
+        )
+
+
+def _is_limit(expression: TransitionExpression) -> bool:
+    return bool(expression.events) and all(isinstance(event, After) for event in expression.events)
+
+
+def _is_left(chart: Statechart, node: Node, left: set[str]) -> bool:
+    """Whether the state, one around it or (of a composite) one in it is the source of a transition."""
+    if node.type in _POINTS:
+        return node.label in left
+    inside = node.label + "."
+    return (
+        node.label in left
+        or any(outer.label in left for outer in chart.ancestors(node.label))
+        or (node.type in (NodeType.OR, NodeType.AND) and any(label.startswith(inside) for label in left))
+    )
+
+
+def _called(node: Node) -> str:
+    return node.label if node.name == node.label else f"{node.label} `{cut(node.name)}`"
+
+
+def _edges(chart: Statechart) -> dict[str, list[_Edge]]:
+    """The transitions of each OR state, between its children; what stays in a state is none."""
+    found: dict[str, list[_Edge]] = {}
+    nodes = chart.by_label
+    for transition in chart.transitions:
+        if not transition.is_way:
+            continue
+        source, target = nodes[transition.source], nodes[transition.target]
+        if source.parent is not None and source.parent == target.parent:
+            found.setdefault(source.parent, []).append(_Edge(source.label, target.label, transition))
+        else:
+            scope = chart.scope_of(transition)
+            ends = (_child(scope, source.label), _child(scope, target.label))
+            found.setdefault(scope, []).append(_Edge(*ends, transition))
+    return found
+
+
+def _entered(chart: Statechart) -> dict[str, list[str]]:
+    """The children of each OR state that a transition from outside enters directly, past its START."""
+    found: dict[str, list[str]] = {}
+    for transition in chart.transitions:
+        if not transition.is_way:
+            continue
+        inside = chart.scope_of(transition) + "."
+        child = chart.node(transition.target)
+        while child.parent is not None and child.parent.startswith(inside):
+            found.setdefault(child.parent, []).append(child.label)
+            child = chart.node(child.parent)
+    return found
+
+
+def _child(scope: str, label: str) -> str:
+    """The child of `scope` that is or holds `label`; the scope itself for itself."""
+    if not label.startswith(scope + "."):
+        return label
+    return scope + "." + label[len(scope) + 1 :].split(".", 1)[0]
+
+
+# ---- waiting for ever ----------------------------------------------------------------------------
+
+
+def _needs_completion(expression: TransitionExpression) -> bool:
+    return not expression.events and not expression.when
+
+
+def _endless_waits(chart: Statechart, edges: dict[str, list[_Edge]]) -> Iterator[Diagnostic]:
+    """W402: a transition that waits for the completion of a state that can never complete.
+
+    The way to an END that nobody wrote a line for is not reported: endless processes are meant to be endless.
+    What follows from a reported wait is not reported again.
+    """
+    completes, in_vain = _completions(chart, edges)
+    for transition, target in in_vain:
+        yield _endless_wait(chart, transition, target)
+    for transition in chart.transitions:
+        is_on = transition.kind is TransitionKind.ON
+        if is_on and _needs_completion(transition.expression) and not completes[transition.source]:
+            yield _endless_wait(chart, transition, chart.node(transition.source))
+
+
+def _completions(
+    chart: Statechart, edges: dict[str, list[_Edge]]
+) -> tuple[dict[str, bool], list[tuple[Transition, Node]]]:
+    """Which states may complete; and the transitions, with their targets, that wait in vain for that."""
+    in_vain: list[tuple[Transition, Node]] = []
+    completes: dict[str, bool] = {}
+    entered = _entered(chart)
+    for node in reversed(chart.nodes):
+        if node.type is NodeType.AND:
+            completes[node.label] = all(completes[child.label] for child in chart.children(node.label))
+        elif node.type is not NodeType.OR:
+            completes[node.label] = True
+        else:
+            start = chart.start_of(node.label)
+            if start is None:
+                completes[node.label] = True  # reported by its structure
+                continue
+            following: dict[str, list[_Edge]] = {}
+            for edge in edges.get(node.label, ()):
+                following.setdefault(edge.source, []).append(edge)
+            seen = {start.label, *entered.get(node.label, ())}
+            waiting = list(seen)
+            ended = any(chart.by_label[label].type is NodeType.END for label in seen)
+            while waiting:
+                for edge in following.get(waiting.pop(), ()):
+                    target = chart.by_label[edge.target]
+                    transition = edge.transition
+                    cuts_short = transition.first  # E420 says what is wrong with it
+                    waits = _needs_completion(transition.expression) and not cuts_short
+                    if waits and not completes[transition.source]:
+                        if target.type is NodeType.END and transition.expression.span is None:
+                            continue
+                        in_vain.append((transition, target))
+                    if target.label not in seen:
+                        seen.add(target.label)
+                        waiting.append(target.label)
+                        ended = ended or target.type is NodeType.END
+            completes[node.label] = ended
+    return completes, in_vain
+
+
+def _endless_wait(chart: Statechart, transition: Transition, target: Node) -> Diagnostic:
+    source = chart.by_label[transition.source]
+    name = cut(source.name)
+    if not transition.is_way:
+        what = "this is never done"
+    elif transition.source == transition.target:
+        what = "it is never repeated"
+    elif target.type is NodeType.END:
+        what = "this is never taken"
+    else:
+        what = f"`{cut(target.name)}` is never entered"
+    return Diagnostic(
+        "W402",
+        f"`{name}` never completes, so that {what}",
+        transition.span,
+        (Related(source.span, f"`{name}`"),) if source.span != transition.span else (),
+        hint="let the transition have an event, `after(…)` or `when [ … ]`, or let every part of it end",
+    )
+
+
+# ---- cycles --------------------------------------------------------------------------------------
+
+
+def _cycles(chart: Statechart, edges: dict[str, list[_Edge]], contradict: Contradict) -> Iterator[Diagnostic]:
+    """W403 for a cycle that goes on within one step; E412 if it has no state at all."""
+    at_once: AtOnce = {}
+    for node in reversed(chart.nodes):
+        if node.type is NodeType.AND:
+            inside = [at_once.get(child.label) for child in chart.children(node.label)]
+            if None not in inside:
+                at_once[node.label] = tuple(item for way in inside if way is not None for item in way)
+        if node.type is not NodeType.OR:
+            continue
+        quick: dict[str, list[_Edge]] = {}
+        for edge in edges.get(node.label, ()):
+            if _is_quick(chart, edge, at_once):
+                quick.setdefault(edge.source, []).append(edge)
+        start, end = chart.start_of(node.label), chart.end_of(node.label)
+        if start is not None and end is not None:
+            ways = _walks(chart, quick, start.label, end.label, at_once, contradict)
+            if ways:
+                at_once[node.label] = _all_of(ways[0], at_once) if len(ways) == 1 else ()
+        for circle in _circles(quick):
+            if _is_bare(chart, circle) or not _comes_to_rest(chart, _all_of(circle, at_once), contradict):
+                yield _restless(chart, circle, at_once)
+                continue
+            others = (_walks(chart, quick, edge.source, edge.source, at_once, contradict) for edge in circle)
+            other = next((walks[0] for walks in others if walks), None)
+            if other is not None:
+                yield _restless(chart, other or circle, at_once)
+
+
+AtOnce = dict[str, tuple[Transition, ...]]
+"""The OR and AND states that complete without an activity, an event or time, with the transitions by which
+they do: none where there are several ways."""
+
+
+def _is_quick(chart: Statechart, edge: _Edge, at_once: AtOnce) -> bool:
+    """Whether a transition may be taken again and again while nothing arrives and no time passes."""
+    expression = edge.transition.expression
+    never = expression is NEVER or edge.transition.reactive
+    if expression.events or expression.every or never or _rests(expression):
+        return False
+    source = chart.by_label[edge.transition.source]
+    return expression.when or source.type in _POINTS or source.label in at_once
+
+
+def _rests(expression: TransitionExpression) -> bool:
+    """Whether a condition reads what a step uses up: a signal, time, or what its own actions change."""
+    if expression.condition is None:
+        return False
+    changed = {
+        action.target.name
+        for action in expression.actions
+        if isinstance(action, Assign) and isinstance(action.target, VariableValue)
+    }
+    started = {action.timer for action in expression.actions if isinstance(action, StartTimer)}
+    for value in walk(expression.condition):
+        match value:
+            case Member(channel=channel) if channel.comm is Comm.SIGNAL:
+                return True
+            case Age():
+                return True
+            case Expired(timer=timer) if timer in started:
+                return True
+            case VariableValue(name=name) if name in changed:
+                return True
+    return False
+
+
+def _circles(following: dict[str, list[_Edge]]) -> Iterator[list[_Edge]]:
+    """Circles of edges, no state being in two of them."""
+    done: set[str] = set()
+    for root in list(following):
+        if root in done:
+            continue
+        path: list[_Edge] = []
+        on_path = {root}
+        stack: list[tuple[str, Iterator[_Edge]]] = [(root, iter(following[root]))]
+        while stack:
+            label, remaining = stack[-1]
+            edge = next(remaining, None)
+            if edge is None:
+                stack.pop()
+                on_path.discard(label)
+                done.add(label)
+                if path:
+                    path.pop()
+            elif edge.target in on_path:
+                labels = [item.source for item in path] + [label]
+                circle = [*path[labels.index(edge.target) :], edge]
+                yield circle
+                done.update(item.source for item in circle)
+            elif edge.target not in done:
+                path.append(edge)
+                on_path.add(edge.target)
+                stack.append((edge.target, iter(following.get(edge.target, ()))))
+
+
+_MOST_WALKS = 1000
+"""How many beginnings of walks through one composite are looked at."""
+
+
+def _walks(
+    chart: Statechart,
+    following: dict[str, list[_Edge]],
+    start: str,
+    end: str,
+    at_once: AtOnce,
+    contradict: Contradict,
+) -> list[list[_Edge]]:
+    """Ways from one state to another (round, to itself) whose conditions may hold together: at most two.
+
+    An empty one stands for what was too much to look at.
+    """
+    reached: set[str] = set()
+    waiting = [start]
+    while waiting:
+        for edge in following.get(waiting.pop(), ()):
+            if edge.target not in reached:
+                reached.add(edge.target)
+                waiting.append(edge.target)
+    if end not in reached:
+        return []
+    found: list[list[_Edge]] = []
+    stack = [[edge] for edge in reversed(following[start])]
+    for _ in range(_MOST_WALKS):
+        if not stack or len(found) == 2:
+            return found
+        path = stack.pop()
+        target = path[-1].target
+        if target == end:
+            if not _comes_to_rest(chart, _all_of(path, at_once), contradict):
+                found.append(path)
+        elif target not in [edge.source for edge in path]:
+            stack += [[*path, edge] for edge in reversed(following.get(target, []))]
+    return found or [[]]
+
+
+def _all_of(walk_of: Sequence[_Edge], at_once: AtOnce) -> tuple[Transition, ...]:
+    """The transitions of a walk, with those inside the states that complete on the way."""
+    found: list[Transition] = []
+    for edge in walk_of:
+        transition = edge.transition
+        if _needs_completion(transition.expression):
+            found += at_once.get(transition.source, ())
+        found.append(transition)
+    return tuple(found)
+
+
+def _comes_to_rest(chart: Statechart, transitions: Sequence[Transition], contradict: Contradict) -> bool:
+    """Whether the conditions contradict each other, and none of the actions changes what they read."""
+    changed: set[object] = set()
+    read: set[object] = set()
+    holding: list[Value] = []
+    failing: list[Value] = []
+    for transition in transitions:
+        expression = transition.expression
+        for action in expression.actions:
+            match action:
+                case Assign(target=VariableValue(name=name)):
+                    changed.add(name)
+                case Publish(channel=channel):
+                    changed.add(channel)
+                case StartTimer(timer=timer):
+                    changed.add((timer,))
+                case ReadMessages():
+                    return False
+        holding += [expression.condition] if expression.condition is not None else []
+        failing += _before_else(chart, transition)
+    for condition in (*holding, *failing):
+        for value in walk(condition):
+            match value:
+                case Member(channel=channel):
+                    read.add(channel)
+                case VariableValue(name=name):
+                    read.add(name)
+                case Expired(timer=timer):
+                    read.add((timer,))
+    return not changed & read and contradict(holding, failing)
+
+
+def _before_else(chart: Statechart, transition: Transition) -> Iterator[Value]:
+    """What does not hold where an `else` is taken; a way to another choice may be shut further on."""
+    if not transition.expression.otherwise:
+        return
+    for other in chart.ways_from(transition.source):
+        expression = other.expression
+        if (
+            expression.condition is not None
+            and not expression.events
+            and not expression.when
+            and chart.node(other.target).type is not NodeType.CONDITION
+        ):
+            yield expression.condition
+
+
+def _is_bare(chart: Statechart, circle: Sequence[_Edge]) -> bool:
+    """Whether a circle is of choices alone (E412), whatever their conditions say."""
+    return all(chart.by_label[edge.source].type is NodeType.CONDITION for edge in circle)
+
+
+def _restless(chart: Statechart, circle: Sequence[_Edge], at_once: AtOnce) -> Diagnostic:
+    nodes = [chart.by_label[edge.source] for edge in circle]
+    last = circle[-1].transition
+    related = tuple(Related(edge.transition.span, "by this") for edge in circle[:-1])
+    if all(node.type is NodeType.CONDITION for node in nodes):
+        labels = " → ".join([*(node.label for node in nodes), nodes[0].label])
+        return Diagnostic(
+            "E412",
+            f"these choices lead to each other in a circle: {labels}",
+            last.span,
+            related,
+            hint="let one of them lead to a state",
+        )
+    round_trip = {edge.transition for edge in circle}
+    inside = [item for item in _all_of(circle, at_once) if item not in round_trip and item.expression.when]
+    related += tuple(Related(item.span, "this `when` does not wait for completion") for item in inside)
+    names = " → ".join(f"`{cut(name)}`" for name in _names([*nodes, nodes[0]]))
+    return Diagnostic(
+        "W403",
+        f"this cycle goes on without an activity, an event or time to wait for: {names}",
+        last.span,
+        related,
+        hint="wait for the completion of an activity, for an event, or for a timer that is started again",
+    )
+
+
+def _names(nodes: Iterable[Node]) -> Iterator[str]:
+    return (node.name if node.type in (NodeType.OR, NodeType.AND, NodeType.BASIC) else "·" for node in nodes)
+
+
+__all__ = ["check_completion", "check_flow", "check_reach", "check_timers"]

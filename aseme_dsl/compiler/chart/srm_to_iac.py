@@ -1,0 +1,378 @@
+"""SRM to IAC: a role's formulas as a statechart, with its protocols woven in (P1, section 4.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from aseme_dsl.amola.liveness import called, names
+from aseme_dsl.amola.srm import Plays
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.compiler.chart.aip_to_eac import Protocol
+from aseme_dsl.compiler.chart.chart import Part, World, chart_of
+from aseme_dsl.compiler.control.choices import check_formulas, undecided_formulas, unsettled
+from aseme_dsl.compiler.control.control import LabelledLine, Lines, check_labels, including_labels, read_lines
+from aseme_dsl.compiler.control.stopping import stops_of
+from aseme_dsl.compiler.formula import formulas as formula_tables
+from aseme_dsl.compiler.formula.formula_to_statechart import Outline, expand_role, sizes, too_large
+from aseme_dsl.compiler.formula.formulas import Formulas
+from aseme_dsl.compiler.names.symbols import Symbols
+from aseme_dsl.compiler.read.damage import Damaged
+from aseme_dsl.compiler.read.missing import Missing
+from aseme_dsl.compiler.read.names import unknown
+from aseme_dsl.compiler.types.given import give
+from aseme_dsl.compiler.types.scopes import TypedRole
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Role:
+    """An `srm` that has been read. `outline` is None where its formulas cannot be expanded.
+
+    `unused` is what it plays and no formula uses, `missing` what its formulas and its control do not say yet.
+    """
+
+    written: tree.Srm
+    typed: TypedRole
+    formulas: Formulas | None
+    plays: tuple[Plays, ...]
+    parts: Mapping[tuple[str, str], Part]
+    lines: Lines
+    labelled: tuple[LabelledLine, ...]
+    outline: Outline | None
+    unused: tuple[Plays, ...]
+    missing: tuple[Missing, ...]
+
+    @property
+    def name(self) -> str:
+        return self.written.name.text
+
+
+def read_role(
+    written: tree.Srm,
+    typed: TypedRole,
+    protocols: Mapping[str, Protocol],
+    largest: int,
+    is_damaged: Damaged,
+) -> tuple[Role, tuple[Diagnostic, ...]]:
+    """The formulas, control lines and plays of a role, with all that is wrong with them."""
+    found: list[Diagnostic] = []
+    name = written.name.text
+    damaged = is_damaged(written.span)
+    formulas, problems = formula_tables.table(name, written.formulas)
+    found += problems
+    if formulas is not None and written.includes:
+        foreign = (item.name for item in formulas.named.values() if not _stands_in(item.span, written))
+        formulas = replace(formulas, taken_over=frozenset(name.text for name in foreign))
+    plays, parts, problems = _plays(written, formulas, protocols, typed.scope.symbols, is_damaged)
+    found += problems
+    played = {item.name: item for item in plays}
+    found += _foreign_controls(written, formulas, played, protocols, damaged)
+    if formulas is None:
+        if not damaged:
+            found.append(_no_formula(written))
+        return Role(written, typed, None, plays, parts, Lines(), (), None, (), ()), tuple(found)
+    formulas, problems = give(formulas, typed.scope, played)
+    found += problems
+    branches = {
+        item.name: parts[item.protocol, item.participant].branch(dict(item.bindings))
+        for item in plays
+        if (item.protocol, item.participant) in parts
+    }
+    played |= _by_own_name(plays, played, formulas)
+    branches = {name: branches[item.name] for name, item in played.items() if item.name in branches}
+    empty = frozenset(
+        alias
+        for alias, branch in branches.items()
+        if formula_tables.may_be_empty(
+            branch.formulas, stops_of(parts[branch.protocol, branch.participant].lines.by_way)
+        )
+    )
+    own = [
+        (control, control.name.text) for control in written.controls if control.name.text in formulas.named
+    ]
+    inside = {owner: part.formulas for owner, part in parts.items()}
+    lines, problems = read_lines(formulas, own, typed.scope, inside, played)
+    found += problems
+    expandable, problems = formula_tables.check(formulas, empty, frozenset(played), stops_of(lines.by_way))
+    found += [item for item in problems if not (damaged and item.code == "E302")]
+    outline, labelled = None, tuple[LabelledLine, ...]()
+    # A played participant whose process could not be read would stand as an activity: no chart then.
+    if expandable and len(plays) == len(written.plays) and len(branches) == len(played):
+        branch_sizes = {alias: sizes(b.formulas, {})[b.formulas.root] for alias, b in branches.items()}
+        problem = too_large(formulas, branch_sizes, largest, written.name.span)
+        if problem is not None:
+            found.append(problem)
+        else:
+            outline = expand_role(formulas, branches, written.name.span)
+            labelled, problems = check_labels(outline, lines.labelled)
+            found += problems
+    unsure = frozenset(formulas.named if damaged else (f for c, f in own if is_damaged(c.span)))
+    checked = including_labels(lines, outline, labelled) if outline is not None else lines
+    found += check_formulas(formulas, {}, checked, unsure)
+    wrong = unsure.union(unsettled(formulas, found), played.keys() & formulas.named.keys())
+    missing = undecided_formulas(formulas, {}, checked, written.span, wrong)
+    unused = (
+        () if damaged else tuple(item for item in _unused(formulas, plays) if _stands_in(item.span, written))
+    )
+    missing += tuple(_not_used(written, formulas, item) for item in unused)
+    role = Role(written, typed, formulas, plays, parts, lines, labelled, outline, unused, missing)
+    return role, tuple(found)
+
+
+def srm_to_iac(role: Role, world: World) -> Statechart | None:
+    """The IAC of a role; None where its formulas could not be expanded."""
+    if role.outline is None:
+        return None
+    return chart_of(
+        role.name,
+        "IAC",
+        role.outline,
+        role.parts,
+        world,
+        role.written.name.span,
+        role.lines,
+        role.labelled,
+        role.typed.variables,
+    )
+
+
+def _stands_in(span: Span, written: tree.Srm) -> bool:
+    """Whether a place is in the role's own text, not in that of one which it includes."""
+    own = written.span
+    return span.source is own.source and own.start <= span.start and span.end <= own.end
+
+
+# ---- playing participants ------------------------------------------------------------------------
+
+
+def _plays(
+    written: tree.Srm,
+    formulas: Formulas | None,
+    protocols: Mapping[str, Protocol],
+    symbols: Symbols,
+    is_damaged: Damaged,
+) -> tuple[tuple[Plays, ...], dict[tuple[str, str], Part], tuple[Diagnostic, ...]]:
+    """What the role plays, by the names that its formulas use: E205, E206, E213, E306."""
+    found: list[Diagnostic] = []
+    plays: dict[str, Plays] = {}
+    parts: dict[tuple[str, str], Part] = {}
+    for item in written.plays:
+        protocol = protocols.get(item.protocol.text)
+        if protocol is None:
+            if not symbols.is_excused(item.protocol.text):
+                found.append(unknown("E205", "there is no protocol", item.protocol, protocols))
+            continue
+        participants = {p.name.text: p for p in protocol.written.participants}
+        if item.participant.text not in participants:
+            if not is_damaged(protocol.written.span):
+                what = f"{item.protocol} has no participant"
+                found.append(unknown("E205", what, item.participant, participants))
+            continue
+        name = item.alias or item.participant
+        earlier = plays.get(name.text)
+        if earlier is not None:
+            found.append(_same_name(name, earlier))
+            continue
+        part = protocol.parts.get(item.participant.text)
+        bindings: dict[str, str] = {}
+        if part is not None:
+            parts[protocol.name, part.participant] = part
+            bindings, problems = _bindings(item, part, formulas, _played_names(written))
+            found += problems
+            found += _other_parameters(item, bindings, symbols)
+        plays[name.text] = Plays(
+            item.protocol.text, item.participant.text, name.text, tuple(bindings.items()), item.span
+        )
+        restated = formulas.named.get(name.text) if formulas is not None else None
+        if restated is not None:
+            found.append(_restated(restated, item, participants[item.participant.text]))
+    return tuple(plays.values()), parts, tuple(found)
+
+
+def _same_name(name: tree.Name, earlier: Plays) -> Diagnostic:
+    return Diagnostic(
+        "E213",
+        f"`{name}` already stands for {earlier.protocol}.{earlier.participant} in this role",
+        name.span,
+        (Related(earlier.span, "here"),),
+        hint=f"give one of them another name: `plays … as other_{name}`",
+    )
+
+
+def _restated(formula: tree.NamedFormula, plays: tree.Plays, participant: tree.Participant) -> Diagnostic:
+    related = [Related(plays.span, "the role plays it here")]
+    related += [
+        Related(item.span, "its process") for item in participant.formulas if item.name.text == "process"
+    ]
+    return Diagnostic(
+        "E306",
+        f"the process of `{formula.name}` is the protocol's: a role cannot state it again",
+        formula.name.span,
+        tuple(related),
+        hint="remove this formula, or give the participant another name here: "
+        f"`plays {plays.protocol}.{plays.participant} as {plays.protocol}_{plays.participant}`",
+    )
+
+
+def _bindings(
+    written: tree.Plays, part: Part, formulas: Formulas | None, played: Mapping[str, Span]
+) -> tuple[dict[str, str], tuple[Diagnostic, ...]]:
+    """The protocol's activities and what the role does instead (E206)."""
+    activities = {
+        node.name
+        for item in part.formulas.named.values()
+        for node in names(item.formula)
+        if node.name not in part.formulas.named
+    }
+    found: list[Diagnostic] = []
+    bindings: dict[str, str] = {}
+    for item in written.bindings:
+        abstract, own = item.abstract.text, item.own.text
+        if abstract in bindings:
+            found.append(Diagnostic("E206", f"`{abstract}` is bound twice", item.abstract.span))
+        elif abstract not in activities:
+            near = closest(abstract, activities)
+            hint = (
+                f"did you mean `{near}`?" if near else "its activities are " + ", ".join(sorted(activities))
+            )
+            message = f"{part.protocol}.{part.participant} has no activity `{abstract}`"
+            related = (Related(part.formulas.named[part.formulas.root].span, "its process"),)
+            found.append(
+                Diagnostic(
+                    "E206", message, item.abstract.span, related, hint=hint, fix=surely(abstract, activities)
+                )
+            )
+        elif formulas is not None and own in formulas.named:
+            found.append(
+                Diagnostic(
+                    "E206",
+                    f"`{own}` is a formula: a protocol's activity can only be bound to an activity",
+                    item.own.span,
+                    (Related(formulas.named[own].name.span, "the formula"),),
+                    hint=f"bind it to an activity, or say in the protocol what `{abstract}` consists of",
+                )
+            )
+        elif own in played:
+            found.append(
+                Diagnostic(
+                    "E206",
+                    f"`{own}` is a participant: a protocol's activity can only be bound to an activity",
+                    item.own.span,
+                    (Related(played[own], "played here"),),
+                )
+            )
+        else:
+            bindings[abstract] = own
+    return bindings, tuple(found)
+
+
+def _other_parameters(
+    written: tree.Plays, bindings: Mapping[str, str], symbols: Symbols
+) -> Iterable[Diagnostic]:
+    """E525 for a binding to an activity that is given something else than the protocol gives it."""
+    for item in written.bindings:
+        own = bindings.get(item.abstract.text)
+        abstract = symbols.activities.get(item.abstract.text)
+        wanted = abstract.parameters if abstract is not None else ()
+        form = symbols.activities.get(own) if own is not None else None
+        has = form.parameters if form is not None else ()
+        if own is None or [kind.type for kind in wanted] == [kind.type for kind in has]:
+            continue
+        if symbols.is_excused(own) or symbols.is_excused(item.abstract.text):
+            continue
+        related = tuple(
+            Related(known.span, f"`{called(known.name, map(str, known.parameters))}`")
+            for known in (abstract, form)
+            if known is not None
+        )
+        given = ", ".join(str(kind.type) for kind in wanted) or "nothing"
+        yield Diagnostic(
+            "E525",
+            f"the protocol gives `{item.abstract}` {given}, which `{own}` does not take",
+            item.own.span,
+            related,
+            hint="bind it to an activity with parameters of the same types",
+        )
+
+
+def _by_own_name(plays: Sequence[Plays], played: Mapping[str, Plays], formulas: Formulas) -> dict[str, Plays]:
+    """Participants that have another name in the role and may be called by their own as well."""
+    found: dict[str, list[Plays]] = {}
+    for item in plays:
+        if item.participant not in played and item.participant not in formulas.named:
+            found.setdefault(item.participant, []).append(item)
+    return {name: items[0] for name, items in found.items() if len(items) == 1}
+
+
+def _played_names(written: tree.Srm) -> dict[str, Span]:
+    return {(item.alias or item.participant).text: item.span for item in written.plays}
+
+
+def _unused(formulas: Formulas, plays: Sequence[Plays]) -> Iterable[Plays]:
+    """What the role plays and no formula uses."""
+    used = {node.name for item in formulas.named.values() for node in names(item.formula)}
+    by_own_name = _by_own_name(plays, {item.name: item for item in plays}, formulas)
+    used.update(item.name for name, item in by_own_name.items() if name in used)
+    return (item for item in plays if item.name not in used and item.name not in formulas.named)
+
+
+def _not_used(written: tree.Srm, formulas: Formulas, item: Plays) -> Missing:
+    message = f"{written.name} plays {item.protocol}.{item.participant}, but no formula uses `{item.name}`"
+    hint = f"let a formula use it, such as `{formulas.root} = … | {item.name}`"
+    note = Diagnostic("N702", message, item.span, hint=hint)
+    return Missing(note, f"// Let a formula use the participant {item.name}.", written.span)
+
+
+def _foreign_controls(
+    written: tree.Srm,
+    formulas: Formulas | None,
+    played: Mapping[str, Plays],
+    protocols: Mapping[str, Protocol],
+    damaged: bool,
+) -> Iterable[Diagnostic]:
+    """Control blocks that are about none of the role's formulas: E403, or E408 inside a protocol's branch."""
+    own = formulas.named if formulas is not None else {}
+    for control in written.controls:
+        name = control.name.text
+        if name in own:
+            continue
+        item = played.get(name) or next((p for p in played.values() if _helps(p, name, protocols)), None)
+        if item is not None:
+            related = (Related(item.span, "the role plays it here"),)
+            yield Diagnostic(
+                "E408",
+                f"`{name}` is the protocol's: no role has control in {item.protocol}.{item.participant}",
+                control.name.span,
+                related,
+                hint=f"say it in `aip {item.protocol}`, for every role that plays it",
+            )
+        elif not damaged:
+            near = closest(name, own)
+            if near is not None:
+                hint = f"did you mean `{near}`?"
+            elif own:
+                hint = "its formulas are " + ", ".join(own)
+            else:
+                hint = "it has no formulas"
+            message = f"{written.name} has no formula `{name}`"
+            yield Diagnostic("E403", message, control.name.span, hint=hint, fix=surely(name, own))
+
+
+def _helps(plays: Plays, name: str, protocols: Mapping[str, Protocol]) -> bool:
+    part = protocols[plays.protocol].parts.get(plays.participant)
+    return part is not None and (name in part.formulas.named or name == plays.participant)
+
+
+def _no_formula(written: tree.Srm) -> Diagnostic:
+    return Diagnostic(
+        "E305",
+        f"the role {written.name} has no formula",
+        written.name.span,
+        hint=f"say what it does: `liveness {{ {written.name} = … }}`",
+    )
+
+
+__all__ = ["Role", "read_role", "srm_to_iac"]

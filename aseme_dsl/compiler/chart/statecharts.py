@@ -1,0 +1,366 @@
+"""Statecharts: a chart that is given state by state, held to the structural rules of the papers' tools."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import count
+
+from aseme_dsl.amola.liveness import called
+from aseme_dsl.amola.statechart import (
+    Node,
+    NodeType,
+    Origin,
+    OriginKind,
+    Statechart,
+    Transition,
+    TransitionKind,
+    Variable,
+    label_key,
+)
+from aseme_dsl.compiler.chart.chart import World
+from aseme_dsl.compiler.chart.regions import regions_of
+from aseme_dsl.compiler.control.choices import (
+    Alternative,
+    always_false,
+    check_choice,
+    check_group,
+    check_source,
+    never_taken,
+)
+from aseme_dsl.compiler.control.control import LabelledLine, Line, prioritised, structure_problem
+from aseme_dsl.compiler.formula.staying import STAYING, check_staying
+from aseme_dsl.compiler.read.damage import Damaged
+from aseme_dsl.compiler.types.scopes import TypedRole
+from aseme_dsl.compiler.types.typecheck import type_expression
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.grammar.text import tree
+
+_COMPOSITE = (NodeType.OR, NodeType.AND)
+
+
+@dataclass(frozen=True, slots=True)
+class GivenChart:
+    """A `statechart` block that has been read; `is_sound` tells whether it can be built."""
+
+    written: tree.Statechart
+    typed: TypedRole
+    nodes: tuple[Node, ...]
+    lines: tuple[LabelledLine, ...]
+    is_sound: bool
+
+    @property
+    def name(self) -> str:
+        return self.written.name.text
+
+
+def read_statechart(
+    written: tree.Statechart, typed: TypedRole, is_damaged: Damaged
+) -> tuple[GivenChart, tuple[Diagnostic, ...]]:
+    """The states and transitions of a block, with all that breaks a rule."""
+    origin = Origin(OriginKind.STATECHART, written.name.text, "")
+    nodes: dict[str, Node] = {}
+    found: list[Diagnostic] = []
+    for item in written.nodes:
+        node, problem = _node(item, origin)
+        if problem is not None:
+            found.append(problem)
+        form = typed.scope.symbols.activities.get(node.activity or "")
+        if form is not None and form.parameters:
+            found.append(
+                Diagnostic(
+                    "E523",
+                    f"`{called(form.name, map(str, form.parameters))}`: a state gives it nothing",
+                    (item.activity or item.name or item).span,
+                    (Related(form.span, "what is said of it"),),
+                    hint="only formulas give arguments: describe the role by formulas, or use a variable",
+                )
+            )
+        first = nodes.setdefault(node.label, node)
+        if first is not node:
+            found.append(_labelled_twice(node, first, written))
+    damaged = is_damaged(written.span)  # then what is missing may only be unreadable
+    if not damaged:
+        found += _structure(written, nodes)
+        nodes = _with_root(nodes)
+    lines: list[LabelledLine] = []
+    for position, entry in enumerate(written.transitions):
+        expression, problems = type_expression(entry.expression, typed.scope)
+        found += problems
+        line = Line(entry.expression, expression, position, entry.span)
+        if isinstance(entry, tree.StandingWay):
+            found += check_staying(entry)
+            if entry.state.text in nodes:
+                problem = _no_place_to_stay(nodes[entry.state.text], entry)
+                if problem is not None:
+                    found.append(problem)
+                else:
+                    kind = STAYING[entry.verb.text]
+                    lines.append(LabelledLine(entry.state, entry.state, line, kind))
+            elif not damaged:
+                found.append(_unknown(entry.state, nodes))
+            continue
+        missing = [name for name in (entry.source, entry.target) if name.text not in nodes]
+        if missing:
+            if not damaged:
+                found += [_unknown(name, nodes) for name in missing]
+            continue
+        place = entry.source.span.to(entry.target.span)
+        problem = structure_problem(nodes, nodes[entry.source.text], nodes[entry.target.text], place)
+        if problem is not None:
+            found.append(problem)
+            continue
+        lines.append(LabelledLine(entry.source, entry.target, line))
+    if not damaged:
+        found += _decisions(written, nodes, lines)
+    is_sound = not damaged and not any(item.code in _UNSOUND for item in found)
+    is_sound = is_sound and not any(item.line.is_hole for item in lines)
+    ordered = sorted(nodes.values(), key=lambda node: label_key(node.label))
+    return GivenChart(written, typed, tuple(ordered), tuple(lines), is_sound), tuple(found)
+
+
+_UNSOUND = {"E409", "E410", "E600", "E601", "E602", "E603", "E604", "E605", "E606", "E607", "E608", "E612"}
+
+
+def build_statechart(given: GivenChart, world: World) -> Statechart | None:
+    """The chart of a block; None where it breaks a rule."""
+    if not given.is_sound or not given.nodes:
+        return None
+    names = {node.label: node.name for node in given.nodes}
+    origin = Origin(OriginKind.STATECHART, given.name, "")
+    drafts = [
+        Transition(
+            _transition_name(item, names),
+            item.source.text,
+            item.target.text,
+            item.line.expression,
+            0,
+            origin,
+            item.line.span,
+            kind=item.kind,
+        )
+        for item in given.lines
+    ]
+    transitions = prioritised(drafts, [item.line.position for item in given.lines])
+    variables = tuple(Variable(v.name, v.type, v.initial, None, v.span) for v in given.typed.variables)
+    modules = world.modules.get(given.name, ())
+    regions = regions_of(given.nodes, transitions, world.activities, modules, world.symbols)
+    span = given.written.name.span
+    return Statechart(
+        given.name, world.system, "IAC", given.nodes, transitions, variables, regions, span, modules
+    )
+
+
+def _transition_name(item: LabelledLine, names: Mapping[str, str]) -> str:
+    if item.kind is not TransitionKind.WAY:
+        return f"{names[item.source.text]}{item.kind.name}"
+    return f"{names[item.source.text]}TO{names[item.target.text]}"
+
+
+def _no_place_to_stay(node: Node, line: tree.StandingWay) -> Diagnostic | None:
+    """E612 for a state in which an agent does not stay, E409 for the root."""
+    if node.parent is None:
+        return Diagnostic("E409", "the root has no transitions: nothing is around it", line.state.span)
+    if node.type in (*_COMPOSITE, NodeType.BASIC):
+        return None
+    return Diagnostic(
+        "E612",
+        f"{node.label} is {node.type}: an agent does not stay in it",
+        line.state.span,
+        (Related(node.span, node.label),),
+        hint=f"write `{line.verb}` for a BASIC, OR or AND state",
+    )
+
+
+def _node(written: tree.ChartNode, origin: Origin) -> tuple[Node, Diagnostic | None]:
+    label, kind = written.label.text, NodeType(written.type.text)
+    name = written.name.text if written.name is not None else label
+    parent = label.rpartition(".")[0] or None
+    activity, problem = None, None
+    if kind is NodeType.BASIC:
+        if written.activity is not None:
+            activity = written.activity.text
+        elif isinstance(written.name, tree.Name):
+            activity = written.name.text
+        else:
+            problem = Diagnostic(
+                "E608",
+                f"{label} is BASIC, but has no activity",
+                written.span,
+                hint=f"write `state {label} BASIC Vision`",
+            )
+    elif written.activity is not None:
+        problem = Diagnostic(
+            "E608",
+            f"{label} is {kind}: only a BASIC state has an activity",
+            written.activity.span,
+            hint="make it BASIC, or remove the activity",
+        )
+    return Node(label, name, kind, parent, activity, origin, written.span), problem
+
+
+# ---- rules ---------------------------------------------------------------------------------------
+
+
+def _structure(written: tree.Statechart, nodes: Mapping[str, Node]) -> Iterator[Diagnostic]:
+    """The rules of the papers' tools: one root, one START in an OR, at most one END, AND holds ORs."""
+    roots = [node for node in nodes.values() if node.parent is None]
+    if len(roots) != 1:
+        message = "has no root" if not roots else f"has {len(roots)} roots"
+        yield Diagnostic(
+            "E600",
+            f"the statechart {written.name} {message}",
+            roots[1].span if roots else written.name.span,
+            (Related(roots[0].span, "the first one"),) if roots else (),
+            hint="the root is `state 0 OR`; all others are inside it: 0.1, 0.2, …",
+        )
+    elif roots[0].type is not NodeType.OR:
+        message = f"the root is {roots[0].type}, and has to be OR"
+        yield Diagnostic("E600", message, roots[0].span, hint=f"write `state {roots[0].label} OR`")
+    children: dict[str, list[Node]] = {}
+    for node in sorted(nodes.values(), key=lambda node: label_key(node.label)):
+        if node.parent is None:
+            continue
+        if node.parent in nodes:
+            children.setdefault(node.parent, []).append(node)
+        else:
+            yield Diagnostic(
+                "E410",
+                f"{node.label} is inside {node.parent}, which the statechart does not have",
+                node.span,
+                hint=f"add `state {node.parent} OR`",
+            )
+    for node in nodes.values():
+        if node.parent is None and node.type is not NodeType.OR:
+            continue  # that is said (E600)
+        inside = children.get(node.label, [])
+        match node.type:
+            case NodeType.OR:
+                yield from _or_rules(node, inside)
+            case NodeType.AND:
+                yield from _and_rules(node, inside)
+            case _ if inside:
+                yield Diagnostic(
+                    "E606",
+                    f"{node.label} is {node.type} and cannot have states inside",
+                    inside[0].span,
+                    (Related(node.span, f"{node.label}"),),
+                    hint=f"make {node.label} OR",
+                )
+
+
+def _with_root(nodes: dict[str, Node]) -> dict[str, Node]:
+    """The states with an OR as their only root: what is wrong with its type is said once (E600)."""
+    roots = [node for node in nodes.values() if node.parent is None]
+    if len(roots) != 1:
+        return nodes
+    return {**nodes, roots[0].label: replace(roots[0], type=NodeType.OR, activity=None)}
+
+
+def _labelled_twice(node: Node, first: Node, written: tree.Statechart) -> Diagnostic:
+    around = node.label.rpartition(".")[0]
+    labels = {item.label.text for item in written.nodes}
+    free = next(label for number in count(1) if (label := f"{around}.{number}") not in labels)
+    return Diagnostic(
+        "E607",
+        f"two states are labelled {node.label}",
+        node.span,
+        (Related(first.span, "the first one"),),
+        hint=f"give one of them another label, such as {free}" if around else None,
+    )
+
+
+def _or_rules(node: Node, inside: Sequence[Node]) -> Iterator[Diagnostic]:
+    starts = [child for child in inside if child.type is NodeType.START]
+    ends = [child for child in inside if child.type is NodeType.END]
+    if len(starts) != 1:
+        count = "no START" if not starts else f"{len(starts)} START states"
+        yield Diagnostic(
+            "E601",
+            f"{node.label} is OR and has {count}",
+            starts[1].span if starts else node.span,
+            (Related(starts[0].span, "the first one"),) if starts else (),
+            hint=f"add `state {node.label}.1 START` and a transition from it" if not starts else None,
+        )
+    if len(ends) > 1:
+        yield Diagnostic(
+            "E602",
+            f"{node.label} has {len(ends)} END states",
+            ends[1].span,
+            (Related(ends[0].span, "the first one"),),
+            hint="lead all ways to one of them",
+        )
+
+
+def _and_rules(node: Node, inside: Sequence[Node]) -> Iterator[Diagnostic]:
+    for child in inside:
+        if child.type is not NodeType.OR:
+            yield Diagnostic(
+                "E605",
+                f"{child.label} is {child.type}, but what is inside an AND has to be OR",
+                child.span,
+                (Related(node.span, f"{node.label} is AND"),),
+                hint=f"make {child.label} OR, with a START and this state inside",
+            )
+    if len(inside) < 2:
+        count = "no region" if not inside else "one region"
+        yield Diagnostic(
+            "W602" if inside else "E605",
+            f"{node.label} is AND and has {count}",
+            node.span,
+            hint="two or more OR states run concurrently in it",
+        )
+
+
+def _unknown(name: tree.Name, nodes: Mapping[str, Node]) -> Diagnostic:
+    hint = f"add `state {name} BASIC …`" if name.text.rpartition(".")[0] in nodes else None
+    return Diagnostic("E410", f"the statechart has no state {name}", name.span, hint=hint)
+
+
+def _decisions(
+    written: tree.Statechart, nodes: Mapping[str, Node], lines: Sequence[LabelledLine]
+) -> Iterator[Diagnostic]:
+    """Whether the transitions of each source decide, and decide once.
+
+    A statechart without any expression is not decided yet, as a formula without `control`: N704.
+    """
+    by_source: dict[str, list[Alternative]] = {}
+    for item in lines:
+        if item.kind is not TransitionKind.WAY:
+            yield from always_false((item.line,))
+            continue
+        name = f"{item.source} -> {item.target}"
+        alternative = Alternative(name, (item.line,), item.source.span.to(item.target.span))
+        by_source.setdefault(item.source.text, []).append(alternative)
+    sources = [label for label, alternatives in by_source.items() if len(alternatives) > 1]
+    if sources and not any(_says_something(item.line.written) for item in lines):
+        several = f"{len(sources)} states" if len(sources) > 1 else sources[0]
+        transition = by_source[sources[0]][0]
+        yield Diagnostic(
+            "N704",
+            f"no transition of `{written.name}` has an expression: out of {several} the first one is taken",
+            written.name.span,
+            (Related(transition.place, f"`{transition.name}`"),),
+            hint=f"write `{transition.name} : [ … ]`, and `else` on the last transition of each state",
+        )
+        return
+    for label, alternatives in by_source.items():
+        if nodes[label].type is not NodeType.CONDITION:
+            yield from always_false(item.lines[0] for item in alternatives)
+        if len(alternatives) < 2:
+            continue
+        yield from check_group(alternatives)
+        if nodes[label].type is NodeType.CONDITION:
+            yield from check_choice(alternatives)
+        else:
+            yield from check_source(alternatives)
+            always = [alternative for alternative in alternatives if not alternative.is_decided]
+            for other in always[1:]:
+                yield never_taken(other.lines[0], always[0].span)
+
+
+def _says_something(written: tree.TransitionExpression) -> bool:
+    return bool(written.events or written.condition or written.otherwise or written.actions)
+
+
+__all__ = ["GivenChart", "build_statechart", "read_statechart"]

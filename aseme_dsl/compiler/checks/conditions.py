@@ -1,0 +1,207 @@
+"""Conditions: what is said of conditions that cannot be right (W410 to W412, N711 to N713), found by z3."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import chain
+
+from aseme_dsl.amola.expression import Value
+from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
+from aseme_dsl.compiler.chart.flow import Contradict
+from aseme_dsl.compiler.formula.formulas import cut
+from aseme_dsl.compiler.names.symbols import Symbols
+from aseme_dsl.compiler.read.builtins import NOWHERE
+from aseme_dsl.compiler.read.memory import Memory
+from aseme_dsl.compiler.read.pieces import InPieces
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.proofs.choice import (
+    Always,
+    Covered,
+    Finding,
+    Gap,
+    Never,
+    Overlap,
+    Situation,
+    Unsure,
+    situations,
+)
+from aseme_dsl.proofs.prover import Prover
+from aseme_dsl.proofs.unknowns import Vocabulary, identity
+from aseme_dsl.source import Span
+
+FROM_CONDITIONS = frozenset(("W410", "W411", "W412", "N711", "N712", "N713"))
+"""The codes that are found only where z3 is installed."""
+
+
+_SHOWN = 5
+"""How many branches beside the first one are pointed at."""
+
+
+def vocabulary_of(symbols: Symbols) -> Vocabulary:
+    """What conditions can be about, without its places: these mean nothing to a prover."""
+    messages = (
+        replace(item, span=NOWHERE, fields=tuple(replace(member, span=NOWHERE) for member in item.fields))
+        for item in symbols.messages
+    )
+    return Vocabulary(
+        {item.name: replace(item, span=NOWHERE) for item in symbols.enums},
+        {item.name: item for item in messages},
+        {name: item.ends for name, item in symbols.activities.items() if item.ends},
+    )
+
+
+def check_conditions(
+    charts: Iterable[Statechart], prover: Prover, memory: Memory
+) -> InPieces[tuple[tuple[Diagnostic, ...], int]]:
+    """What cannot be right in the conditions; and how many choices went unchecked, without z3."""
+    once: dict[object, Situation] = {}  # the same text may be expanded in several places
+    for found in (yield from memory.each_in_pieces(_situations, zip(charts), prover.vocabulary)):
+        for key, situation in found:
+            once.setdefault(key, situation)
+    if not once or not prover.is_there:  # the first saves the time that z3 takes to be loaded
+        return (), len(once)
+    said = yield from memory.each_in_pieces(_said, zip(once.values()), prover)
+    return tuple(chain.from_iterable(said)), 0
+
+
+def _situations(chart: Statechart, vocabulary: Vocabulary) -> tuple[tuple[object, Situation], ...]:
+    """The situations of a chart, each with what it is by."""
+    return tuple((item.key, item) for item in situations(chart, vocabulary))
+
+
+def _said(situation: Situation, prover: Prover) -> tuple[Diagnostic, ...]:
+    from aseme_dsl.proofs.findings import findings  # costs time, and z3
+
+    return tuple(_diagnostic(situation.chart, finding) for finding in findings(situation, prover))
+
+
+def _diagnostic(chart: Statechart, finding: Finding) -> Diagnostic:
+    match finding:
+        case Overlap():
+            return _overlap(chart, finding)
+        case Gap():
+            return _gap(finding)
+        case Never():
+            return _never(finding)
+        case Covered():
+            return _covered(chart, finding)
+        case Always(transition=transition):
+            return Diagnostic(
+                "N712",
+                "this condition always holds when what it reads is there",
+                _condition(transition),
+                hint="leave it out, or ask `has(…)` if that is what it is for",
+            )
+        case Unsure(transitions=transitions):
+            first, *others = transitions
+            return Diagnostic(
+                "N711",
+                "whether these conditions overlap or leave a gap was too hard to find out",
+                _condition(first),
+                _related(others, "beside this"),
+            )
+
+
+def _overlap(chart: Statechart, finding: Overlap) -> Diagnostic:
+    second, *others = finding.seconds
+    related = [Related(_condition(finding.first), f"{_target(chart, finding.first)} comes first")]
+    related += _related(others, "so can this")
+    return Diagnostic(
+        "W410",
+        f"this and an earlier branch can both hold: {finding.witness}",
+        _condition(second),
+        tuple(related),
+        hint="let them exclude each other; if their order is meant, write `else` for the last branch",
+    )
+
+
+def _gap(finding: Gap) -> Diagnostic:
+    first, *others = finding.fork.branches
+    if finding.waits:
+        return Diagnostic(
+            "N713",
+            f"no branch is open while a message has not arrived: {finding.witness}",
+            _condition(first),
+            _related(others, "nor this"),
+            hint="it waits for the message; ask `!has(…)` of it, too, if it should not",
+        )
+    return Diagnostic(
+        "W411",
+        f"no branch is open{f' when {finding.witness}' if finding.witness.facts else ''}",
+        _condition(first),
+        _related(others, "nor this"),
+        hint="cover it, write `else` for one branch, or end the wait with `after(…)` or an event",
+    )
+
+
+def _never(finding: Never) -> Diagnostic:
+    related = tuple(Related(item.span, "this must hold as well") for item in finding.before)
+    message = "this condition can never hold"
+    if related:
+        message += " together with the one on the way here" if len(related) == 1 else " after what leads here"
+    hint = "what one part of it wants, another excludes: look for `&&` where `||` is meant, or a wrong limit"
+    if related:
+        hint = "what it wants, the other excludes: ask for one of them in another place, or leave this out"
+    return Diagnostic("W412", message, _condition(finding.transition), related, hint)
+
+
+def _covered(chart: Statechart, finding: Covered) -> Diagnostic:
+    transition = finding.transition
+    what = "`else`" if transition.expression.otherwise else "this branch"
+    earlier = "an earlier one is" if len(finding.by) == 1 else "one of the earlier ones is"
+    return Diagnostic(
+        "W412",
+        f"{what} can never be taken: {earlier} open whenever this is",
+        _condition(transition),
+        tuple(Related(_condition(item), f"{_target(chart, item)} comes first") for item in finding.by),
+        hint="write the special case before the general one" if transition.expression.condition else None,
+    )
+
+
+def _related(transitions: Sequence[Transition], words: str) -> tuple[Related, ...]:
+    """The places of the other branches: of many, the first few."""
+    found = [Related(_condition(item), words) for item in transitions[:_SHOWN]]
+    if len(transitions) > _SHOWN:
+        found[-1] = Related(found[-1].span, f"{words}, and {len(transitions) - _SHOWN} more")
+    return tuple(found)
+
+
+def _condition(transition: Transition) -> Span:
+    condition = transition.expression.condition
+    if condition is not None:
+        return condition.span
+    return transition.expression.span or transition.span
+
+
+def _target(chart: Statechart, transition: Transition) -> str:
+    """What a branch leads to, in the words of the file."""
+    source, target = chart.node(transition.source), chart.node(transition.target)
+    if target.type is NodeType.END:
+        return "leaving"
+    if source.label == target.label:
+        return "repeating"
+    if target.type is NodeType.CONDITION:
+        return "the choice"
+    return f"`{cut(target.name)}`"
+
+
+def contradiction(prover: Prover) -> Contradict:
+    """What `check_flow` asks about cycles: without z3, only a condition and its own `else` contradict."""
+
+    def contradict(holding: Sequence[Value], failing: Sequence[Value]) -> bool:
+        if {identity(condition) for condition in holding} & {identity(condition) for condition in failing}:
+            return True
+        if len(holding) + len(failing) < 2 or not prover.is_there:
+            return False
+        from aseme_dsl.proofs.snapshot import Undecided
+
+        try:
+            return not prover.is_possible(holding, failing)
+        except Undecided:
+            return False
+
+    return contradict
+
+
+__all__ = ["FROM_CONDITIONS", "check_conditions", "contradiction", "vocabulary_of"]

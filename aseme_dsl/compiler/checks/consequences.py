@@ -1,0 +1,386 @@
+"""Consequences: of the diagnostics of all phases, those that only follow from others are left out.
+
+One cause gives one message. A phase knows only its own part; here all are seen together. What is said twice
+is not wrong, but it hides what has to be mended first.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from functools import lru_cache
+
+from aseme_dsl.compiler.read.library import declared_by
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related, Severity, in_order
+from aseme_dsl.source import Source, Span
+
+_ABSENCES = frozenset("E200 E204 E205 E206 E207 E212 E400 E403 E501 E502 E508 E511 E512 E513 E520".split())
+_ABSENT = re.compile(r"\b(?:there is no|has no|carries no|does not carry|does not list|no formula has)\b")
+_ELSEWHERE = ("it is a ", "it is in ", "say whose", "a constant is written")
+"""How a hint begins that knows the name: nothing is missing, it is only not what is wanted here."""
+_STRUCTURE = frozenset("E100 E101 E102 E104 E110 E111 E112".split())
+"""After these, words may not be what they seem."""
+_SLIPPED = (frozenset(["E200", "E202"]), frozenset(["E201", "E202"]), frozenset(["E100", "E204"]))
+"""Errors that together on one line mean that its words are not in their places."""
+_DECLARES = re.compile(r"\s*(?:var|sends|receives|topic|state|data|signal|message|enum)\b")
+"""How a line begins that declares several names."""
+_SHOWN = 3
+"""How many other places of one cause are shown."""
+
+_Line = tuple[Source, int]
+_WORD = re.compile(r"[A-Za-z_]\w*")
+
+
+def without_consequences(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """The diagnostics in the order of their places, each cause once."""
+    ordered = list(in_order(found))
+    broken = _broken(ordered)
+    ordered = _folded(_without_rest_of_line(ordered, broken))
+    kept = _without_followers(_without_what_was_not_read(ordered, broken))
+    return tuple(map(_blamed_on_its_declaration, kept))
+
+
+def _is_absence(item: Diagnostic) -> bool:
+    """Whether a name is said not to be there: it may be misspelt, or unreadable, where it is declared."""
+    return (
+        item.code in _ABSENCES
+        and item.span is not None
+        and _ABSENT.search(item.message) is not None
+        and not (item.hint or "").startswith(_ELSEWHERE)
+    )
+
+
+def _line(span: Span) -> _Line:
+    return span.source, span.line
+
+
+def _broken(found: Iterable[Diagnostic]) -> dict[_Line, int]:
+    """Of each line whose structure is wrong the place from which on nothing is certain."""
+    errors: dict[_Line, list[tuple[Span, str]]] = {}
+    activities: Counter[_Line] = Counter()
+    for item in found:
+        if item.span is not None and item.severity is Severity.ERROR:
+            activities[_line(item.span)] += item.code == "E204" and _is_absence(item)
+            errors.setdefault(_line(item.span), []).append((item.span, item.code))
+    broken = {}
+    for line, there in errors.items():
+        codes = {code for _, code in there}
+        wrong = next((span for span, code in there if code in _STRUCTURE or _is_in_two(span, code)), None)
+        before = [span for span, _ in there if wrong is not None and span.end <= wrong.start]
+        twice = activities[line] > 1  # a clause's word is taken for an activity
+        if twice or any(pair <= codes for pair in _SLIPPED) or "E216" in codes:
+            broken[line] = there[0][0].start
+        elif wrong is not None and before and not line[0].text[before[-1].end : wrong.start].strip():
+            broken[line] = before[-1].start
+        elif wrong is not None:
+            broken[line] = wrong.start
+    return broken
+
+
+def _is_in_two(span: Span, code: str) -> bool:
+    """Whether a duration is in two by a blank, so that an entry ends in it."""
+    return code == "E108" and " " in span.text
+
+
+def _without_rest_of_line(found: Iterable[Diagnostic], broken: dict[_Line, int]) -> list[Diagnostic]:
+    """Without errors behind the place where the structure of a line is wrong, up to the first of the next."""
+
+    def is_behind(item: Diagnostic) -> bool:
+        span = item.span
+        if span is None or item.severity is not Severity.ERROR:
+            return False
+        source, line = _line(span)
+        begins = not source.line(line)[: span.column - 1].strip()
+        if item.code in _STRUCTURE and begins and (source, line - 1) in broken:
+            return True
+        return span.start > broken.get((source, line), span.start)
+
+    return [item for item in found if not is_behind(item)]
+
+
+def _folded(found: list[Diagnostic]) -> list[Diagnostic]:
+    """The absence of one name said once, with its other places."""
+    places: dict[tuple[str, str], list[Diagnostic]] = {}
+    for item in found:
+        if _is_absence(item):
+            places.setdefault((item.code, item.message), []).append(item)
+    kept = []
+    for item in found:
+        same = places.get((item.code, item.message), [item])
+        if item is same[0]:
+            kept.append(item if len(same) == 1 else _merged(same))
+    return kept
+
+
+def _merged(same: list[Diagnostic]) -> Diagnostic:
+    first = same[0]
+    edits = tuple(edit for item in same for edit in item.changes)
+    return replace(first, related=(*first.related, *_also(same[1:])), edits=edits)
+
+
+def _also(others: list[Diagnostic]) -> Iterator[Related]:
+    more = len(others) - _SHOWN
+    for number, item in enumerate(others[:_SHOWN], 1):
+        further = f", and at {more} more places" if more > 0 and number == _SHOWN else ""
+        if item.span is not None:
+            yield Related(item.span, "also here" + further)
+
+
+def _without_what_was_not_read(found: list[Diagnostic], broken: dict[_Line, int]) -> list[Diagnostic]:
+    """Without the absence of names that may stand where something is wrong."""
+    ended = {_line(item.span) for item in found if item.span is not None and _goes_on(item)}
+    unread: set[str] = set()
+    unused: set[str] = set()
+    for item in found:
+        if item.code == "E302" and item.span is not None:
+            unread.update(_WORD.findall(_around(item.span.source, item.span.start, False)))
+            unused.add(item.span.text)
+    nameless = {match[1] for item in found if (match := _NAMELESS.match(item.message))}
+    for line, place in broken.items():
+        unread.update(_WORD.findall(_around(line[0], place, line in ended)))
+    unread |= {name for word in tuple(unread) for name in declared_by(word)}
+    unsure = _unsure(found)
+    formulas_read = not any(
+        item.code == "E101" or (item.code == "E100" and item.message.startswith("expected a formula"))
+        for item in found
+    )
+    misread = {line[0] for line in broken}
+    nothing = [item.span for item in found if item.message.startswith("there is no message") and item.span]
+    said: set[str] = set()
+    kept = []
+    for item in found:
+        if _is_absence(item) and item.span is not None:
+            words = set(_WORD.findall(item.span.text))
+            line = _line(item.span)
+            of_type = item.message.startswith("there is no type")
+            if (
+                (words & unread and line not in broken)
+                or any(words & names for other, names in unsure.items() if other != line and not of_type)
+                or (item.code == "E403" and item.fix in unused)
+                or (item.code == "E204" and not formulas_read)
+                or any(kind in item.message for word in nameless for kind in _WHAT[word])
+                or (words <= said and item.code in _OF_A_PROCESS)
+                or (item.message.startswith(_NO_PUBLISHER) and _stands_elsewhere(item, misread))
+                or (" does not carry " in item.message and _in_a_topic(nothing, item))
+            ):
+                continue
+            said |= words
+        kept.append(item)
+    return kept
+
+
+_NO_PUBLISHER = "there is no role, agent or activity"
+
+
+def _stands_elsewhere(item: Diagnostic, misread: set[Source]) -> bool:
+    """Whether a name that nothing declares stands in a file of which not all was understood."""
+    assert item.span is not None
+    places = Counter(place.source for place in _places(item) if place.text == item.span.text)
+    name = item.span.text
+    return any(_words(source.text).get(name, (0, 0))[0] > places[source] for source in misread)
+
+
+def _in_a_topic(nothing: list[Span], item: Diagnostic) -> bool:
+    """Whether the topic that `item` is about names a message that there is not."""
+    topic = item.related[0].span if item.related else None
+    return topic is not None and any(
+        topic.source is span.source
+        and topic.end <= span.start
+        and "}" not in span.source.text[topic.end : span.start]
+        for span in nothing
+    )
+
+
+def _goes_on(item: Diagnostic) -> bool:
+    """Whether what is wrong at the end of a line may be what stands on the next."""
+    span = item.span
+    if span is None or item.code not in ("E100", "E101"):
+        return False
+    rest = span.source.line(span.line)[span.column - 1 + span.end - span.start :]
+    return item.message.endswith(" ends") or not rest.strip()
+
+
+_NAMELESS = re.compile(r"expected a name after '(message|enum|topic|state|data|signal|aip|participant)'")
+_WHAT = {
+    "message": ("no message", "no type", "does not carry", "does not list"),
+    "enum": ("no type", "no topic, variable, let or enum"),
+    "topic": ("no topic",),
+    "state": ("does not carry", "carries no"),
+    "data": ("does not carry", "carries no"),
+    "signal": ("does not carry", "carries no"),
+    "aip": ("no protocol",),
+    "participant": ("no participant",),
+}
+"""What is missing where a declaration has lost its name."""
+_OF_A_PROCESS = frozenset("E205 E206 E212 E400 E403".split())
+"""Absences in what a formula or a protocol has: a name misspelt there is missing in control and clauses."""
+
+
+def _unsure(found: list[Diagnostic]) -> dict[_Line, set[str]]:
+    """What lines may have been meant to declare that name something that is not there."""
+    unsure: dict[_Line, set[str]] = {}
+    for item in found:
+        if not _is_absence(item) or item.span is None:
+            continue
+        line = item.span.source.line(item.span.line)
+        if _DECLARES.match(line) or item.message.startswith("there is no type"):
+            names = set(_WORD.findall(line)) - {item.span.text}
+            unsure.setdefault(_line(item.span), set()).update(names, {item.fix} if item.fix else set())
+    return unsure
+
+
+def _around(source: Source, place: int, ended: bool) -> str:
+    """The entry in which something is wrong: by its indentation, as nothing else is certain there."""
+    lines = source.text.splitlines()
+    first = here = min(source.position(place)[0], len(lines)) - 1
+    while first > 0 and _indentation(lines[first]) > _indentation(lines[first - 1]):
+        if lines[first - 1].rstrip().endswith("{"):
+            break
+        first -= 1
+    last = here + 1
+    if ended:
+        while last < len(lines) and not lines[last].strip():
+            last += 1
+        last += 1
+    while last < len(lines) and _indentation(lines[last]) > _indentation(lines[first]):
+        last += 1
+    return "\n".join(lines[first:last])
+
+
+def _indentation(line: str) -> int:
+    return len(line) - len(line.lstrip())
+
+
+def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
+    """Without what other kinds of problems bring with them.
+
+    A loop that may be empty (E303) is also a cycle that never rests (W403), and has an option without a
+    condition (E405); a number that could not be read (E108) may be of another type than what it was taken
+    for; a participant that no formula uses (N702) may be what an activity is misspelt for (W200), and so may
+    a formula that nothing uses (E302), which then says so; a formula without control (N704) may have one that
+    is misspelt (E403), or stands in a role that plays the protocol (E408). The constant conditions of a loop
+    that is none (W420) always hold, or never (N712, W412); with a timer that is never started (W501), they
+    overlap or leave gaps. A protocol that is misspelt where it is played (E205) is played by nobody (N702),
+    a functionality that is misspelt where it is used (W230) is not used (N727). Of an activity that is given
+    something which it does not take (E523) it is said there what it may be misspelt for (W200).
+    """
+    unstarted = [place for item in found if item.code == "W501" for place in _places(item)]
+    almost = {place.span for item in found if item.code == "W230" for place in item.related}
+    unplayed = {item.fix for item in found if item.code == "E205"}
+    fixed = [place for item in found if item.code == "W420" for place in _places(item)]
+    unused = {item.span for item in found if item.code == "E302"}
+    controls = {item.fix for item in found if item.code == "E403"}
+    controls |= {item.span.text for item in found if item.code == "E408" and item.span is not None}
+    close = {item.related[0].span: item.span for item in found if item.code == "W200" and item.related}
+    given = [item.span for item in found if item.code == "E523" and item.span is not None]
+    loops = [item.span for item in found if item.code == "E303" and item.span is not None]
+    misspelt = {place.span for item in found if item.code == "W200" for place in item.related}
+    numbers = [item.span for item in found if item.code == "E108" and item.span is not None]
+
+    def follows(item: Diagnostic) -> bool:
+        span = item.span
+        if span is None:
+            return False
+        if item.code == "N702":
+            return span in misspelt or any(place.span.text in unplayed for place in item.related)
+        if item.code == "N704":
+            return any(item.message.startswith(f"`{name}` ") for name in controls)
+        if item.code == "W200":
+            return any(span.start == place.start and span.source is place.source for place in given) or (
+                bool(item.related) and item.related[0].span in unused
+            )
+        if item.code in _OF_CONDITIONS and any(
+            _is_in(timer, place) for timer in unstarted for place in _places(item)
+        ):
+            return True
+        if item.code == "N727":
+            return span in almost
+        if item.code in ("N712", "W412"):
+            return any(_is_in(span, line) or _is_in(line, span) for line in fixed)
+        if item.code in ("E405", "W403"):
+            return any(_is_in(span, loop) for loop in loops)
+        return item.code in _ABOUT_TYPES and any(_is_in(number, span) for number in numbers)
+
+    def explained(item: Diagnostic) -> Diagnostic:
+        place = close.get(item.span) if item.code == "E302" and item.span is not None else None
+        if place is None:
+            return item
+        span = item.span
+        assert span is not None
+        if _occurrences(span) > 1 and _occurrences(place) == 1:
+            return Diagnostic(
+                "E302",
+                f"`{place.text}` has no formula, and nothing uses the formula `{span.text}`",
+                place,
+                (Related(span, "the formula"),),
+                hint=f"did you mean `{span.text}`?",
+                fix=span.text,
+            )
+        related = (Related(place, f"`{place.text}` has no formula"),)
+        return replace(item, related=related, hint=f"did you mean `{place.text}`?", fix=place.text)
+
+    return [explained(item) for item in found if not follows(item)]
+
+
+def _occurrences(span: Span) -> int:
+    """How often the word at a place stands in its file: a slip is made once."""
+    return _words(span.source.text).get(span.text, (0, 0))[0]
+
+
+@lru_cache(maxsize=4)
+def _words(text: str) -> dict[str, tuple[int, int]]:
+    """Of each word outside of comments how often it stands in a text, and where the last time."""
+    found: dict[str, tuple[int, int]] = {}
+    for word in _WORD.finditer(_COMMENT.sub(lambda comment: " " * len(comment[0]), text)):
+        found[word[0]] = (found.get(word[0], (0, 0))[0] + 1, word.start())
+    return found
+
+
+def _blamed_on_its_declaration(item: Diagnostic) -> Diagnostic:
+    """Where several uses agree and nothing uses the name that is close, its declaration is the slip."""
+    span = item.span
+    if span is None or not _is_absence(item) or not item.changes:
+        return item
+    used, declared = span.text, {edit.text for edit in item.changes}
+    if len(declared) != 1 or any(edit.span.text != used for edit in item.changes):
+        return item
+    (name,) = declared
+    text = span.source.text
+    number, last = _words(text).get(name, (0, 0))
+    if number != 1 or not _is_declared_at(text, last, name) or _occurrences(span) < 2:
+        return item
+    place = Span(span.source, last, last + len(name))
+    hint = f"nothing uses `{name}`: is `{used}` meant there?"
+    related = (*item.related, Related(place, f"`{name}` is declared here"))
+    return replace(item, hint=hint, related=related, fix=None, edits=(Edit(place, used),))
+
+
+def _is_declared_at(text: str, place: int, name: str) -> bool:
+    """Whether the word there is the name of something declared, or a formula."""
+    before = _DECLARED_AFTER.search(text[max(0, place - 40) : place])
+    return before is not None or _ASSIGNED.match(text, place + len(name)) is not None
+
+
+_ASSIGNED = re.compile(r"\s*=(?![=>])")
+_DECLARED_AFTER = re.compile(
+    r"\b(?:enum|message|topic|let|function|sag|suc|role|aip|participant|srm|statechart|scenario|property)\s+\Z"
+)
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+
+
+def _places(item: Diagnostic) -> list[Span]:
+    places = [place.span for place in item.related]
+    return places if item.span is None else [item.span, *places]
+
+
+_OF_CONDITIONS = ("W410", "W411", "W412", "N711", "N712", "N713")
+_ABOUT_TYPES = ("E500", "E504", "E505", "E506", "E509", "E514", "E515", "W500")
+
+
+def _is_in(inner: Span, outer: Span) -> bool:
+    return inner.source is outer.source and outer.start <= inner.start and inner.end <= outer.end
+
+
+__all__ = ["without_consequences"]

@@ -1,0 +1,292 @@
+"""Dialogue: whether what the participants of a protocol say and wait for can come about at all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import chain
+
+from aseme_dsl.amola.aip import Aip, Participant
+from aseme_dsl.amola.expression import Event, Received, Send
+from aseme_dsl.amola.srm import Activity, Srm
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition
+from aseme_dsl.amola.system import Team
+from aseme_dsl.compiler.read.builtins import NOT_UNDERSTOOD
+from aseme_dsl.compiler.read.library import is_of_library
+from aseme_dsl.compiler.read.memory import Memory
+from aseme_dsl.compiler.read.pieces import InPieces
+from aseme_dsl.diagnostics import Diagnostic, Related
+
+_SHOWN = 4
+"""How many related places a problem shows at most."""
+
+
+# ---- waits that nobody ends ------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Said:
+    """A message that a participant can send; to `to` alone, or to whom a variable says (None)."""
+
+    performative: str
+    message: str
+    sender: str
+    to: str | None
+
+
+@dataclass(slots=True)
+class _Known:
+    """What is known to be possible so far; it only grows."""
+
+    reached: set[str] = field(default_factory=set)
+    said: set[_Said] = field(default_factory=set)
+
+
+def check_waits(
+    aips: Iterable[Aip],
+    eacs: Mapping[str, Statechart | None],
+    srms: Sequence[Srm],
+    activities: Mapping[str, Activity],
+    memory: Memory,
+) -> InPieces[list[Diagnostic]]:
+    """W553 for a state that only messages can end which nobody can have sent by then.
+
+    All else is taken for possible: conditions hold, deadlines pass, agents are lost, activities that are not
+    simulated send what their participant lists and no line of it sends. So what is told is stuck
+    whatever happens. Protocols of the standard library count if somebody plays them.
+    """
+    played = {item.protocol for srm in srms for item in srm.plays}
+    looked_at = [
+        (aip, chart, memory.same((aip.name, "silent"), _silent(aip, chart, srms, activities)))
+        for aip in aips
+        if (chart := eacs.get(aip.name)) is not None
+        and (aip.name in played or not is_of_library(aip.span.source))
+    ]
+    return list(chain.from_iterable((yield from memory.each_in_pieces(_waits, looked_at))))
+
+
+def _silent(
+    aip: Aip, chart: Statechart, srms: Sequence[Srm], activities: Mapping[str, Activity]
+) -> frozenset[str]:
+    """The activities of a protocol that are simulated in whatever role plays it: they send nothing."""
+    plays = [dict(item.bindings) for srm in srms for item in srm.plays if item.protocol == aip.name] or [{}]
+    names = {node.activity for node in chart.nodes if node.activity is not None}
+    return frozenset(
+        name
+        for name in names
+        if all(
+            (said := activities.get(bound.get(name, name))) is not None and said.simulated for bound in plays
+        )
+    )
+
+
+def _waits(aip: Aip, chart: Statechart, silent: frozenset[str]) -> tuple[Diagnostic, ...]:
+    regions = _regions(chart, aip)
+    if len(aip.participants) < 2 or len(regions) < len(aip.participants):
+        return ()
+    stuck = list(_stuck(chart, regions, _possible(chart, regions, aip, silent)))
+    return (_told(stuck),) if stuck else ()
+
+
+def _regions(chart: Statechart, aip: Aip) -> dict[str, str]:
+    """The region of each participant, by its name."""
+    around = next((node for node in chart.children(chart.root.label) if node.type is NodeType.AND), None)
+    names = {item.name for item in aip.participants}
+    children = () if around is None else chart.children(around.label)
+    return {node.name: node.label for node in children if node.name in names}
+
+
+def _possible(chart: Statechart, regions: Mapping[str, str], aip: Aip, silent: frozenset[str]) -> _Known:
+    """What can be reached and said, from the begin of all participants on."""
+    known = _Known()
+    parts = {item.name: item for item in aip.participants}
+    for label in regions.values():
+        _enter(chart, label, known)
+    while True:
+        before = len(known.reached), len(known.said)
+        for name, label in regions.items():
+            _go_on(chart, label, parts[name], known, silent)
+        if (len(known.reached), len(known.said)) == before:
+            return known
+
+
+def _go_on(chart: Statechart, region: str, part: Participant, known: _Known, silent: frozenset[str]) -> None:
+    """Take every transition of a participant that is possible."""
+    by_lines: set[tuple[str, str]] = set()
+    for transition in _inside(chart, region):
+        for action in transition.expression.actions:
+            if isinstance(action, Send):
+                by_lines.add((action.performative, action.message))
+        if transition.source not in known.reached or not _may_be_taken(chart, transition, part.name, known):
+            continue
+        if transition.is_way:
+            _enter(chart, transition.target, known)
+        for action in transition.expression.actions:
+            if isinstance(action, Send):
+                to = action.participant or None
+                known.said.add(_Said(action.performative, action.message, part.name, to))
+    acts = any(
+        node.type is NodeType.BASIC
+        and node.activity not in silent
+        and node.label.startswith(f"{region}.")
+        and node.label in known.reached
+        for node in chart.nodes
+    )
+    for item in part.sends if acts else ():
+        if (item.performative, item.message) not in by_lines:
+            known.said.add(_Said(item.performative, item.message, part.name, None))
+
+
+def _inside(chart: Statechart, region: str) -> Iterator[Transition]:
+    return (
+        item for item in chart.transitions if item.source == region or item.source.startswith(f"{region}.")
+    )
+
+
+def _enter(chart: Statechart, label: str, known: _Known) -> None:
+    """A state and all that is entered with it."""
+    todo = [label]
+    while todo:
+        node = chart.node(todo.pop())
+        known.reached.add(node.label)
+        if node.type is NodeType.AND:
+            todo += [child.label for child in chart.children(node.label)]
+        elif node.type is NodeType.OR:
+            start = chart.start_of(node.label)
+            todo += [] if start is None else [start.label]
+
+
+def _may_be_taken(chart: Statechart, transition: Transition, name: str, known: _Known) -> bool:
+    expression = transition.expression
+    if expression.events:
+        return any(_may_happen(event, name, known) for event in expression.events)
+    return expression.when or not transition.is_way or _may_be_complete(chart, transition.source, known)
+
+
+def _may_happen(event: Event, name: str, known: _Known) -> bool:
+    if not isinstance(event, Received) or event.performative == NOT_UNDERSTOOD:
+        return True
+    return any(
+        (said.performative, said.message, said.sender)
+        == (event.performative, event.message, event.participant)
+        and said.to in (None, name)
+        for said in known.said
+    )
+
+
+def _may_be_complete(chart: Statechart, label: str, known: _Known) -> bool:
+    node = chart.node(label)
+    if node.type is NodeType.OR:
+        end = chart.end_of(label)
+        return end is not None and end.label in known.reached
+    if node.type is NodeType.AND:
+        ends = [chart.end_of(child.label) for child in chart.children(label)]
+        return all(end is not None and end.label in known.reached for end in ends)
+    return True
+
+
+def _stuck(
+    chart: Statechart, regions: Mapping[str, str], known: _Known
+) -> Iterator[tuple[str, Node, Received]]:
+    """The states in which a participant stays for ever, each with a message for which it waits."""
+    for name, region in regions.items():
+        for node in chart.nodes:
+            is_leaf = node.type in (NodeType.START, NodeType.CONDITION, NodeType.BASIC)
+            if not is_leaf or node.label not in known.reached or not node.label.startswith(f"{region}."):
+                continue
+            own = chart.ways_from(node.label)
+            around = [item.label for item in chart.ancestors(node.label) if item.label.startswith(region)]
+            ways = [*own, *(way for label in around for way in chart.ways_from(label) if _cuts_short(way))]
+            waits = [event for way in own for event in way.expression.events if isinstance(event, Received)]
+            if waits and not any(_may_be_taken(chart, way, name, known) for way in ways):
+                yield name, node, waits[0]
+
+
+def _cuts_short(way: Transition) -> bool:
+    """Whether a way out of a composite is open while something inside is not complete."""
+    return bool(way.expression.events) or way.expression.when
+
+
+def _told(stuck: Sequence[tuple[str, Node, Received]]) -> Diagnostic:
+    """One message for the protocol: where each waits is one and the same problem."""
+    name, _, event = stuck[0]
+    others = [
+        Related(item.span, f"`{who}` waits here, and cannot go on either")
+        for who, _, item in stuck[1:]
+        if who != name
+    ]
+    said = f"{event.performative} {event.message}"
+    return Diagnostic(
+        "W553",
+        f"`{name}` waits here for ever: `{event.participant}` cannot have sent `{said}` by then",
+        event.span,
+        tuple(others[:_SHOWN]),
+        hint=f"let `{event.participant}` send it before it waits itself, or end the wait otherwise: "
+        f"`after(10s)`, `lost {event.participant}`",
+    )
+
+
+# ---- how many there are ----------------------------------------------------------------------------
+
+
+def check_multiplicity(
+    aips: Iterable[Aip], srms: Iterable[Srm], teams: Iterable[Team]
+) -> Iterator[Diagnostic]:
+    """W554 for a participant of which a team has fewer agents than take part in each conversation.
+
+    Of one that no role plays, N706 tells. Who opens the conversation does not invite itself.
+    """
+    plays: dict[tuple[str, str], set[str]] = {}
+    for srm in srms:
+        for item in srm.plays:
+            plays.setdefault((item.protocol, item.participant), set()).add(srm.name)
+    by_name = {srm.name: srm for srm in srms}
+    for team in teams:
+        for aip in aips:
+            for part in aip.participants:
+                roles = plays.get((aip.name, part.name), set())
+                players = _players(team, roles)
+                others = [
+                    agent
+                    for other in aip.participants
+                    if other is not part
+                    for agent in _players(team, plays.get((aip.name, other.name), set()))
+                ]
+                if not roles or not others:
+                    continue
+                most = max(len(players - {opener}) for opener in others)
+                if most < part.least:
+                    yield _too_few(
+                        team, aip, part, most, () if players else [by_name[role] for role in roles]
+                    )
+
+
+def _players(team: Team, roles: set[str]) -> set[str]:
+    return {agent.name for agent in team.agents if agent.role in roles}
+
+
+def _too_few(team: Team, aip: Aip, part: Participant, most: int, idle: Sequence[Srm]) -> Diagnostic:
+    """`idle` are the roles that play it, if no agent of the team has any of them."""
+    least = f"{part.least} agent{'' if part.least == 1 else 's'}"
+    if idle:
+        roles = sorted(idle, key=lambda srm: srm.name)
+        return Diagnostic(
+            "W554",
+            f"`{part.name}` of `{aip.name}` wants {least} at least, and no agent of {team.name} plays it",
+            part.span,
+            (Related(team.span, "the team"), *(Related(srm.span, "the role that does") for srm in roles)),
+            hint="what is sent to it is sent to nobody then, and who waits for it waits for ever: give the "
+            f"role to an agent of the team, `name : {roles[0].name}`",
+        )
+    there = "nobody else" if most == 0 else "one agent" if most == 1 else f"{most} agents"
+    return Diagnostic(
+        "W554",
+        f"`{part.name}` of `{aip.name}` wants {least} at least, and {team.name} has {there}",
+        part.span,
+        (Related(team.span, "the team"),),
+        hint="what is sent to them is sent to none of them then: let more agents play it, or be content with "
+        f"fewer: `participant {part.name} [{max(1, most)}..{'*' if part.most is None else part.most}]`",
+    )
+
+
+__all__ = ["check_multiplicity", "check_waits"]

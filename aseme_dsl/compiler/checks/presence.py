@@ -1,0 +1,310 @@
+"""Presence: messages that a transition needs and that may not have come yet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from aseme_dsl.amola.expression import (
+    Assign,
+    Compare,
+    Evaluate,
+    Has,
+    Holds,
+    Logic,
+    Member,
+    Named,
+    Not,
+    Publish,
+    Send,
+    StartTimer,
+    Value,
+    operands,
+)
+from aseme_dsl.amola.messages import Channel, Comm
+from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, TransitionKind
+from aseme_dsl.compiler.checks.message_use import members_in
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.source import Span
+
+Channels = frozenset[Channel]
+NONE: Channels = frozenset()
+
+
+def check_presence(chart: Statechart, activities: Mapping[str, Activity]) -> Iterator[Diagnostic]:
+    """N720: an action that reads what may be absent, and an `else` that is taken because something is.
+
+    A condition over an absent message does not hold, and the robot waits: that is as it should be. It matters
+    where an action needs the message, since it is then not done, and where a choice asks for the opposite of
+    something (`!seen`) and has an `else`, which is taken when nothing has been heard at all.
+    """
+    needing = [
+        (item, found)
+        for item in chart.transitions
+        if item.expression.actions and (found := list(_needed(item)))
+    ]
+    if needing:
+        known = _known(chart, activities, {member.channel for _, found in needing for member, _ in found})
+        for transition, found in needing:
+            yield from _in_actions(chart, transition, found, known, activities)
+    yield from _beside_else(chart, activities)
+
+
+# ---- what a condition says of what is there ------------------------------------------------------
+
+
+def there_if_holds(value: Value) -> Channels:
+    """The channels of which a message is there if the condition holds, by Kleene's logic.
+
+    Nesting of expressions is bounded (E103), so this may recurse.
+    """
+    match value:
+        case Not(operand=operand):
+            return _there_if_fails(operand)
+        case Logic(operator="&&", operands=parts):
+            return frozenset().union(*(there_if_holds(part) for part in parts))
+        case Logic(operands=parts):
+            return frozenset.intersection(*(there_if_holds(part) for part in parts))
+        case Named(expression=inner):
+            return there_if_holds(inner)
+        case Has(message=Member(channel=channel)):
+            return frozenset((channel,))
+        case Holds(operand=operand):
+            return there_if_holds(operand)
+    return _read(value)
+
+
+def _there_if_fails(value: Value) -> Channels:
+    match value:
+        case Not(operand=operand):
+            return there_if_holds(operand)
+        case Logic(operator="&&", operands=parts):
+            return frozenset.intersection(*(_there_if_fails(part) for part in parts))
+        case Logic(operands=parts):
+            return frozenset().union(*(_there_if_fails(part) for part in parts))
+        case Named(expression=inner):
+            return _there_if_fails(inner)
+        case Has() | Holds():
+            return NONE
+    return _read(value)
+
+
+def _read(value: Value) -> Channels:
+    """What a value needs: all that it reads, but for what it only asks after."""
+    found: set[Channel] = set()
+    stack = [value]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, Member):
+            found.add(item.channel)
+        elif not isinstance(item, (Has, Holds, Logic)):
+            stack += operands(item)
+    return frozenset(found)
+
+
+# ---- actions -------------------------------------------------------------------------------------
+
+
+def _needed(transition: Transition) -> Iterator[tuple[Member, Span]]:
+    """What the actions read and the condition of the same transition does not make sure of."""
+    condition = transition.expression.condition
+    there = set(there_if_holds(condition)) if condition is not None else set()
+    for action in transition.expression.actions:
+        match action:
+            case Assign(value=value) | Evaluate(value=value) | StartTimer(duration=value):
+                values: Sequence[Value] = (value,)
+            case Send():
+                values = action.values
+            case _:
+                values = ()
+        for value in values:
+            needed = _read(value)
+            for member, span in members_in([value]):
+                if member.channel in needed and member.channel not in there:
+                    yield member, span
+        if isinstance(action, Publish):
+            there.add(action.channel)
+
+
+def _in_actions(
+    chart: Statechart,
+    transition: Transition,
+    needed: Iterable[tuple[Member, Span]],
+    known: Mapping[str, Channels],
+    activities: Mapping[str, Activity],
+) -> Iterator[Diagnostic]:
+    there = known.get(transition.source, NONE) | _after(
+        chart.by_label[transition.source], transition, activities
+    )
+    for member, span in needed:
+        if member.channel in there:
+            continue
+        yield Diagnostic(
+            "N720",
+            f"no `{member.channel}` may have come yet: then this action is not done",
+            span,
+            hint=f"let the transition wait for it, `[has({member.channel})]`, or do this where it is there",
+        )
+
+
+def _after(source: Node, transition: Transition, activities: Mapping[str, Activity]) -> Channels:
+    """What the activity of the source has published if the transition waits for its completion."""
+    said = activities.get(source.activity) if source.activity is not None else None
+    is_exit = transition.kind is TransitionKind.EXIT  # it may be left while its activity runs
+    if said is None or transition.expression.events or transition.expression.when or is_exit:
+        return NONE
+    return frozenset(said.writes)
+
+
+def _known(
+    chart: Statechart, activities: Mapping[str, Activity], wanted: set[Channel]
+) -> dict[str, Channels]:
+    """Of which of the `wanted` channels there is a message for sure when a state is entered.
+
+    A state or history that is there once stays, and a region starts with what is around it; a signal does not
+    stay. So this is what all ways to a state have in common, found by going round until nothing changes.
+    """
+    wanted = {channel for channel in wanted if channel.comm is not Comm.SIGNAL}
+    everything = frozenset(wanted)
+    known = {node.label: everything for node in chart.nodes}
+    known[chart.root.label] = NONE
+    incoming: dict[str, list[Transition]] = {}
+    for transition in chart.transitions:
+        if transition.is_way:
+            incoming.setdefault(transition.target, []).append(transition)
+    ends = {node.parent: node.label for node in chart.nodes if node.type is NodeType.END}
+
+    def left(transition: Transition) -> Channels:
+        source = chart.by_label[transition.source]
+        there = known[source.label] | _after(source, transition, activities)
+        completed = not (transition.expression.events or transition.expression.when)
+        if completed and source.label in ends:
+            there |= known[ends[source.label]]
+        elif completed and source.type is NodeType.AND:
+            for child in chart.children(source.label):
+                there |= known[ends[child.label]] if child.label in ends else NONE
+        if transition.expression.condition is not None:
+            there |= there_if_holds(transition.expression.condition)
+        for action in transition.expression.actions:
+            if isinstance(action, Publish):
+                there |= {action.channel}
+        return there & everything
+
+    changed = bool(wanted)
+    while changed:
+        changed = False
+        for node in chart.nodes:
+            if node.parent is None:
+                continue
+            ways = [left(item) for item in incoming.get(node.label, ())]
+            if node.type is NodeType.START or chart.by_label[node.parent].type is NodeType.AND:
+                ways.append(known[node.parent])
+            found = frozenset.intersection(*ways) if ways else everything
+            if found != known[node.label]:
+                known[node.label] = found
+                changed = True
+    return known
+
+
+# ---- beside an else ------------------------------------------------------------------------------
+
+
+def _beside_else(chart: Statechart, activities: Mapping[str, Activity]) -> Iterator[Diagnostic]:
+    """A condition that is only the opposite of something, beside an `else`.
+
+    What the role itself publishes is not reported: it comes soon.
+    """
+    groups: dict[str, list[Transition]] = {}
+    for transition in chart.transitions:
+        if transition.expression.otherwise:
+            groups[transition.source] = []
+    if not groups:
+        return
+    for transition in chart.transitions:
+        if transition.source in groups and transition.is_way and not transition.reactive:
+            groups[transition.source].append(transition)
+    own: set[Channel] = set()
+    for node in chart.nodes:
+        if node.activity is not None and node.activity in activities:
+            own.update(activities[node.activity].writes)
+    for transition in chart.transitions:
+        own.update(a.channel for a in transition.expression.actions if isinstance(a, Publish))
+    for group in groups.values():
+        yield from _negated(group, own)
+
+
+def _negated(group: Sequence[Transition], own: set[Channel]) -> Iterator[Diagnostic]:
+    otherwise = next(item for item in group if item.expression.otherwise)
+    opposed: dict[Channel, Span] = {}
+    asserted: set[Channel] = set()
+    for transition in group:
+        condition = transition.expression.condition
+        if condition is not None:
+            _signs(condition, {}, asserted)
+            for part in _alternatives(condition):
+                if isinstance(part, Not) or (isinstance(part, Compare) and part.operator == "!="):
+                    _signs(part, opposed, asserted, condition.span if isinstance(condition, Named) else None)
+    for channel, span in opposed.items():
+        if channel in asserted or channel in own or channel.comm is Comm.SIGNAL:
+            continue
+        yield Diagnostic(
+            "N720",
+            f"while no `{channel}` has come, this does not hold, and `else` is taken",
+            span,
+            (Related(otherwise.span, "the `else`"),),
+            hint=f"write `!has({channel}) || …` if this is meant then, else `!has({channel})` in a branch of "
+            "its own",
+        )
+
+
+def _alternatives(condition: Value) -> Iterator[Value]:
+    """The parts of a condition each of which is enough: those that `||` joins."""
+    stack = [condition]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, Named):
+            stack.append(item.expression)
+        elif isinstance(item, Logic) and item.operator == "||":
+            stack += reversed(item.operands)
+        else:
+            yield item
+
+
+def _signs(
+    condition: Value, opposed: dict[Channel, Span], asserted: set[Channel], place: Span | None = None
+) -> None:
+    """The channels whose readings stand with `!` or `!=`, and those that stand without or are asked for.
+
+    `place` is where the condition is named, if it stands elsewhere.
+    """
+    stack: list[tuple[Value, bool, Span | None]] = [(condition, True, place)]
+    while stack:
+        value, sign, place = stack.pop()
+        match value:
+            case Not(operand=operand):
+                stack.append((operand, not sign, place))
+            case Logic(operands=parts):
+                stack += [(part, sign, place) for part in reversed(parts)]
+            case Named(expression=inner, span=span):
+                stack.append((inner, sign, place or span))
+            case Has(message=message):
+                if isinstance(message, Member):
+                    asserted.add(message.channel)
+            case Compare(operator="!=") | Compare(operator="=="):
+                positive = sign == (value.operator == "==")
+                _sign(value, positive, place, opposed, asserted)
+            case _:
+                _sign(value, sign, place, opposed, asserted)
+
+
+def _sign(
+    value: Value, positive: bool, place: Span | None, opposed: dict[Channel, Span], asserted: set[Channel]
+) -> None:
+    for channel in sorted(_read(value)):
+        if positive:
+            asserted.add(channel)
+        else:
+            opposed.setdefault(channel, place or value.span)
+
+
+__all__ = ["check_presence", "there_if_holds"]

@@ -1,0 +1,123 @@
+"""Signal readers: where one reader of a signal leaves nothing of it to another one in the same region."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from aseme_dsl.amola.messages import Channel, Comm
+from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import NodeType, Statechart, Transition
+from aseme_dsl.compiler.checks.message_use import members_of, read_channels
+from aseme_dsl.compiler.formula.formulas import cut
+from aseme_dsl.compiler.names.symbols import Symbols
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.source import Span
+
+Asked = dict[Channel, Span]
+"""The signals that a transition names, each with its first place."""
+
+
+def check_signals(
+    chart: Statechart, activities: Mapping[str, Activity], symbols: Symbols
+) -> Iterator[Diagnostic]:
+    """W521: a signal that was taken on the way in, or is looked at before the activity gets it.
+
+    A taken transition consumes the signals that it names, so that the choice in the state that it enters does
+    not find them; a `when` looks at every signal as it comes, and what was looked at is gone when the step
+    ends. Queued signals are not reported: there the next one may be waiting.
+    """
+    asking = [(item, signals) for item in chart.transitions if (signals := _signals(item, symbols))]
+    if not asking:
+        return
+    incoming: dict[str, list[tuple[Transition, Asked]]] = {}
+    for item in chart.transitions:
+        if not item.is_way or item.reactive:
+            continue
+        incoming.setdefault(item.target, []).append((item, _signals(item, symbols)))
+    for transition, signals in asking:
+        yield from _taken_on_the_way(chart, transition, signals, incoming)
+        if transition.expression.when:
+            yield from _looked_at_first(chart, transition, signals, activities, symbols)
+
+
+def _signals(transition: Transition, symbols: Symbols) -> Asked:
+    found: Asked = {}
+    for member, span in members_of(transition.expression):
+        if member.channel.comm is Comm.SIGNAL:
+            rules = symbols.channel(member.channel)
+            if rules is None or not rules.queued:
+                found.setdefault(member.channel, span)
+    return found
+
+
+def _taken_on_the_way(
+    chart: Statechart,
+    transition: Transition,
+    signals: Asked,
+    incoming: Mapping[str, Sequence[tuple[Transition, Asked]]],
+) -> Iterator[Diagnostic]:
+    """What every way into the state around has taken, in the same step."""
+    source = chart.by_label[transition.source]
+    while source.type is NodeType.CONDITION:
+        ways = incoming.get(source.label, [])
+        if len(ways) != 1:
+            return
+        source = chart.by_label[ways[0][0].source]
+    if source.type is not NodeType.START or source.parent is None or chart.is_region(source.parent):
+        return
+    ways = incoming.get(source.parent, [])
+    for channel, span in signals.items():
+        first = [_taken_by(chart, way, taken, incoming).get(channel) for way, taken in ways]
+        if first and all(place is not None for place in first) and first[0] is not None:
+            around = chart.by_label[source.parent]
+            yield Diagnostic(
+                "W521",
+                f"the signal `{channel}` is gone when this asks for it",
+                span,
+                (Related(first[0], f"the way into `{cut(around.name)}` has taken it"),),
+                hint="ask for it in one place; keep in a variable what is to be known of it later",
+            )
+
+
+def _taken_by(
+    chart: Statechart,
+    way: Transition,
+    taken: Asked,
+    incoming: Mapping[str, Sequence[tuple[Transition, Asked]]],
+) -> Asked:
+    """What a transition consumes, the one into its choice included."""
+    before = incoming.get(way.source, ())
+    if chart.by_label[way.source].type is NodeType.CONDITION and len(before) == 1:
+        return {**before[0][1], **taken}
+    return taken
+
+
+def _looked_at_first(
+    chart: Statechart,
+    transition: Transition,
+    signals: Asked,
+    activities: Mapping[str, Activity],
+    symbols: Symbols,
+) -> Iterator[Diagnostic]:
+    """The activities of the same region that want a signal which a `when` looks at while they run."""
+    region = chart.region_of(transition.source)
+    inside = transition.source + "."
+    for node in chart.nodes:
+        said = activities.get(node.activity) if node.activity is not None else None
+        if said is None or not (node.label == transition.source or node.label.startswith(inside)):
+            continue
+        if chart.region_of(node.label) != region:
+            continue
+        for channel, subscription in read_channels(said, symbols):
+            if channel in signals:
+                yield Diagnostic(
+                    "W521",
+                    f"`{said.name}` reads the signal `{channel}`, but this looks at each one first: "
+                    "what was looked at is gone when the step ends",
+                    signals[channel],
+                    (Related(subscription.span, f"`{said.name}` reads it"),),
+                    hint=f"let `{said.name}` raise an event for this, or stand in a region of its own",
+                )
+
+
+__all__ = ["check_signals"]

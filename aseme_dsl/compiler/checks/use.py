@@ -1,0 +1,54 @@
+"""Use: what a system without errors says and nothing uses, or uses and nothing says."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.compiler.chart.flow import check_completion
+from aseme_dsl.compiler.checks.leftovers import check_leftovers
+from aseme_dsl.compiler.checks.message_life import check_life
+from aseme_dsl.compiler.checks.message_use import message_use
+from aseme_dsl.compiler.checks.presence import check_presence
+from aseme_dsl.compiler.checks.signal_readers import check_signals
+from aseme_dsl.compiler.names.symbols import Symbols
+from aseme_dsl.compiler.read.memory import Memory
+from aseme_dsl.compiler.read.pieces import InPieces
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.grammar.text import tree
+
+
+def check_use(
+    roles: Sequence[Statechart],
+    protocols: Sequence[Statechart],
+    activities: Mapping[str, Activity],
+    written: Sequence[tree.Activity],
+    symbols: Symbols,
+    memory: Memory,
+) -> InPieces[tuple[Diagnostic, ...]]:
+    """Messages, signals, timers and variables over their life, in the charts of the roles.
+
+    What protocols read and publish counts as read and published, whether a role plays them or not.
+    """
+    use = yield from message_use((*roles, *protocols), activities, written, symbols, memory)
+    modules = {item.name: item.statement for chart in roles for item in chart.modules}
+    activities = {**activities, **modules}
+    found = [*(yield from check_life(roles, use, activities, symbols, memory))]
+    for problems in (yield from memory.each_in_pieces(_in_chart, zip(roles), activities, symbols)):
+        found += problems
+    return tuple(found)
+
+
+def _in_chart(
+    chart: Statechart, activities: Mapping[str, Activity], symbols: Symbols
+) -> tuple[Diagnostic, ...]:
+    return (
+        *check_signals(chart, activities, symbols),
+        *check_presence(chart, activities),
+        *check_leftovers(chart, activities),
+        *check_completion(chart),
+    )
+
+
+__all__ = ["check_use"]

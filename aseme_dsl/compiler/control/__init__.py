@@ -1,0 +1,1 @@
+"""Control: the lines of `control` blocks on the arrows of a chart."""

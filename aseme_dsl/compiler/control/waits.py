@@ -1,0 +1,111 @@
+"""Waits: events of a choice that are waited for only when what stands before the choice is complete."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+from typing import assert_never
+
+from aseme_dsl.amola.expression import Failed, Raised
+from aseme_dsl.amola.liveness import Formula, Operator, ungrouped
+from aseme_dsl.compiler.control.control import Lines
+from aseme_dsl.compiler.formula.formulas import Formulas
+from aseme_dsl.compiler.formula.terms import Terms, spelling, terms_of
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.grammar.text import tree
+
+
+def check_waits(
+    formulas: Formulas, controls: Mapping[str, str], terms: Terms, lines: Lines
+) -> Iterator[Diagnostic]:
+    """W405 for each term of a sequence that begins with a choice whose branch has an event or `when`.
+
+    The choice may stand in another formula, which the term names. A line for the way into the term says that
+    the wait is meant, or interrupts what stands before. A choice that a message of an agent decides is a
+    place to wait at; `after` counts from the choice in any case. `controls` gives each formula the name that
+    its control block has.
+    """
+    for sequence in terms.parents:
+        if sequence.operator is not Operator.SEQUENCE:
+            continue
+        operands = [ungrouped(operand) for operand in sequence.operands]
+        for before, term in pairwise(operands):
+            if lines.of(("enter", term)):
+                continue
+            for owner, choice in _first_choices(formulas, lines, terms.formula, term):
+                inside = terms
+                if owner != terms.formula:
+                    inside = terms_of(formulas, owner, controls.get(owner, owner))
+                yield from _waits(terms, before, term, inside, lines, choice)
+
+
+def _waits(
+    terms: Terms, before: Formula, term: Formula, inside: Terms, lines: Lines, choice: Formula
+) -> Iterator[Diagnostic]:
+    """The first branch of a choice whose event waits for `before`; `inside` are the terms of its formula."""
+    verbs = ("enter",) if choice.operator is Operator.CHOICE else ("enter", "skip")
+    own = [
+        (verb, branch, line)
+        for branch in map(ungrouped, choice.operands)
+        for verb in verbs
+        for line in lines.of((verb, branch))
+    ]
+    if any(isinstance(event, tree.Received | tree.Lost) for *_, line in own for event in line.written.events):
+        return
+    for verb, branch, line in own:
+        is_when = line.expression.when
+        if is_when or any(isinstance(event, Raised | Failed) for event in line.expression.events):
+            first, whole = spelling(terms, before), spelling(terms, term)
+            what = "`when`" if is_when else "the event"
+            named = f"`{verb} {spelling(inside, branch)}`"
+            yield Diagnostic(
+                "W405",
+                f"{what} of {named} is waited for only when `{first}` is complete",
+                line.span,
+                (Related(before.span, f"`{first}` comes before the choice"),),
+                hint=f"to interrupt `{first}`, write `enter {whole} : when [ … ]` or an event as well; "
+                f"if it is to be completed first, write `enter {whole} :` to say so",
+            )
+            return
+
+
+def _first_choices(
+    formulas: Formulas, lines: Lines, owner: str, term: Formula
+) -> Iterator[tuple[str, Formula]]:
+    """The choices and options that a term begins with, nothing being said on the way, with their formulas.
+
+    Concurrent parts all begin at once.
+    """
+    stack = [(owner, term)]
+    named: set[str] = set()
+    while stack:
+        owner, term = stack.pop()
+        match term.operator:
+            case Operator.NAME:
+                formula = formulas.formula(term.name)
+                if formula is not None and term.name not in named:
+                    named.add(term.name)
+                    stack.append((term.name, ungrouped(formula)))
+            case Operator.GROUP:
+                stack.append((owner, ungrouped(term)))
+            case Operator.CHOICE | Operator.OPTION | Operator.ZERO_OR_MORE:
+                if not lines.of(("start", term)):
+                    yield owner, term
+            case Operator.SEQUENCE | Operator.DISABLING:
+                first = ungrouped(term.operands[0])
+                if not lines.of(("enter", first)):
+                    stack.append((owner, first))
+            case Operator.ONE_OR_MORE | Operator.FOREVER:
+                if not lines.of(("start", term)):
+                    stack.append((owner, ungrouped(term.operands[0])))
+            case Operator.PARALLEL | Operator.INSTANCES:
+                if not lines.of(("start", term)):
+                    parts = [ungrouped(operand) for operand in reversed(term.operands)]
+                    stack += [(owner, part) for part in parts if not lines.of(("enter", part))]
+            case Operator.HOLE:
+                pass
+            case _:
+                assert_never(term.operator)
+
+
+__all__ = ["check_waits"]

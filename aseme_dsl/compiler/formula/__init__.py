@@ -1,0 +1,1 @@
+"""Formula: liveness formulas, checked and expanded to states."""

@@ -1,0 +1,498 @@
+"""Formula to statechart: the template of every operator (P1, section 4.3), expanded node by node.
+
+The result is an outline: states, and arrows that say which way of which term they are. `control` turns the
+arrows into transitions. Formulas may be nested hundreds deep, so nothing here recurses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+
+from aseme_dsl.amola.expression import INSTANCE, Literal, Value, substituted, value_text
+from aseme_dsl.amola.liveness import Formula, Operator, called, canonical, names, ungrouped, walk
+from aseme_dsl.amola.messages import INT
+from aseme_dsl.amola.statechart import Argument, Node, NodeType, Origin, OriginKind
+from aseme_dsl.compiler.formula.formulas import Formulas, dependencies_first, fold
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.source import Span
+
+LARGEST = 50_000
+"""The size limit of one statechart, in states, unless told otherwise."""
+
+Way = tuple[str, Formula]
+"""A verb and the term (without parentheses) that it concerns: what the arrow is called in `control`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """A transition without its expression. `branch` is the label of the protocol branch that it is in.
+
+    One that is `first` leads to what cuts its source short. `values` are what the parameters of its formula
+    stand for.
+    """
+
+    source: str
+    target: str
+    name: str
+    way: Way
+    branch: str | None
+    origin: Origin
+    span: Span
+    first: bool = False
+    values: Mapping[str, Value] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """The process of one participant of a protocol, as it stands in every chart where it is played.
+
+    `bindings` gives the protocol's abstract activities the names of the role's own.
+    """
+
+    protocol: str
+    participant: str
+    formulas: Formulas
+    bindings: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def origin(self) -> Origin:
+        return Origin(OriginKind.PROTOCOL, self.protocol, self.participant)
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """A state that stands for a term (without parentheses); `branch` is the protocol branch that it is in.
+
+    `values` are what the parameters of the formula stand for in which the term stands.
+    """
+
+    label: str
+    name: str
+    term: Formula
+    branch: str | None
+    origin: Origin
+    values: Mapping[str, Value] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """States in document order, arrows in the template's order, and the protocol branches by label.
+
+    `standing` are the states of terms: all but the points, the regions and what is around them.
+    """
+
+    nodes: tuple[Node, ...]
+    arrows: tuple[Arrow, ...]
+    branches: Mapping[str, Branch]
+    standing: tuple[Standing, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Context:
+    """Whose formula is being expanded: what its names mean, and from where its states come."""
+
+    formulas: Formulas
+    origin: Origin
+    played: Mapping[str, Branch]
+    branch: str | None
+    bindings: Mapping[str, str]
+    values: Mapping[str, Value] = field(default_factory=dict)
+    """What the parameters of the formula stand for."""
+
+    @property
+    def instance(self) -> dict[str, Value]:
+        """The number of the instance that this is in, as one of `values`."""
+        return {INSTANCE: self.values[INSTANCE]} if INSTANCE in self.values else {}
+
+    def numbered(self, number: int, span: Span) -> _Context:
+        """The context of an instance."""
+        return replace(self, values={**self.values, INSTANCE: Literal(number, INT, span)})
+
+    def given(self, term: Formula) -> tuple[Argument, ...]:
+        """What a name is given, in terms of the chart."""
+        found = self.formulas.given.get(term, ())
+        if not self.values:
+            return found
+        return tuple(Argument(item.name, substituted(item.value, self.values)) for item in found)
+
+    def inside(self, term: Formula) -> _Context:
+        """The context of the formula that a name stands for."""
+        values = {item.name: item.value for item in self.given(term)} | self.instance or _NOTHING
+        if self.branch is not None:
+            return self if values == self.values else replace(self, values=values)
+        origin = Origin(OriginKind.FORMULA, self.formulas.owner, term.name)
+        return _Context(self.formulas, origin, self.played, None, self.bindings, values)
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """A term that is to stand as the node `label`."""
+
+    label: str
+    parent: str | None
+    term: Formula
+    context: _Context
+
+
+def expand_role(formulas: Formulas, played: Mapping[str, Branch], span: Span) -> Outline:
+    """The chart of a role: its root formula, with the branches of the participants that it plays woven in."""
+    origin = Origin(OriginKind.FORMULA, formulas.owner, formulas.root)
+    context = _Context(formulas, origin, played, None, {})
+    outline = _Builder()
+    root = formulas.named[formulas.root].formula
+    outline.nodes.append(Node("0", formulas.root, NodeType.OR, None, None, origin, span))
+    outline.expand(outline.template("0", root, context))
+    return outline.finish()
+
+
+def expand_protocol(protocol: str, branches: Iterable[tuple[str, Branch, Span]], span: Span) -> Outline:
+    """The chart of a protocol: an AND named after it, with a region for each participant (P1, Figure 5).
+
+    `branches` are the participants' names and processes with the places that the states point to.
+    """
+    outline = _Builder()
+    origin = Origin(OriginKind.PROTOCOL, protocol, "")
+
+    def node(label: str, name: str, kind: NodeType, parent: str | None, place: Span) -> Node:
+        return Node(label, name, kind, parent, None, origin, place)
+
+    items: list[Node | _Place] = [
+        node("0", protocol, NodeType.OR, None, span),
+        node("0.1", "0.1", NodeType.START, "0", span),
+        node("0.2", protocol, NodeType.AND, "0", span),
+    ]
+    frame = Formula(Operator.PARALLEL, (), span)
+    outline.arrow("0.1", "0.1", "0.2", protocol, ("start", frame), None, origin, span)
+    outline.arrow("0.2", protocol, "0.3", "0.3", ("finish", frame), None, origin, span)
+    for number, (name, branch, place) in enumerate(branches, 1):
+        region = f"0.2.{number}"
+        start, inside, end = f"{region}.1", f"{region}.2", f"{region}.3"
+        term = Formula(Operator.NAME, (), place, name)
+        context = _Context(Formulas(protocol, ""), origin, {name: branch}, None, {})
+        items += [
+            node(region, name, NodeType.OR, "0.2", place),
+            node(start, start, NodeType.START, region, place),
+            _Place(inside, region, term, context),
+            node(end, end, NodeType.END, region, place),
+        ]
+        outline.arrow(start, start, inside, name, ("enter", term), None, origin, place)
+        outline.arrow(inside, name, end, end, ("leave", term), None, origin, place)
+    items.append(node("0.3", "0.3", NodeType.END, "0", span))
+    outline.expand(items)
+    return outline.finish()
+
+
+_NOTHING: Mapping[str, Value] = MappingProxyType({})
+
+
+class _Builder:
+    """The outline while it grows."""
+
+    def __init__(self) -> None:
+        self.nodes: list[Node] = []
+        self.arrows: list[Arrow] = []
+        self.branches: dict[str, Branch] = {}
+        self.standing: list[Standing] = []
+        self._spellings: dict[tuple[Formula, int, int], str] = {}
+
+    def finish(self) -> Outline:
+        return Outline(tuple(self.nodes), tuple(self.arrows), self.branches, tuple(self.standing))
+
+    def arrow(
+        self,
+        source: str,
+        source_name: str,
+        target: str,
+        target_name: str,
+        way: Way,
+        branch: str | None,
+        origin: Origin,
+        span: Span,
+        first: bool = False,
+        values: Mapping[str, Value] = _NOTHING,
+    ) -> None:
+        name = f"{source_name}TO{target_name}"
+        self.arrows.append(Arrow(source, target, name, way, branch, origin, span, first, values))
+
+    def expand(self, items: list[Node | _Place]) -> None:
+        """Add the nodes of `items` with everything in them, in document order."""
+        stack = items[::-1]
+        while stack:
+            item = stack.pop()
+            if isinstance(item, Node):
+                self.nodes.append(item)
+            else:
+                stack += self.place(item)[::-1]
+
+    def place(self, place: _Place) -> list[Node | _Place]:
+        """Add the node of a term; what is to stand inside it."""
+        label, parent, term, context = place.label, place.parent, ungrouped(place.term), place.context
+        name = self.name_of(place.term, context)
+        self.standing.append(Standing(label, name, term, context.branch, context.origin, context.values))
+        inside: Formula | None = term
+        kind, activity = NodeType.OR, None
+        given: tuple[Argument, ...] = ()
+        if term.operator is Operator.NAME:
+            given = context.given(term)
+            inside = context.formulas.formula(term.name)
+            if inside is not None:
+                context = context.inside(term)
+            elif term.name in context.played:
+                branch = context.played[term.name]
+                self.branches[label] = branch
+                context = _Context(
+                    branch.formulas, branch.origin, {}, label, branch.bindings, context.instance
+                )
+                inside = branch.formulas.named[branch.formulas.root].formula
+            else:
+                kind, activity = NodeType.BASIC, context.bindings.get(term.name, term.name)
+        self.nodes.append(Node(label, name, kind, parent, activity, context.origin, place.term.span, given))
+        return self.template(label, inside, context) if inside is not None else []
+
+    def name_of(self, term: Formula, context: _Context) -> str:
+        """A state is called like the formula or activity that it is, or like its term is written."""
+        inner = ungrouped(term)
+        if inner.operator is Operator.NAME:
+            is_formula = context.formulas.formula(inner.name) is not None
+            name = inner.name if is_formula else context.bindings.get(inner.name, inner.name)
+            return called(name, (value_text(item.value) for item in context.given(inner)))
+        key = (term, id(context.bindings), id(context.values))
+        spelling = self._spellings.get(key)
+        if spelling is None:
+            changes = context.bindings or context.formulas.given
+            bound = fold(term, _bound(context)) if changes else term
+            spelling = self._spellings[key] = canonical(bound)
+        return spelling
+
+    def template(self, label: str, formula: Formula, context: _Context) -> list[Node | _Place]:
+        """The children of the node `label` that holds `formula`, in order; their arrows are added."""
+        formula = ungrouped(formula)
+        while formula.operator is Operator.NAME:
+            inside = context.formulas.formula(formula.name)
+            if inside is None:
+                break
+            context, formula = context.inside(formula), ungrouped(inside)
+        operator, operands = formula.operator, formula.operands
+        origin, span, branch = context.origin, formula.span, context.branch
+        children: list[Node | _Place] = []
+
+        def node(child: str, name: str, kind: NodeType, parent: str = label) -> None:
+            children.append(Node(child, name, kind, parent, None, origin, span))
+
+        def point(number: int, kind: NodeType) -> tuple[str, str]:
+            child = f"{label}.{number}"
+            node(child, child, kind)
+            return child, child
+
+        def term(number: int, operand: Formula) -> tuple[str, str]:
+            child = f"{label}.{number}"
+            children.append(_Place(child, label, operand, context))
+            return child, self.name_of(operand, context)
+
+        def arrow(
+            source: tuple[str, str],
+            target: tuple[str, str],
+            verb: str,
+            of: Formula,
+            *,
+            first: bool = False,
+            inside: _Context = context,
+        ) -> None:
+            way = (verb, ungrouped(of))
+            self.arrow(*source, *target, way, branch, origin, of.span, first, inside.values)
+
+        start = point(1, NodeType.START)
+        match operator:
+            case Operator.SEQUENCE:
+                before = start
+                for number, operand in enumerate(operands, 2):
+                    after = term(number, operand)
+                    arrow(before, after, "enter", operand)
+                    before = after
+                arrow(before, point(len(operands) + 2, NodeType.END), "leave", operands[-1])
+            case Operator.CHOICE:
+                choice = point(2, NodeType.CONDITION)
+                terms = [term(number, operand) for number, operand in enumerate(operands, 3)]
+                end = point(len(operands) + 3, NodeType.END)
+                arrow(start, choice, "start", formula)
+                for operand, target in zip(operands, terms, strict=True):
+                    arrow(choice, target, "enter", operand)
+                for operand, source in zip(reversed(operands), reversed(terms), strict=True):
+                    arrow(source, end, "leave", operand)
+            case Operator.DISABLING:
+                body, other = term(2, operands[0]), term(3, operands[1])
+                end = point(4, NodeType.END)
+                arrow(start, body, "enter", operands[0])
+                arrow(body, other, "enter", operands[1], first=True)
+                arrow(body, end, "leave", operands[0])
+                arrow(other, end, "leave", operands[1])
+            case Operator.PARALLEL | Operator.INSTANCES:
+                parallel = f"{label}.2", self.name_of(formula, context)
+                end = f"{label}.3", f"{label}.3"
+                arrow(start, parallel, "start", formula)
+                arrow(parallel, end, "finish", formula)
+                node(*parallel, NodeType.AND)
+                parts = operands if operator is Operator.PARALLEL else operands * formula.count
+                for number, operand in enumerate(parts, 1):
+                    region = f"{parallel[0]}.{number}"
+                    first, last = (f"{region}.1", f"{region}.1"), (f"{region}.3", f"{region}.3")
+                    inner = context
+                    if operator is Operator.INSTANCES:
+                        inner = context.numbered(number, formula.span)
+                    body = f"{region}.2", self.name_of(operand, inner)
+                    node(region, region, NodeType.OR, parallel[0])
+                    node(*first, NodeType.START, region)
+                    children.append(_Place(body[0], region, operand, inner))
+                    node(*last, NodeType.END, region)
+                    arrow(first, body, "enter", operand, inside=inner)
+                    arrow(body, last, "leave", operand, inside=inner)
+                node(*end, NodeType.END)
+            case Operator.ZERO_OR_MORE | Operator.OPTION:
+                choice = point(2, NodeType.CONDITION)
+                body = term(3, operands[0])
+                end = point(4, NodeType.END)
+                arrow(start, choice, "start", formula)
+                arrow(choice, body, "enter", operands[0])
+                if operator is Operator.ZERO_OR_MORE:
+                    arrow(body, body, "repeat", operands[0])
+                arrow(choice, end, "skip", operands[0])
+                arrow(body, end, "leave", operands[0])
+            case Operator.ONE_OR_MORE:
+                body = term(2, operands[0])
+                end = point(3, NodeType.END)
+                arrow(start, body, "start", formula)
+                arrow(body, body, "repeat", operands[0])
+                arrow(body, end, "leave", operands[0])
+            case Operator.FOREVER:
+                body = term(2, operands[0])
+                arrow(start, body, "start", formula)
+                arrow(body, body, "repeat", operands[0])
+            case _:  # the whole is one activity, or one participant that is played
+                body = term(2, formula)
+                arrow(start, body, "enter", formula)
+                arrow(body, point(3, NodeType.END), "leave", formula)
+        return children
+
+
+def _bound(context: _Context) -> Callable[[Formula, Sequence[Formula]], Formula]:
+    """For `fold`: the formula with the role's own activities, and what they are given, as in the chart."""
+
+    def combine(node: Formula, operands: Sequence[Formula]) -> Formula:
+        name = node.name
+        if node.operator is Operator.NAME and context.formulas.formula(name) is None:
+            name = context.bindings.get(name, name)
+        texts = [value_text(item.value) for item in context.given(node)]
+        arguments = tuple(
+            replace(argument, text=text) for argument, text in zip(node.arguments, texts, strict=False)
+        )
+        return replace(node, operands=tuple(operands), name=name, arguments=arguments)
+
+    return combine
+
+
+# ---- size ---------------------------------------------------------------------------------------
+
+
+def sizes(formulas: Formulas, branch_sizes: Mapping[str, int]) -> dict[str, int]:
+    """How many states each formula's own state has, itself included; `branch_sizes` are those of branches."""
+    inside: dict[str, int] = {}  # the states in a node that holds the formula
+
+    def of(node: Formula, operands: Sequence[tuple[int, int]]) -> tuple[int, int]:
+        """(states of the term as an operand, states in a node that holds it)"""
+        total = sum(states for states, _ in operands)
+        match node.operator:
+            case Operator.GROUP:
+                return operands[0]
+            case Operator.NAME if node.name in inside:
+                within = inside[node.name]
+            case Operator.NAME:
+                own = branch_sizes.get(node.name, 1)
+                return own, own + 2
+            case Operator.SEQUENCE | Operator.ONE_OR_MORE | Operator.DISABLING:
+                within = total + 2
+            case Operator.PARALLEL:
+                within = total + 3 * len(operands) + 3
+            case Operator.INSTANCES:
+                within = (total + 3) * node.count + 3
+            case Operator.FOREVER:
+                within = total + 1
+            case _:
+                within = total + 3
+        return within + 1, within
+
+    for name in dependencies_first(formulas):
+        inside[name] = fold(formulas.named[name].formula, of)[1]
+    return {name: states + 1 for name, states in inside.items()}
+
+
+def too_large(
+    formulas: Formulas, branch_sizes: Mapping[str, int], largest: int, span: Span, regions: int = 1
+) -> Diagnostic | None:
+    """E304 for a chart of more than `largest` states, with the chain of formulas that blows it up.
+
+    `regions` is how often the whole stands in the chart, each time in a region of its own.
+    """
+    states = sizes(formulas, branch_sizes)
+    total = states[formulas.root] if regions == 1 else regions * (states[formulas.root] + 3)
+    if total <= largest:
+        return None
+    chain: list[str] = []
+    related: list[Related] = []
+    name: str | None = formulas.root
+    while name is not None:
+        chain.append(f"{name} ({states[name]:,} states)".replace(",", " "))
+        heaviest, name = name, None
+        shares: dict[str, int] = {}
+        first: dict[str, Formula] = {}
+        for node, times in _occurrences(formulas.named[heaviest].formula):
+            if node.name in states:
+                shares[node.name] = shares.get(node.name, 0) + times * states[node.name]
+                first.setdefault(node.name, node)
+        if shares:
+            name = max(shares, key=lambda other: shares[other])
+            if shares[name] * 2 < states[heaviest]:
+                break
+            times = shares[name] // states[name]
+            how_often = "once" if times == 1 else f"{times} times"
+            related.append(Related(first[name].span, f"`{heaviest}` uses `{name}` {how_often}"))
+    return Diagnostic(
+        "E304",
+        f"{formulas.owner} would have {total:,} states; the limit is {largest:,}: ".replace(",", " ")
+        + " → ".join(chain),
+        span,
+        tuple(related),
+        hint="a formula is expanded each time it stands: use it in fewer places, or allow more with "
+        "`max_states = …` under [tool.asemec] in pyproject.toml",
+    )
+
+
+def _occurrences(formula: Formula) -> Iterable[tuple[Formula, int]]:
+    """The names in a formula, each with how often it is expanded (instances count)."""
+    if all(node.operator is not Operator.INSTANCES for node in walk(formula)):
+        return ((node, 1) for node in names(formula))
+    found: list[tuple[Formula, int]] = []
+    stack = [(formula, 1)]
+    while stack:
+        node, times = stack.pop()
+        if node.operator is Operator.NAME:
+            found.append((node, times))
+        elif node.operator is Operator.INSTANCES:
+            times *= node.count
+        stack += [(operand, times) for operand in reversed(node.operands)]
+    return found
+
+
+__all__ = [
+    "LARGEST",
+    "Arrow",
+    "Branch",
+    "Outline",
+    "Standing",
+    "Way",
+    "expand_protocol",
+    "expand_role",
+    "sizes",
+    "too_large",
+]

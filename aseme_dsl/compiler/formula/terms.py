@@ -1,0 +1,280 @@
+"""Terms: what a control line means by `enter PassBall`, found in the formula's own text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, term_key, ungrouped
+from aseme_dsl.compiler.formula.formula_to_statechart import Way
+from aseme_dsl.compiler.formula.formulas import QUOTED, VERBS, Formulas, cut
+from aseme_dsl.compiler.formula.resuming import RESUME
+from aseme_dsl.compiler.formula.staying import STAYING
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
+from aseme_dsl.grammar.text import tree
+
+_LISTED = 8
+"""How many candidates a hint names at most."""
+
+
+Played = Mapping[tuple[str, str], Formulas]
+
+
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """The terms of one formula: each operand and operator of its text, without parentheses.
+
+    `parents` gives the operator around each (None for the whole), `keys` the spelling of each, `places` those
+    of one spelling in order.
+    `title` is what the formula is called in `control`: a participant's name for its process. `played` are the
+    formulas of the participants that the owner plays, by `protocol` and `participant`.
+    """
+
+    formulas: Formulas
+    formula: str
+    title: str
+    whole: Formula
+    parents: Mapping[Formula, Formula | None]
+    keys: Mapping[Formula, str]
+    places: Mapping[str, tuple[Formula, ...]]
+    played: Played
+    bare: Mapping[str, tuple[Formula, ...]] = field(default_factory=dict)
+    """The places of each name that is given something, whatever that is."""
+
+
+def terms_of(formulas: Formulas, formula: str, control: str, played: Played | None = None) -> Terms:
+    """The terms of the formula called `formula`; `control` is the name that its control block has."""
+    whole = ungrouped(formulas.named[formula].formula)
+    parents: dict[Formula, Formula | None] = {}
+    keys: dict[Formula, str] = {}
+    places: dict[str, list[Formula]] = {}
+    bare: dict[str, list[Formula]] = {}
+    stack: list[tuple[Formula, Formula | None]] = [(whole, None)]
+    while stack:
+        term, parent = stack.pop()
+        parents[term] = parent
+        keys[term] = canonical(term)
+        places.setdefault(keys[term], []).append(term)
+        if term.arguments:
+            bare.setdefault(term.name, []).append(term)
+        stack += [(ungrouped(operand), term) for operand in reversed(term.operands)]
+    found = {key: tuple(terms) for key, terms in places.items()}
+    short = {name: tuple(terms) for name, terms in bare.items()}
+    return Terms(formulas, formula, control, whole, parents, keys, found, played or {}, short)
+
+
+def way(terms: Terms, verb: tree.Name, written: tree.Term) -> tuple[Way | None, Diagnostic | None]:
+    """The way that a control line names, or what is wrong with the name (E400, E401, E402)."""
+    key = term_key(written.formula)
+    if key in (terms.title, terms.formula) and verb.text in ("start", "finish") and key not in terms.places:
+        term: Formula | None = terms.whole
+    else:
+        term, problem = _find(terms, key, written)
+        if problem is not None:
+            return None, problem
+    assert term is not None
+    found = ways(terms, term).get(verb.text)
+    if found is None:
+        return None, _no_such_way(terms, term, verb, written)
+    return found, None
+
+
+def ways(terms: Terms, term: Formula) -> dict[str, Way]:
+    """The verbs that a term has, each with the arrow that it means. The order is that of the template."""
+    found: dict[str, Way] = {}
+    parent = terms.parents[term]
+    if parent is not None:
+        match parent.operator:
+            case Operator.SEQUENCE:
+                found["enter"] = ("enter", term)
+                if ungrouped(parent.operands[-1]) is term:
+                    found["leave"] = ("leave", term)
+            case Operator.CHOICE | Operator.PARALLEL | Operator.INSTANCES | Operator.DISABLING:
+                found = {"enter": ("enter", term), "leave": ("leave", term)}
+            case Operator.HOLE:
+                found = {verb: (verb, term) for verb in VERBS}  # the operator decides which of them
+            case Operator.OPTION:
+                found = {verb: (verb, term) for verb in ("enter", "skip", "leave")}
+            case Operator.ZERO_OR_MORE:
+                found = {verb: (verb, term) for verb in ("enter", "repeat", "skip", "leave")}
+            case Operator.ONE_OR_MORE:
+                found = {"enter": _into_loop(terms, parent), "repeat": ("repeat", term)}
+                found["leave"] = ("leave", term)
+            case Operator.FOREVER:
+                found = {"enter": _into_loop(terms, parent), "repeat": ("repeat", term)}
+    elif term.operator is Operator.NAME:
+        if terms.formulas.formula(term.name) is None:
+            found = {"enter": ("enter", term), "leave": ("leave", term)}
+    elif term.operator in _WITH_BODY:
+        found["enter"] = ("start", term)
+    elif term.operator is Operator.HOLE:
+        found = {verb: (verb, term) for verb in VERBS}
+    again = found.get("repeat") or found.get("enter")
+    if again is not None and again[0] != "start":
+        found[RESUME] = again
+    if parent is not None or "leave" in found:  # there is a state of it
+        found |= {verb: (verb, term) for verb in STAYING}
+    if term.operator in _WITH_BODY or term.operator is Operator.CHOICE:
+        found["start"] = ("start", term)
+    elif term.operator in (Operator.PARALLEL, Operator.INSTANCES):
+        found["start"] = ("start", term)
+        found["finish"] = ("finish", term)
+    return found
+
+
+def spelling(terms: Terms, term: Formula) -> str:
+    """How a control line names the term: `KickBall#2` where it stands several times."""
+    places = terms.places[terms.keys[term]]
+    return _named(term) if len(places) == 1 else f"{_named(term)}#{places.index(term) + 1}"
+
+
+def _named(term: Formula) -> str:
+    """A term in a message: in parentheses where operators stand between its parts, cut where it is long."""
+    spelled = canonical(term, QUOTED)
+    return cut(f"({spelled})" if term.operator in INFIX else spelled)
+
+
+_WITH_BODY = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER, Operator.OPTION)
+
+
+def _into_loop(terms: Terms, loop: Formula) -> Way:
+    """The way into the node of a loop; where the loop is the whole formula, into its body."""
+    parent = terms.parents[loop]
+    while parent is not None and parent.operator in (Operator.ONE_OR_MORE, Operator.FOREVER):
+        loop, parent = parent, terms.parents[parent]
+    return ("start", loop) if parent is None else ("enter", loop)
+
+
+def _find(terms: Terms, key: str, written: tree.Term) -> tuple[Formula | None, Diagnostic | None]:
+    places = terms.places.get(key) or terms.bare.get(key, ())
+    if not places:
+        return None, _unknown(terms, key, written)
+    name = _named(places[0]) if key in terms.places else key
+    if written.occurrence is None:
+        if len(places) == 1:
+            return places[0], None
+        related = tuple(
+            Related(place.span, f"write `{name}#{number}` for this one")
+            for number, place in enumerate(places, 1)
+        )
+        return None, Diagnostic(
+            "E401",
+            f"`{name}` stands {len(places)} times in `{terms.title}`",
+            written.span,
+            related,
+            hint="say which one: " + listed(f"{name}#{n}" for n in range(1, len(places) + 1)),
+        )
+    if 1 <= written.occurrence <= len(places):
+        return places[written.occurrence - 1], None
+    count = "once" if len(places) == 1 else f"{len(places)} times"
+    return None, Diagnostic(
+        "E400",
+        f"there is no `{name}#{written.occurrence}`: the term stands {count} in `{terms.title}`",
+        written.span,
+        tuple(Related(place.span, f"`{name}#{n}`") for n, place in enumerate(places, 1)),
+        hint="there " + ("is " if len(places) == 1 else "are ") + listed(_numbered(terms, places)),
+    )
+
+
+def _unknown(terms: Terms, key: str, written: tree.Term) -> Diagnostic:
+    message = f"`{terms.title}` has no term `{_named(ungrouped(written.formula))}`"
+    named = terms.formulas.named
+    place = Related(named[terms.formula].formula.span, f"the text of `{terms.title}`")
+    related: tuple[Related, ...] = (place,)
+    elsewhere = [
+        name
+        for name, item in named.items()
+        if name != terms.formula and any(_spelt(node, key) for node in _terms(item.formula))
+    ]
+    short = [place for place in terms.places if len(place) <= QUOTED] if len(key) <= QUOTED else []
+    near = closest(key, short)
+    inside = next((owner for owner, other in terms.played.items() if _has_term(other, key)), None)
+    if elsewhere:
+        name = elsewhere[0]
+        hint = f"it stands in `{name}`: write this line in `control {name} {{ … }}`"
+    elif inside is not None:
+        protocol, participant = inside
+        owner = f"{protocol}.{participant}"
+        hint = f"it stands in {owner}, whose control is the protocol's: say it in `aip {protocol}`"
+        process = terms.played[inside].named[terms.played[inside].root]
+        related = (*related, Related(process.span, f"the process of {owner}"))
+    elif near is not None:
+        hint = f"did you mean `{_named(terms.places[near][0])}`?"
+    else:
+        hint = f"its terms are {listed(_named(places[0]) for places in terms.places.values())}"
+    fix = None
+    if not elsewhere and inside is None and written.occurrence is None and "\n" not in written.span.text:
+        fix = surely(key, short)
+        if fix is not None and written.formula.operator is Operator.GROUP:
+            fix = f"({fix})"  # the parentheses that somebody wrote stay
+    return Diagnostic("E400", message, written.span, related, hint=hint, fix=fix)
+
+
+def _has_term(formulas: Formulas, key: str) -> bool:
+    return any(_spelt(node, key) for item in formulas.named.values() for node in _terms(item.formula))
+
+
+def _terms(formula: Formula) -> Iterator[Formula]:
+    stack = [ungrouped(formula)]
+    while stack:
+        term = stack.pop()
+        yield term
+        stack += [ungrouped(operand) for operand in reversed(term.operands)]
+
+
+def _spelt(term: Formula, key: str) -> bool:
+    if term.operator is Operator.NAME and term.name == key:
+        return True
+    return canonical(term) == key
+
+
+def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Term) -> Diagnostic:
+    text = _named(term)
+    has = [name for name in ways(terms, term) if name not in (*STAYING, RESUME)]
+    parent = terms.parents[term]
+    if verb.text in STAYING:
+        hint = f"say it where `{terms.title}` stands in another formula, or of the terms of this one"
+    elif (
+        verb.text in ("start", "finish")
+        and term.operator is Operator.NAME
+        and terms.formulas.formula(term.name)
+    ):
+        hint = f"what happens inside `{term.name}` is said in `control {term.name} {{ … }}`"
+    elif verb.text in ("skip", "repeat", "leave") and _inner_has(terms, term, verb.text):
+        inside = _named(ungrouped(term.operands[0]))
+        does = {"skip": "goes past it", "repeat": "repeats it", "leave": "leaves it"}[verb.text]
+        hint = f"its body is `{inside}`: `{verb} {inside}` {does}"
+    elif verb.text == "start" and term.operator in (Operator.SEQUENCE, Operator.DISABLING):
+        hint = f"its START leads to its first term: `enter {_named(ungrouped(term.operands[0]))}`"
+    elif verb.text == "leave" and parent is not None and parent.operator is Operator.SEQUENCE:
+        index = next(i for i, operand in enumerate(parent.operands) if ungrouped(operand) is term)
+        following = _named(ungrouped(parent.operands[index + 1]))
+        hint = f"what follows `{text}` is `{following}`: `enter {following}`"
+    elif len(has) == 1:
+        hint = f"the only way of `{text}` is `{has[0]} {text}`"
+    elif has:
+        hint = f"the ways of `{text}` are {listed(f'{name} {text}' for name in has)}"
+    else:
+        hint = f"`{text}` is all of `{terms.title}`; the ways are those of its terms"
+    related = (Related(term.span, f"`{text}` in `{terms.title}`"),)
+    message = f"`{text}` has no way `{verb}` in `{terms.title}`"
+    return Diagnostic("E402", message, verb.span.to(written.span), related, hint=hint)
+
+
+def _inner_has(terms: Terms, term: Formula, verb: str) -> bool:
+    return len(term.operands) == 1 and verb in ways(terms, ungrouped(term.operands[0]))
+
+
+def _numbered(terms: Terms, places: Iterable[Formula]) -> Iterator[str]:
+    return (spelling(terms, place) for place in places)
+
+
+def listed(names: Iterable[str]) -> str:
+    """`A`, `B` and `C`; of many names the first ones."""
+    found = [f"`{name}`" for name in names]
+    if len(found) > _LISTED:
+        return ", ".join(found[:_LISTED]) + f" and {len(found) - _LISTED} more"
+    return " and ".join([", ".join(found[:-1]), found[-1]] if len(found) > 1 else found)
+
+
+__all__ = ["Terms", "listed", "spelling", "terms_of", "way", "ways"]

@@ -1,0 +1,1 @@
+"""Names: what the declarations and paths of all files mean."""

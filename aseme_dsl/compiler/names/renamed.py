@@ -1,0 +1,95 @@
+"""Renamed: use cases that have another name now than the protocol or the formula which specifies them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from aseme_dsl.amola.liveness import names
+from aseme_dsl.amola.suc import UseCase
+from aseme_dsl.compiler.names.usecases import UseCases, folded
+from aseme_dsl.compiler.read.blocks import participants_of
+from aseme_dsl.compiler.read.library import is_of_library
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.grammar.text import tree
+
+
+def renamed(
+    cases: UseCases, aips: Sequence[tree.Aip], srms: Iterable[tree.Srm]
+) -> tuple[UseCases, tuple[Diagnostic, ...]]:
+    """W560 for each use case that nothing specifies, where what has no use case does the same.
+
+    In the use cases that come back they realise it, so that nothing is asked for that is there already.
+    """
+    taken = {name for case in cases.suc.usecases for name in cases.names_of(case)}
+    free = [
+        item for item in aips if folded(item.name.text) not in taken and not is_of_library(item.span.source)
+    ]
+    srms = list(srms)
+    found: list[Diagnostic] = []
+    now: list[UseCase] = []
+    for case in cases.suc.usecases:
+        meant = None
+        if case.includes and cases.spellings.keys().isdisjoint(cases.names_of(case)):
+            if cases.is_protocol(case):
+                meant = next((item.name for item in free if _is_protocol_of(case, cases, item)), None)
+                what = "protocol"
+            else:
+                meant = next(_formulas_of(case, cases, srms, taken), None)
+                what = "formula"
+        if meant is None:
+            now.append(case)
+            continue
+        taken.add(folded(meant.text))
+        free = [item for item in free if item.name is not meant]
+        now.append(replace(case, realises=(*case.realises, meant.text)))
+        found.append(
+            Diagnostic(
+                "W560",
+                f"nothing is called `{case.name}`, and no use case is called like the {what} `{meant}`",
+                case.span,
+                (Related(meant.span, "is it this?"),),
+                hint=f"if it is the same: call it so, too, or write `realises {meant}` behind the use case; "
+                f"if not: write a use case for `{meant}`",
+            )
+        )
+    if not found:
+        return cases, ()
+    suc = replace(cases.suc, usecases=tuple(now))
+    by_name = {folded(case.name): case for case in now}
+    by_participant = {
+        name: [by_name[folded(case.name)] for case in own] for name, own in cases.by_participant.items()
+    }
+    return UseCases(suc, by_name, by_participant, cases.spellings), tuple(found)
+
+
+def _is_protocol_of(case: UseCase, cases: UseCases, aip: tree.Aip) -> bool:
+    """Whether two roles of the use case take part, and something that it includes is done there."""
+    parts = participants_of(aip)
+    if len({part.name.text for part in parts} & set(cases.parties(case))) < 2:
+        return False
+    done = {folded(node.name) for part in parts for item in part.formulas for node in names(item.formula)}
+    return any(not done.isdisjoint(wanted) for wanted in _included(case, cases))
+
+
+def _formulas_of(
+    case: UseCase, cases: UseCases, srms: Iterable[tree.Srm], taken: set[str]
+) -> Iterator[tree.Name]:
+    """Formulas of the roles of the use case, but for their roots, which have all that it includes."""
+    for srm in srms:
+        if srm.name.text not in case.participants:
+            continue
+        for item in srm.formulas[1:]:
+            done = {folded(node.name) for node in names(item.formula)}
+            if folded(item.name.text) not in taken and all(
+                not done.isdisjoint(wanted) for wanted in _included(case, cases)
+            ):
+                yield item.name
+
+
+def _included(case: UseCase, cases: UseCases) -> list[tuple[str, ...]]:
+    """The names of each use case that one includes."""
+    return [cases.names_of(cases.case(name)) for name in case.includes]
+
+
+__all__ = ["renamed"]

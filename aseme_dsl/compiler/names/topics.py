@@ -1,0 +1,201 @@
+"""Topics: what is published where, the tree that topics form, and what fits the bodies' radio."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from aseme_dsl.amola.liveness import names
+from aseme_dsl.amola.messages import Channel, ChannelRules, Comm, Message, Topic
+from aseme_dsl.codegen.radio import KIND_BYTES, MOST_KINDS, Unfit, parts
+from aseme_dsl.compiler.names.inclusion import includers
+from aseme_dsl.compiler.names.symbols import Symbols
+from aseme_dsl.compiler.read.builtins import COMM_TYPES, reserved
+from aseme_dsl.compiler.read.collector import Collector
+from aseme_dsl.compiler.read.library import providers
+from aseme_dsl.compiler.read.names import declared_twice, unknown
+from aseme_dsl.diagnostics import Related
+from aseme_dsl.grammar.text import tree
+
+
+def topics(collector: Collector, symbols: Symbols) -> tuple[Topic, ...]:
+    """The topics with their channels; `symbols` has the messages and teams already."""
+    found: dict[str, Topic] = {}
+    declared = list(collector.every(tree.Topic))
+    declared_names = {item.name.text for item in declared}
+    kept: list[tree.Topic] = []
+    limited = any(entry.sources for item in declared for entry in item.entries)
+    publishers = symbols.agents | _publishers(collector) if limited else frozenset()
+    including = includers(collector.every(tree.Srm)) if limited else {}
+    for item in declared:
+        name = item.name.text
+        reason = f"`{name}` is a communication class" if name in COMM_TYPES else reserved(name)
+        if reason is not None:
+            collector.report("E202", f"a topic cannot be called `{name}`", item.name.span, reason)
+        if name in found:
+            collector.diagnostics.append(declared_twice("the topic", item.name, found[name].span))
+            continue
+        if (
+            item.under is not None
+            and item.under.text not in declared_names
+            and not collector.is_excused(item.under.text)
+        ):
+            collector.diagnostics.append(
+                unknown("E502", "there is no topic", item.under, declared_names - {name})
+            )
+        found[name] = Topic(
+            name,
+            item.under.text if item.under is not None and item.under.text in declared_names else None,
+            None if item.radio is None else int(item.radio.value),
+            _channels(collector, item, symbols, publishers, including),
+            item.name.span,
+        )
+        kept.append(item)
+    _check_tree(collector, kept, found)
+    return tuple(found.values())
+
+
+def _activities(formulas: tuple[tree.NamedFormula, ...]) -> set[str]:
+    return {item.name for formula in formulas for item in names(formula.formula)}
+
+
+def _publishers(collector: Collector) -> set[str]:
+    """Roles and activities: those who may be said to publish, besides the agents.
+
+    Roles outside the system (people, and systems that are there already) are those of the use cases.
+    """
+    found = {
+        name.text
+        for suc in collector.every(tree.Suc)
+        for group in suc.roles
+        if group.type is not None and group.type.text in ("human", "legacy", "external")
+        for name in group.names
+    }
+    for role in collector.every(tree.Srm):
+        found.add(role.name.text)
+        found |= _activities(role.formulas)
+        found |= {item.name.text for item in role.activities}
+        found |= {item.name.text for item in role.modules}
+        found |= {binding.own.text for item in role.plays for binding in item.bindings}
+    for protocol in collector.every(tree.Aip):
+        for participant in protocol.participants:
+            found |= _activities(participant.formulas)
+    for chart in collector.every(tree.Statechart):
+        found.add(chart.name.text)
+        found |= {item.name.text for item in chart.modules}
+        found |= {node.activity.text for node in chart.nodes if node.activity is not None}
+        found |= {node.name.text for node in chart.nodes if node.name is not None}
+    return found
+
+
+def _with_includers(sources: Iterable[tree.Name], including: Mapping[str, Sequence[str]]) -> Iterator[str]:
+    for source in sources:
+        yield source.text
+        yield from including.get(source.text, ())
+
+
+def _check_tree(collector: Collector, declared: list[tree.Topic], found: dict[str, Topic]) -> None:
+    """No topic is below itself; the circle is cut where it is reported."""
+    for item in declared:
+        seen = [item.name.text]
+        upper = found[item.name.text].under
+        while upper is not None and upper not in seen:
+            seen.append(upper)
+            upper = found[upper].under
+        if upper == item.name.text:
+            assert item.under is not None
+            path = " under ".join([*seen, upper])
+            problem = f"the topic `{upper}` is below itself: {path}"
+            collector.report("E217", problem, item.under.span, "remove one `under`")
+            found[upper] = replace(found[upper], under=None)
+
+
+def _channels(
+    collector: Collector,
+    topic: tree.Topic,
+    symbols: Symbols,
+    publishers: Collection[str],
+    including: Mapping[str, Sequence[str]],
+) -> tuple[ChannelRules, ...]:
+    """The channels of a topic. Who includes a role publishes as it: `including` gives each its includers."""
+    found: dict[Channel, ChannelRules] = {}
+    for entry in topic.entries:
+        if entry.comm.text not in COMM_TYPES:
+            collector.diagnostics.append(
+                unknown("E503", "there is no communication class", entry.comm, COMM_TYPES)
+            )
+            continue
+        comm = Comm(entry.comm.text)
+        if entry.queued and comm is not Comm.SIGNAL:
+            collector.report("E503", f"a {comm} is never queued", entry.span, "only signals wait in a queue")
+        for source in entry.sources:
+            if source.text not in publishers and not symbols.is_excused(source.text):
+                nobody = unknown("E200", "there is no role, agent or activity", source, publishers)
+                if nobody.hint is None:
+                    outside = f"if it is not part of the system: `suc {{ role {source} : external }}`"
+                    nobody = replace(nobody, hint=outside)
+                collector.diagnostics.append(nobody)
+        if entry.persist and comm is not Comm.STATE:
+            collector.report("E503", f"a {comm} does not persist", entry.span, "only states are kept")
+        for name in entry.messages:
+            if symbols.message(name.text) is None:
+                if not symbols.is_excused(name.text):
+                    pool = [item.name for item in symbols.messages]
+                    certain = "it is an enum" if symbols.enum(name.text) else providers(name.text, "message")
+                    found_none = unknown("E502", "there is no message", name, pool, certain=certain)
+                    collector.diagnostics.append(found_none)
+                    collector.wrong.add(name.text)
+                continue
+            channel = Channel(topic.name.text, comm, name.text)
+            if channel in found:
+                collector.diagnostics.append(
+                    declared_twice(f"on this topic, {comm}", name, found[channel].span)
+                )
+                continue
+            found[channel] = ChannelRules(
+                channel,
+                tuple(dict.fromkeys(_with_includers(entry.sources, including))),
+                None if entry.every is None else entry.every.nanoseconds,
+                entry.queued,
+                entry.persist,
+                name.span,
+            )
+    return tuple(found.values())
+
+
+def check_radio(collector: Collector, symbols: Symbols) -> None:
+    """What travels by radio fits it (E211 names the member with which it no longer does)."""
+    limits = {item.name.text: item.radio for item in reversed(list(collector.every(tree.Topic)))}
+    on_air = [topic for topic in symbols.topics if topic.radio is not None]
+    for topic in on_air:
+        written = limits[topic.name]
+        assert written is not None
+        for rules in topic.channels:
+            message = symbols.message(rules.channel.message)
+            if message is not None and message.name not in symbols.wrong:
+                _check_size(collector, symbols, message, rules, written)
+    if sum(len(topic.channels) for topic in on_air) > MOST_KINDS:
+        collector.report("E211", f"more than {MOST_KINDS} kinds of message travel by radio", on_air[-1].span)
+
+
+def _check_size(
+    collector: Collector, symbols: Symbols, message: Message, rules: ChannelRules, limit: tree.Number
+) -> None:
+    plural = "" if limit.value == 1 else "s"
+    sent = parts(message, symbols.message, symbols.enum)
+    carries = Related(limit.span, f"the radio of `{rules.channel.topic}` carries {limit.value} byte{plural}")
+    hint = "one byte says which message it is; a bool takes 1, an enum 1, an int 4, a double 4"
+    size = KIND_BYTES
+    for part in sent:
+        this = Related(part.path[-1].span, "this field")
+        if isinstance(part, Unfit):
+            problem = f"`{message.name}` cannot travel by radio because of `{part.name}`: {part.why}"
+            collector.report("E211", problem, rules.span, hint, this, carries)
+            return
+        size += part.size
+        if size > limit.value:
+            whole = KIND_BYTES + sum(item.size for item in sent if not isinstance(item, Unfit))
+            problem = f"`{message.name}` takes {whole} bytes of the radio's {limit.value}: "
+            problem += f"`{part.name}` no longer fits"
+            collector.report("E211", problem, rules.span, hint, this, carries)
+            return

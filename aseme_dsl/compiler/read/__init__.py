@@ -1,0 +1,1 @@
+"""Read: a file and what it imports, its declarations, and what is remembered of them."""

@@ -1,0 +1,64 @@
+"""Blocks: the declarations that become models, from all files, in document order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from aseme_dsl.compiler.read.names import declared_twice
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.grammar.text import tree
+
+
+@dataclass(frozen=True, slots=True)
+class Blocks:
+    """Of two protocols, roles or statecharts of one name the first counts."""
+
+    sags: tuple[tree.Sag, ...]
+    sucs: tuple[tree.Suc, ...]
+    aips: tuple[tree.Aip, ...]
+    roles: tuple[tree.Srm | tree.Statechart, ...]
+
+    @property
+    def srms(self) -> tuple[tree.Srm, ...]:
+        return tuple(item for item in self.roles if isinstance(item, tree.Srm))
+
+    @property
+    def statecharts(self) -> tuple[tree.Statechart, ...]:
+        return tuple(item for item in self.roles if isinstance(item, tree.Statechart))
+
+
+def blocks_of(files: Iterable[tree.File]) -> tuple[Blocks, tuple[Diagnostic, ...]]:
+    """The blocks of the files, and those declared twice (E201). A statechart is a role as an `srm` is."""
+    sags: list[tree.Sag] = []
+    sucs: list[tree.Suc] = []
+    aips: dict[str, tree.Aip] = {}
+    roles: dict[str, tree.Srm | tree.Statechart] = {}
+    found: list[Diagnostic] = []
+    for file in files:
+        for item in file.declarations:
+            match item:
+                case tree.Sag():
+                    sags.append(item)
+                case tree.Suc():
+                    sucs.append(item)
+                case tree.Aip():
+                    protocol = aips.setdefault(item.name.text, item)
+                    if protocol is not item:
+                        found.append(declared_twice("the protocol", item.name, protocol.name.span))
+                case tree.Srm() | tree.Statechart():
+                    role = roles.setdefault(item.name.text, item)
+                    if role is not item:
+                        found.append(declared_twice("the role", item.name, role.name.span))
+    return Blocks(tuple(sags), tuple(sucs), tuple(aips.values()), tuple(roles.values())), tuple(found)
+
+
+def participants_of(written: tree.Aip) -> Sequence[tree.Participant]:
+    """The participants of a protocol; of two with one name the first."""
+    found: dict[str, tree.Participant] = {}
+    for item in written.participants:
+        found.setdefault(item.name.text, item)
+    return tuple(found.values())
+
+
+__all__ = ["Blocks", "blocks_of", "participants_of"]

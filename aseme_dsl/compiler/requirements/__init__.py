@@ -1,0 +1,1 @@
+"""Requirements: goals, use cases, and what follows from them for protocols and roles."""

@@ -1,0 +1,89 @@
+"""Clauses: what holds between the participants of a protocol, with every place in it checked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from aseme_dsl.amola.aip import Clause
+from aseme_dsl.amola.expression import duration_text
+from aseme_dsl.amola.liveness import names
+from aseme_dsl.compiler.read.blocks import participants_of
+from aseme_dsl.compiler.read.damage import Damaged
+from aseme_dsl.compiler.read.names import listed, unknown
+from aseme_dsl.diagnostics import Diagnostic, closest
+from aseme_dsl.grammar.text import tree
+
+_NUMBERS = {1: "one", 2: "two", 3: "three"}
+
+
+def read_clauses(written: tree.Aip, is_damaged: Damaged) -> tuple[tuple[Clause, ...], tuple[Diagnostic, ...]]:
+    """The clauses of a protocol; E212 for a place that is no activity, formula or participant of it."""
+    places = {item.name.text: _places(item) for item in participants_of(written)}
+    sure = not is_damaged(written.span)
+    clauses: list[Clause] = []
+    found: list[Diagnostic] = []
+    for item in written.clauses:
+        sides = []
+        for side in (item.first, item.second):
+            texts = []
+            for place in side:
+                problem = _problem(written, place, places)
+                if problem is not None and sure:
+                    found.append(problem)
+                texts.append(_text(place))
+            sides.append(tuple(texts))
+        within = item.within.nanoseconds if item.within is not None else None
+        text = _clause_text(item.kind, sides[0], sides[1], item.count, within)
+        clauses.append(Clause(item.kind, sides[0], sides[1], item.count, within, text, item.span))
+    return tuple(clauses), tuple(found)
+
+
+def _places(participant: tree.Participant) -> frozenset[str]:
+    """The activities and helper formulas of a participant."""
+    own = {item.name.text for item in participant.formulas} - {"process"}
+    return frozenset(own.union(node.name for item in participant.formulas for node in names(item.formula)))
+
+
+def _text(place: tree.Place) -> str:
+    return place.name.text if place.at is None else f"{place.name}@{place.at}"
+
+
+def _problem(written: tree.Aip, place: tree.Place, places: Mapping[str, frozenset[str]]) -> Diagnostic | None:
+    if place.at is None:
+        if place.name.text in places:
+            return None
+        owners = [name for name, inside in places.items() if place.name.text in inside]
+        hint = None
+        if owners:
+            spelled = listed((f"{place.name}@{name}" for name in owners), "or")
+            hint = f"say whose: {spelled}"
+        return unknown("E212", f"{written.name} has no participant", place.name, places, hint)
+    if place.at.text not in places:
+        return unknown("E212", f"{written.name} has no participant", place.at, places)
+    inside = places[place.at.text]
+    if place.name.text in inside:
+        return None
+    owners = [name for name, others in places.items() if place.name.text in others]
+    if owners and closest(place.name.text, inside) is None:
+        hint = f"it is in the process of {listed(owners)}"
+        message = f"the process of {place.at} has no activity or formula `{place.name}`"
+        return Diagnostic("E212", message, place.name.span, hint=hint)
+    return unknown("E212", f"the process of {place.at} has no activity or formula", place.name, inside)
+
+
+def _clause_text(
+    kind: str, first: tuple[str, ...], second: tuple[str, ...], count: int, within: int | None
+) -> str:
+    def side(places: tuple[str, ...]) -> str:
+        return places[0] if len(places) == 1 else f"({' or '.join(places)})"
+
+    match kind:
+        case "at most":
+            return f"at most {_NUMBERS.get(count, str(count))} {side(first)}"
+        case "before":
+            return f"{side(first)} before {side(second)}"
+    limit = f" within {duration_text(within)}" if within is not None else ""
+    return f"every {side(first)} leads to {side(second)}{limit}"
+
+
+__all__ = ["read_clauses"]

@@ -1,0 +1,169 @@
+"""Goals: use cases that only others do, participants that nobody plays, activities without functionality."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
+
+from aseme_dsl.amola.srm import Activity
+from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.amola.suc import RoleType
+from aseme_dsl.compiler.chart.srm_to_iac import Role
+from aseme_dsl.compiler.names.usecases import UseCases, folded
+from aseme_dsl.compiler.read.blocks import participants_of
+from aseme_dsl.compiler.read.memory import Memory
+from aseme_dsl.compiler.read.names import first_of, listed
+from aseme_dsl.compiler.read.pieces import InPieces
+from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Source, Span
+
+_SHOWN = 4
+
+
+def out_of_reach(
+    cases: UseCases, roles: Mapping[str, Role], formulas: Iterable[tree.NamedFormula]
+) -> Iterator[Diagnostic]:
+    """N705: a use case that formulas and activities realise, but none of those who take part in it has them.
+
+    Use cases of people, of other systems and of roles that are no `srm` are not looked into, nor protocols.
+    """
+    if not cases.suc.usecases:
+        return
+    own_types = (RoleType.SYSTEM, RoleType.ABSTRACT)
+    elsewhere = {item.name for item in cases.suc.roles if item.type not in own_types}
+    reached = {name: _reached(role) for name, role in roles.items()}
+    if any(found is None for found in reached.values()):
+        return
+    doers: dict[str, set[str]] = {name: {name} for name in roles}
+    for name, role in roles.items():
+        for item in role.plays:
+            doers.setdefault(item.participant, set()).add(name)
+    places = {folded(item.name.text): item.name.span for item in formulas}
+    for case in cases.suc.usecases:
+        names = set(cases.names_of(case))
+        if not case.participants or cases.is_protocol(case) or not names & cases.spellings.keys():
+            continue
+        if any(name in elsewhere or name not in doers for name in case.participants):
+            continue
+        own = {role for name in case.participants for role in doers[name]}
+        if any(not names.isdisjoint(reached[role] or ()) for role in own):
+            continue
+        others = [name for name, found in reached.items() if not names.isdisjoint(found or ())]
+        if others:
+            doer = roles[others[0]].written.name.span
+            place = next((places[name] for name in names if name in places), doer)
+            yield Diagnostic(
+                "N705",
+                f"`{case.name}` is a use case of {listed(case.participants)}, but only {listed(others)} "
+                f"{'does' if len(others) == 1 else 'do'} it",
+                case.span,
+                (Related(place, "here"),),
+                hint=f"let a formula of {listed(sorted(own), 'or')} use `{cases.spelling(case)}`, or say "
+                f"whose it is: `usecase {case.name} by {others[0]}`",
+            )
+
+
+def _reached(role: Role) -> set[str] | None:
+    """The names, folded, of all that a role's formulas come to; None where they cannot be expanded."""
+    if role.outline is None or role.formulas is None:
+        return None
+    found = {folded(name) for name in role.formulas.named}
+    found.update(folded(item.name.text) for item in role.written.capabilities)
+    for node in role.outline.nodes:
+        if node.activity is not None:
+            found.add(folded(node.activity))
+        elif node.type is NodeType.OR:
+            found.add(folded(node.name))
+    for item in role.plays:
+        found.update((folded(item.protocol), folded(item.participant)))
+        part = role.parts.get((item.protocol, item.participant))
+        if part is not None:
+            found.update(folded(name) for name in part.formulas.named)
+            # What it binds to its own activities, it does in its own way.
+            found.update(folded(abstract) for abstract, _ in item.bindings)
+    return found
+
+
+def not_played(
+    aips: Iterable[tree.Aip], roles: Iterable[Role], home: Source, told: Iterable[Diagnostic]
+) -> Iterator[Diagnostic]:
+    """N706: a participant of the system's own protocols that no role plays.
+
+    Protocols of other files are there to be played in part: another system may have the other part. What
+    `told` says of a protocol or participant (W202, N702) is not said again.
+    """
+    known = {place.span for item in told if item.code in ("W202", "N702") for place in item.related}
+    roles = list(roles)
+    if not roles:
+        return
+    played = {(item.protocol.text, item.participant.text) for role in roles for item in role.written.plays}
+    for aip in aips:
+        if aip.span.source.path != home.path or aip.name.span in known:
+            continue
+        participants = participants_of(aip)
+        left = [item for item in participants if (aip.name.text, item.name.text) not in played]
+        left = [item for item in left if item.name.span not in known]
+        if not left:
+            continue
+        first = left[0].name
+        hint = f"write `plays {aip.name}.{first}` in the `srm` that does, and let a formula use `{first}`"
+        if len(left) == len(participants):
+            yield Diagnostic("N706", f"no role plays the protocol `{aip.name}`", aip.name.span, hint=hint)
+            continue
+        for item in left:
+            hint = f"write `plays {aip.name}.{item.name}` in the `srm` that does"
+            yield Diagnostic("N706", f"no role plays {aip.name}.{item.name}", item.name.span, hint=hint)
+
+
+def without_functionality(
+    roles: Sequence[Role], activities: Mapping[str, Activity], memory: Memory
+) -> InPieces[list[Diagnostic]]:
+    """N707: activities without functionality, in a role that describes some; W230: a name close to one's."""
+    known: dict[str, Span] = {}
+    for role in roles:
+        for item in role.written.functionalities:
+            known.setdefault(item.name.text, item.name.span)
+    if not known:
+        return []
+    found = yield from memory.each_in_pieces(_without_functionality, zip(roles), known, activities)
+    return list(chain.from_iterable(found))
+
+
+def _without_functionality(
+    role: Role, known: Mapping[str, Span], activities: Mapping[str, Activity]
+) -> tuple[Diagnostic, ...]:
+    found: list[Diagnostic] = []
+    for written in role.written.activities:
+        for name in written.uses:
+            near = closest(name.text, known) if name.text not in known else None
+            if near is not None:
+                found.append(
+                    Diagnostic(
+                        "W230",
+                        f"there is no functionality `{name}`",
+                        name.span,
+                        (Related(known[near], f"`{near}`"),),
+                        hint=f"did you mean `{near}`?",
+                        fix=near,
+                    )
+                )
+    if not role.written.functionalities or role.outline is None:
+        return tuple(found)
+    names = dict.fromkeys(node.activity for node in role.outline.nodes if node.activity is not None)
+    idle = [name for name in names if name not in activities or not activities[name].uses]
+    if idle:
+        use = "uses" if len(idle) == 1 else "use"
+        shown = first_of(idle, _SHOWN)
+        found.append(
+            Diagnostic(
+                "N707",
+                f"nothing says which functionality {shown} of {role.name} {use}",
+                role.written.name.span,
+                hint=f"say it among the `activities`: `{idle[0]} uses {next(iter(known))}`",
+            )
+        )
+    return tuple(found)
+
+
+__all__ = ["not_played", "out_of_reach", "without_functionality"]

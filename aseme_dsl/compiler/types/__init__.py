@@ -1,0 +1,1 @@
+"""Types: values and expressions, activities and modules, with the types they have."""

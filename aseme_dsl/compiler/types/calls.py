@@ -1,0 +1,342 @@
+"""Calls: functions chosen by the types of their arguments, and what only looks like a function."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from aseme_dsl.amola import expression as amola
+from aseme_dsl.amola.expression import Literal, Member, Value
+from aseme_dsl.amola.messages import AGENT, DOUBLE, DURATION, INT, STRING, Comm, Function, Kind, Type
+from aseme_dsl.compiler.names.checker import Checker, a, is_number
+from aseme_dsl.compiler.names.paths import is_optional, unnamed
+from aseme_dsl.compiler.read.builtins import FORMS, YIELDING
+from aseme_dsl.compiler.read.constants import NotConstant, fold
+from aseme_dsl.compiler.read.library import providers
+from aseme_dsl.compiler.read.names import unknown
+from aseme_dsl.diagnostics import Related
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Span
+
+
+def function_name(checker: Checker, written: tree.Call) -> str | None:
+    """The name of what is called: a form of the language or a declared function."""
+    name = written.function.segments[0]
+    symbols = checker.scope.symbols
+    if len(written.function.segments) > 1:
+        checker.report("E502", f"`{written.function.text}` is not a function", written.function.span)
+        return None
+    if name.text in FORMS or symbols.overloads(name.text):
+        return name.text
+    if not symbols.is_excused(name.text):
+        pool = (*symbols.function_names, *FORMS)
+        hint = "declare it, or import the file that does"
+        found = unknown(
+            "E502", "there is no function", name, pool, hint, certain=providers(name.text, "function")
+        )
+        checker.diagnostics.append(found)
+    return None
+
+
+def call(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
+    """A function or form with typed arguments."""
+    if name in YIELDING and checker.scope.symbols.overloads(name):
+        return _function(checker, name, written, arguments)
+    match name:
+        case "has":
+            return _has(checker, written, arguments)
+        case "sender":
+            return _sender(checker, written, arguments)
+        case "age":
+            message = _message(checker, name, written, arguments, 1)
+            if message is None or not _is_timed(checker, message):
+                return None
+            return amola.Age(message, written.span)
+        case "random":
+            if arguments:
+                wrong_form(checker, name, written.span, "`random` takes no arguments")
+                return None
+            return amola.Random(written.span)
+        case "at":
+            return _at(checker, written, arguments)
+        case "mean":
+            return _mean(checker, written, arguments)
+    return _function(checker, name, written, arguments)
+
+
+# ---- functions ---------------------------------------------------------------------------------
+
+
+def _function(checker: Checker, name: str, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
+    """The overload that fits exactly, else the one that needs the fewest ints taken as doubles."""
+    overloads = checker.scope.symbols.overloads(name)
+    costs = {}
+    for function in overloads:
+        cost = _cost(function, arguments)
+        if cost is not None:
+            costs[function] = cost
+    least = min(costs.values(), default=None)
+    best = [function for function in overloads if costs.get(function) == least and least is not None]
+    if not best:
+        _no_overload(checker, name, written, arguments, overloads)
+        return None
+    if len(best) > 1:
+        checker.report(
+            "E213",
+            f"`{name}` means several functions here",
+            written.function.span,
+            "write a decimal point where a double is meant",
+            tuple(Related(function.span, _signature(function)) for function in best),
+        )
+        return None
+    return amola.Call(best[0], tuple(arguments), best[0].result, written.span)
+
+
+def _cost(function: Function, arguments: Sequence[Value]) -> int | None:
+    """How many ints are taken as doubles; None where the function does not take the arguments."""
+    if len(function.parameters) != len(arguments):
+        return None
+    cost = 0
+    for (_, kind), argument in zip(function.parameters, arguments, strict=True):
+        if kind == DOUBLE and argument.type == INT:
+            cost += 1
+        elif kind != argument.type:
+            return None
+    return cost
+
+
+def _signature(function: Function) -> str:
+    parameters = ", ".join(f"{kind} {name}" for name, kind in function.parameters)
+    return f"{function.name}({parameters}) : {function.result}"
+
+
+def _no_overload(
+    checker: Checker,
+    name: str,
+    written: tree.Call,
+    arguments: Sequence[Value],
+    overloads: Sequence[Function],
+) -> None:
+    related = tuple(
+        Related(function.span, _signature(function))
+        for function in overloads
+        if not function.target.startswith("builtin:")
+    )
+    hint = None
+    if not related:
+        hint = "there is " + ", ".join(f"`{_signature(function)}`" for function in overloads)
+    fits = [function for function in overloads if len(function.parameters) == len(arguments)]
+    if not fits:
+        counts = sorted({len(function.parameters) for function in overloads})
+        takes = " or ".join(str(count) for count in counts)
+        plural = "" if counts == [1] else "s"
+        problem = f"`{name}` takes {takes} argument{plural}, not {len(arguments)}"
+        checker.report("E504", problem, written.span, hint, related)
+        return
+    if len(fits) == 1:
+        order = _order(fits[0], arguments)
+        if order is not None:
+            meant = f"{name}({', '.join(arguments[index].span.text for index in order)})"
+            problem = f"the arguments of `{name}` are in another order"
+            checker.report("E504", problem, written.span, f"write `{meant}`", related)
+            return
+        for (parameter, kind), argument in zip(fits[0].parameters, arguments, strict=True):
+            if _cost(replace(fits[0], parameters=((parameter, kind),)), [argument]) is None:
+                problem = f"`{name}` wants {a(kind)} as `{parameter}`, not {a(argument.type)}"
+                checker.report("E504", problem, argument.span, hint, related)
+        return
+    given = ", ".join(str(argument.type) for argument in arguments)
+    checker.report("E504", f"no `{name}` takes ({given})", written.span, hint, related)
+
+
+def _order(function: Function, arguments: Sequence[Value]) -> list[int] | None:
+    """The one order in which the arguments fit, each type being there once; None if there is none."""
+    given = [argument.type for argument in arguments]
+    kinds = [kind for _, kind in function.parameters]
+    if len({*map(str, given)}) < len(given) or {*map(str, given)} != {*map(str, kinds)}:
+        return None
+    return [given.index(kind) for kind in kinds]
+
+
+# ---- forms of the language ---------------------------------------------------------------------
+
+
+def wrong_form(checker: Checker, name: str, span: Span, problem: str) -> None:
+    """E504 with an example of how it is used."""
+    checker.report("E504", problem, span, f"it is used as `{FORMS[name]}`")
+
+
+def is_given(checker: Checker, name: str, written: tree.Call, count: int) -> bool:
+    """Whether a form is given as many arguments as it takes (E504)."""
+    given = len(written.arguments)
+    if given != count:
+        plural = "" if count == 1 else "s"
+        wrong_form(checker, name, written.span, f"`{name}` takes {count} argument{plural}, not {given}")
+    return given == count
+
+
+def only_name(checker: Checker, name: str, argument: tree.Expression, wanted: str) -> tree.Name | None:
+    """The name, with nothing before or after it, that a form wants as `wanted` (E504)."""
+    if isinstance(argument, tree.Path) and len(argument.segments) == 1:
+        return argument.segments[0]
+    wrong_form(checker, name, argument.span, f"`{name}` wants the name of {wanted}")
+    return None
+
+
+def _message(
+    checker: Checker, name: str, written: tree.Call, arguments: Sequence[Value], count: int
+) -> Member | None:
+    """The first of `count` arguments, which is a whole message on the blackboard."""
+    if not is_given(checker, name, written, count):
+        return None
+    message = unnamed(arguments[0])
+    if not isinstance(message, Member):
+        wrong_form(checker, name, arguments[0].span, f"`{name}` wants a message, not {a(message.type)}")
+        return None
+    if count == 1 and message.path:
+        whole = ".".join(([message.host] if message.host else []) + [str(message.channel)])
+        wrong_form(checker, name, arguments[0].span, f"`{name}` wants the whole message: `{whole}`")
+        return None
+    return replace(message, span=arguments[0].span)
+
+
+def _has(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
+    """Whether something is there that may be absent: a message, an optional member, an agent."""
+    asked = unnamed(arguments[0]) if len(arguments) == 1 else None
+    if isinstance(asked, amola.VariableValue) and asked.type == AGENT:
+        return amola.Has(asked, written.span)
+    if isinstance(asked, Member | amola.Bound) and asked.path:
+        message = asked.message if isinstance(asked, amola.Bound) else asked.channel.message
+        if is_optional(checker, message, asked.path):
+            return amola.Has(asked, written.span)
+    if isinstance(asked, amola.Bound):
+        what = "the message that is taken" if not asked.path else f"`{'.'.join(asked.path)}`"
+        wrong_form(checker, "has", arguments[0].span, f"{what} is there in any case")
+        return None
+    found = _message(checker, "has", written, arguments, 1)
+    return None if found is None else amola.Has(found, written.span)
+
+
+def _sender(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
+    """Who has sent the agent message that the transition takes."""
+    if not is_given(checker, "sender", written, 1):
+        return None
+    message = arguments[0]
+    if isinstance(message, amola.Bound) and not message.path:
+        return amola.Sender(message.name, written.span)
+    problem = "`sender` wants the agent message that the transition takes"
+    if isinstance(message, amola.Sender) and message.lost:
+        problem = f"`{message.name}` is the agent itself"
+    wrong_form(checker, "sender", written.span, problem)
+    return None
+
+
+def _is_timed(checker: Checker, message: Member) -> bool:
+    if message.channel.comm is not Comm.SIGNAL:
+        return True
+    checker.report("E503", "a signal has no age: it is consumed by its reader", message.span)
+    return False
+
+
+def _is_data(checker: Checker, name: str, message: Member) -> bool:
+    if message.channel.comm is Comm.DATA:
+        return True
+    checker.report(
+        "E503",
+        f"`{name}` needs a history, which only data has; `{message.channel}` is a {message.channel.comm}",
+        message.span,
+    )
+    return False
+
+
+def constant_duration(
+    checker: Checker, what: str, value: Value, least: int | None, most: int | None
+) -> int | None:
+    """The ns of a constant duration that is not out of its range."""
+    if value.type != DURATION:
+        hint = "a duration has a unit: 200ms, 1.5s, 2min" if is_number(value.type) else None
+        checker.report("E504", f"{what} must be a duration, not {a(value.type)}", value.span, hint)
+        return None
+    try:
+        nanoseconds = fold(value)
+    except NotConstant as problem:
+        hint = "this is known only at run time: write a duration, such as 500ms"
+        checker.report("E515", f"{what} must be a constant", problem.value.span, hint)
+        return None
+    except ArithmeticError:
+        checker.report("E516", f"{what} cannot be computed", value.span)
+        return None
+    assert isinstance(nanoseconds, int)
+    if least is not None and nanoseconds < least:
+        checker.report(
+            "E504", f"{what} must be {'zero or more' if least == 0 else 'more than zero'}", value.span
+        )
+        return None
+    if most is not None and nanoseconds > most:
+        hint = f"write -{value.span.text}" if isinstance(value, Literal) else None
+        checker.report("E504", f"{what} must lie in the past: it is negative", value.span, hint)
+        return None
+    return nanoseconds
+
+
+def _at(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
+    message = _message(checker, "at", written, arguments, 2)
+    if message is None or not _is_data(checker, "at", message):
+        return None
+    offset = constant_duration(checker, "the second argument of `at`", arguments[1], None, 0)
+    if offset is None:
+        return None
+    return amola.At(message, Literal(offset, DURATION, arguments[1].span), message.type, written.span)
+
+
+def _mean(checker: Checker, written: tree.Call, arguments: Sequence[Value]) -> Value | None:
+    message = _message(checker, "mean", written, arguments, 2)
+    if message is None or not _is_data(checker, "mean", message):
+        return None
+    if not is_number(message.type):
+        kind = "a message" if message.type.kind is Kind.MESSAGE else a(message.type)
+        wrong_form(checker, "mean", message.span, f"`mean` wants a number, not {kind}")
+        return None
+    window = constant_duration(checker, "the second argument of `mean`", arguments[1], 1, None)
+    if window is None:
+        return None
+    return amola.Mean(message, Literal(window, DURATION, arguments[1].span), DOUBLE, written.span)
+
+
+def timer(checker: Checker, written: tree.Call, name: str, count: int) -> str | None:
+    """The timer that `expired` or `start_timer` names: a word of its own, declared by its use."""
+    if not is_given(checker, name, written, count):
+        return None
+    first = written.arguments[0]
+    while isinstance(first, tree.Parenthesised):
+        first = first.inner
+    found = only_name(checker, name, first, "a timer")
+    return None if found is None else found.text
+
+
+def fits(kind: Type, expected: Type) -> bool:
+    """Whether a value of one type may go where another is wanted; a list as its elements may."""
+    if kind.kind is Kind.LIST is expected.kind:
+        of, wanted = kind.element, expected.element
+        return of is None or (wanted is not None and fits(of, wanted))
+    return kind == expected or (kind, expected) in ((INT, DOUBLE), (AGENT, STRING))
+
+
+def assignable(checker: Checker, value: Value, expected: Type) -> bool:
+    """Whether a value may go where `expected` is wanted; an int may where a double is."""
+    kind = value.type
+    if fits(kind, expected):
+        return True
+    if expected == INT and kind == DOUBLE:
+        hint = "round it: `floor`, `ceil` and `round` of `import math` give an int"
+        checker.report("E506", "a double does not fit an int", value.span, hint)
+        return False
+    wanted = None
+    if expected == DURATION and is_number(kind):
+        wanted = "a duration has a unit: 200ms, 1.5s, 2min"
+    elif expected.kind is Kind.ENUM:
+        wanted = f"a constant of `{expected}` is wanted"
+    elif expected.element is not None and fits(kind, expected.element):
+        wanted = f"write `[{value.span.text}]`"
+    checker.report("E500", f"{a(expected)} is wanted here, not {a(kind)}", value.span, wanted)
+    return False

@@ -1,0 +1,309 @@
+"""Exchange: agent messages in transition expressions: what is sent to whom, and what a transition takes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import replace
+
+from aseme_dsl.amola import expression as amola
+from aseme_dsl.amola.expression import Fill, Value
+from aseme_dsl.amola.messages import AGENT, Kind, Type
+from aseme_dsl.compiler.names.checker import Checker, a
+from aseme_dsl.compiler.names.paths import member_path, through_optional
+from aseme_dsl.compiler.names.scope import Party, Taken
+from aseme_dsl.compiler.read.builtins import NOT_UNDERSTOOD, PERFORMATIVES, reserved
+from aseme_dsl.compiler.read.names import listed, unknown, unknown_performative
+from aseme_dsl.compiler.types.calls import assignable
+from aseme_dsl.diagnostics import Related, closest
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Span
+
+Typed = Callable[[Checker, tree.Expression], Value | None]
+"""How an expression is typed (typecheck.py)."""
+
+
+# ---- events ------------------------------------------------------------------------------------
+
+
+def received(checker: Checker, written: tree.Received) -> amola.Received | None:
+    """`propose Bid b from contractor`: E205, E511, E512."""
+    if not _is_exchanged(checker, written.performative, written.message, written.participant, False):
+        return None
+    parts = (written.performative.text, written.message.text, written.participant.text)
+    return amola.Received(*parts, written.span, written.name.text if written.name is not None else "")
+
+
+def lost(checker: Checker, written: tree.Lost) -> amola.Lost | None:
+    """`lost contractor c`: E205."""
+    scope, name = checker.scope, written.participant
+    if scope.participant is None:
+        hint = "write it in the `control` of a participant of an `aip`"
+        checker.report("E205", "who is lost is a participant of a protocol", written.span, hint)
+        return None
+    if name.text not in scope.parties:
+        if not scope.symbols.is_excused(name.text):
+            checker.diagnostics.append(
+                unknown("E205", "the protocol has no participant", name, scope.parties)
+            )
+        return None
+    return amola.Lost(name.text, written.span, written.name.text if written.name is not None else "")
+
+
+def taken_by(checker: Checker, written: tree.TransitionExpression) -> Taken | None:
+    """What the condition and the actions may call the message that the transition takes (E226, E530).
+
+    Without a name the one message that is waited for is called by its performative and type.
+    """
+    events = written.events
+    named = [item for item in events if isinstance(item, tree.Received | tree.Lost) and item.name is not None]
+    if not named:
+        only = events[0] if len(events) == 1 and not written.when else None
+        if isinstance(only, tree.Received):
+            return Taken("", only.performative.text, only.message.text, False, only.span)
+        return None
+    first = named[0]
+    assert first.name is not None
+    taken = _taken(first, first.name)
+    for item in events:
+        if isinstance(item, tree.Received | tree.Lost) and item.name is not None:
+            other = _taken(item, item.name)
+            if (other.name, other.message, other.lost) == (taken.name, taken.message, taken.lost):
+                continue
+            if other.name == taken.name:
+                taken = replace(taken, message="", lost=False)  # nothing is known of it
+        checker.report(
+            "E530",
+            f"`{first.name}` would not be there when this has happened",
+            item.span,
+            "write it as a line of its own, or give all the same name for the same type of message",
+            (Related(first.span, f"`{first.name}` is named here"),),
+        )
+        return taken
+    if written.when:
+        hint = "write the condition as a line of its own"
+        checker.report("E530", f"`{first.name}` would not be there on `when`", first.span, hint)
+    _check_name(checker, first.name)
+    return taken
+
+
+def _taken(event: tree.Received | tree.Lost, name: tree.Name) -> Taken:
+    if isinstance(event, tree.Lost):
+        return Taken(name.text, "", "", True, name.span)
+    return Taken(name.text, event.performative.text, event.message.text, False, name.span)
+
+
+def _check_name(checker: Checker, name: tree.Name) -> None:
+    """E226 where a message cannot have this name."""
+    scope, symbols = checker.scope, checker.scope.symbols
+    reason = reserved(name.text)
+    if name.text in scope.variables:
+        reason = "a variable has this name"
+    elif name.text in scope.lets:
+        reason = "a let has this name"
+    elif name.text in scope.parties:
+        reason = "a participant has this name"
+    elif symbols.enum(name.text) is not None:
+        reason = "an enum has this name"
+    elif symbols.topic(name.text) is not None:
+        reason = "a topic has this name"
+    if reason is not None:
+        checker.report("E226", f"what is taken cannot be called `{name}`", name.span, reason)
+
+
+def check_use(checker: Checker, taken: Taken | None, typed: amola.TransitionExpression) -> None:
+    """W551 for a name that neither the condition nor the actions use, of which nothing is left out."""
+    if taken is None or not taken.name or checker.diagnostics or amola.taken_message(typed):
+        return
+    checker.report("W551", f"nothing uses `{taken.name}` here", taken.span, "use it, or leave the name out")
+
+
+# ---- sending -----------------------------------------------------------------------------------
+
+
+def send(checker: Checker, written: tree.Send, value: Typed) -> amola.Send | None:
+    """`send accept_proposal Award { task = job } to best except c`: E205, E225, E511, E512, E531, E532."""
+    scope, name = checker.scope, written.participant
+    to: Value | None = None
+    is_party = name is not None and name.text in scope.parties
+    participant = ""
+    if name is not None and (is_party or not _may_be_agent(checker, name)):
+        if not _is_exchanged(checker, written.performative, written.message, name, True):
+            return None
+        participant = name.text
+    else:
+        path = tree.Path((name,), name.span) if name is not None else None
+        receiver = written.receiver if path is None else path
+        assert receiver is not None
+        fits = _is_exchanged(checker, written.performative, written.message, None, True)
+        to = _agent(checker, receiver, value)
+        if to is None or not fits:
+            return None
+        if written.excepts:
+            hint = "`except` is said of a participant"
+            checker.report("E531", "one agent has no exceptions", written.excepts[0].span, hint)
+            return None
+    excepts = [_agent(checker, item, value) for item in written.excepts]
+    fills = None
+    if written.fills is not None:
+        found = fill(checker, written.message.text, written.fills, value)
+        if found is None:
+            return None
+        fills = tuple(found)
+    if None in excepts:
+        return None
+    return amola.Send(
+        written.performative.text,
+        written.message.text,
+        participant,
+        written.span,
+        fills,
+        to,
+        tuple(item for item in excepts if item is not None),
+    )
+
+
+def _may_be_agent(checker: Checker, name: tree.Name) -> bool:
+    """Whether what stands behind `to` names a value rather than a participant."""
+    scope = checker.scope
+    is_lost = scope.taken is not None and scope.taken.name == name.text
+    return name.text in scope.variables or name.text in scope.lets or is_lost
+
+
+def _agent(checker: Checker, written: tree.Expression, value: Typed) -> Value | None:
+    """A value of type agent (E531)."""
+    found = value(checker, written)
+    if found is None or found.type == AGENT:
+        return found
+    hint = "an agent is a variable of type `agent`, or the sender of what was taken: `sender(b)`"
+    if isinstance(found, amola.Bound) and not found.path:
+        hint = f"write `sender({found.name})`"
+    checker.report("E531", f"an agent is wanted here, not {a(found.type)}", written.span, hint)
+    return None
+
+
+def fill(checker: Checker, message: str, written: Sequence[tree.Fill], value: Typed) -> list[Fill] | None:
+    """The members of a message that are filled in braces: E225, E501, E507. None where one is wrong."""
+    found: list[Fill] = []
+    first: dict[tuple[str, ...], Span] = {}
+    sound = True
+    for item in written:
+        target = member_path(checker, Type(Kind.MESSAGE, message), (), item.target.segments)
+        given = value(checker, item.value)
+        sound = sound and target is not None and given is not None
+        if target is None or given is None:
+            continue
+        path, kind = target
+        earlier = first.setdefault(path, item.target.span)
+        if earlier is not item.target.span:
+            problem = f"`{item.target.text}` is filled twice"
+            related = (Related(earlier, "the first time"),)
+            checker.report("E225", problem, item.target.span, "leave one of them out", related)
+            sound = False
+        elif kind.kind is Kind.MESSAGE:
+            hint = "fill its members one by one: `" + f"{item.target.text}.member = …`"
+            checker.report("E507", f"`{item.target.text}` is a message inside the message", item.span, hint)
+            sound = False
+        elif (optional := through_optional(checker, message, path)) is not None:
+            hint = "an activity can send the message with it"
+            problem = f"`{optional}` is optional and not there in a new message"
+            checker.report("E507", problem, item.target.span, hint)
+            sound = False
+        elif not assignable(checker, given, kind):
+            sound = False
+        else:
+            found.append(Fill(path, kind, given, item.span))
+    return found if sound else None
+
+
+# ---- who exchanges what ------------------------------------------------------------------------
+
+
+def _is_exchanged(
+    checker: Checker, performative: tree.Name, message: tree.Name, other: tree.Name | None, sending: bool
+) -> bool:
+    """Whether the participant sends (or receives) this message to (from) the other one: E205, E511, E512.
+
+    Without another one some participant has to receive it (E532).
+    """
+    scope = checker.scope
+    if performative.text not in PERFORMATIVES:
+        checker.diagnostics.append(unknown_performative(performative))
+        return False
+    if scope.participant is None:
+        what = "sent" if sending else "received"
+        hint = "write it in the `control` of a participant of an `aip`"
+        problem = f"an agent message is {what} by a participant of a protocol"
+        checker.report("E205", problem, performative.span.to((other or message).span), hint)
+        return False
+    if other is not None and other.text not in scope.parties:
+        if not scope.symbols.is_excused(other.text):
+            pool, hint = set(scope.parties), f"there are {listed(sorted(scope.parties))}"
+            if sending:
+                pool |= {name for name, (_, kind) in scope.variables.items() if kind == AGENT}
+                pool |= {name for name, let in scope.lets.items() if let.value and let.value.type == AGENT}
+            checker.diagnostics.append(unknown("E205", "the protocol has no participant", other, pool, hint))
+        return False
+    if scope.symbols.is_excused(message.text) and scope.symbols.message(message.text) is None:
+        return False
+    own = scope.parties[scope.participant]
+    if other is None:
+        return _lists(checker, own, "sends", performative, message) and _somebody_receives(
+            checker, performative, message
+        )
+    peer = scope.parties[other.text]
+    mine, theirs = ("sends", "receives") if sending else ("receives", "sends")
+    if not _lists(checker, own, mine, performative, message):
+        return False
+    if not sending and is_answered(performative.text, message.text, [item.message for item in own.sends]):
+        return True
+    return _lists(checker, peer, theirs, performative, message)
+
+
+def is_answered(performative: str, message: str, sent: Collection[str]) -> bool:
+    """Whether this is the answer to a message nobody expects, which nobody has to list: the runtime gives it.
+
+    `sent` are the types of the messages that its receiver sends.
+    """
+    return performative == NOT_UNDERSTOOD and message in sent
+
+
+def _lists(checker: Checker, party: Party, verb: str, performative: tree.Name, message: tree.Name) -> bool:
+    listed = party.sends if verb == "sends" else party.receives
+    said = f"{performative} {message}"
+    texts = [f"{item.performative} {item.message}" for item in listed]
+    if said in texts:
+        return True
+    if not party.wrong.isdisjoint((performative.text, message.text)):
+        return False  # it may be what is wrong there
+    near = closest(said, texts)
+    if near is not None and near.split()[0] == performative.text:
+        checker.report(
+            "E511",
+            f"`{party.name}` does not list `{verb} {said}`",
+            message.span,
+            f"did you mean `{near.split()[1]}`?",
+            (Related(party.span, "the participant"),),
+            near.split()[1],
+        )
+        return False
+    hint = f"write `{verb} {said}` there" + (f"; it {verb} {', '.join(texts)}" if texts else "")
+    related = (Related(party.span, "the participant"),)
+    span = performative.span.to(message.span)
+    checker.report("E511", f"`{party.name}` does not list `{verb} {said}`", span, hint, related)
+    return False
+
+
+def _somebody_receives(checker: Checker, performative: tree.Name, message: tree.Name) -> bool:
+    said = (performative.text, message.text)
+    parties = checker.scope.parties.values()
+    if any(said in [(item.performative, item.message) for item in party.receives] for party in parties):
+        return True
+    if any(not party.wrong.isdisjoint(said) for party in parties):
+        return False
+    problem = f"no participant of the protocol receives `{performative} {message}`"
+    hint = f"write `receives {performative} {message}` in the participant that shall get it"
+    checker.report("E532", problem, performative.span.to(message.span), hint)
+    return False
+
+
+__all__ = ["check_use", "fill", "is_answered", "lost", "received", "send", "taken_by"]

@@ -1,0 +1,290 @@
+"""Given: what activities and formulas are given where formulas name them, and the types of parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from aseme_dsl.amola.expression import Member, Value, walk
+from aseme_dsl.amola.liveness import Formula, names
+from aseme_dsl.amola.messages import Comm, Parameter, Type
+from aseme_dsl.amola.statechart import Argument
+from aseme_dsl.compiler.formula.formulas import Formulas, cut
+from aseme_dsl.compiler.names.scope import Scope
+from aseme_dsl.compiler.read.builtins import reserved
+from aseme_dsl.compiler.read.names import declared_twice, unknown
+from aseme_dsl.compiler.types.typecheck import type_value
+from aseme_dsl.diagnostics import Diagnostic, Related, surely
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Span
+
+
+def give(
+    formulas: Formulas, scope: Scope, participants: Collection[str] = ()
+) -> tuple[Formulas, tuple[Diagnostic, ...]]:
+    """The formulas with their typed parameters, and with what each name in them is given.
+
+    `participants` are the names of played participants, which are given nothing. Reports E308 to E310, E523
+    and E524.
+    """
+    work = _Work(formulas, scope, frozenset(participants))
+    parameters = work.parameters()
+    given: dict[Formula, tuple[Argument, ...]] = {}
+    formulas = replace(formulas, parameters=parameters)
+    for name, item in formulas.named.items():
+        own = inside_formula(scope, formulas, name)
+        for node in names(item.formula):
+            found = work.given(node, own, parameters)
+            if found:
+                given[node] = found
+    return replace(formulas, given=given), tuple(work.diagnostics)
+
+
+def inside_formula(scope: Scope, formulas: Formulas, name: str) -> Scope:
+    """The scope of the control and the arguments of a formula: with its parameters, if it has any.
+
+    Where their type is not known, that has been said.
+    """
+    written = formulas.named[name].parameters
+    if not written:
+        return scope
+    known = {item.name: item.type for item in formulas.parameters.get(name, ())}
+    return replace(scope, parameters={item.name.text: known.get(item.name.text) for item in written})
+
+
+@dataclass(slots=True)
+class _Work:
+    formulas: Formulas
+    scope: Scope
+    participants: frozenset[str]
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+    unsure: set[str] = field(default_factory=set)
+    """The formulas of whose parameters something is wrong: their uses are not reported again."""
+
+    # ---- parameters ------------------------------------------------------------------------------
+
+    def parameters(self) -> dict[str, tuple[Parameter, ...]]:
+        """The parameters of each formula that has any, with their types."""
+        written = {name: item for name, item in self.formulas.named.items() if item.parameters}
+        known: dict[tuple[str, str], tuple[Type, Span]] = {}
+        for name, item in written.items():
+            self._check_names(name, item)
+            for parameter in item.parameters:
+                kind = self._said(name, parameter)
+                if kind is not None:
+                    known[name, parameter.name.text] = (kind, parameter.span)
+        changed = bool(written)
+        while changed:
+            changed = False
+            for name, item in written.items():
+                for parameter in item.parameters:
+                    key = (name, parameter.name.text)
+                    if key not in known and parameter.type is None:
+                        found = next(self._passed_on(item, parameter.name.text, known), None)
+                        if found is not None:
+                            known[key] = found
+                            changed = True
+        result: dict[str, tuple[Parameter, ...]] = {}
+        for name, item in written.items():
+            found_parameters = []
+            for parameter in item.parameters:
+                kind = self._settled(name, item, parameter, known)
+                if kind is not None:
+                    text = parameter.name.text
+                    found_parameters.append(Parameter(text, kind, parameter.name.span))
+            result[name] = tuple(found_parameters)
+        return result
+
+    def _check_names(self, name: str, item: tree.NamedFormula) -> None:
+        if name == self.formulas.root:
+            self.unsure.add(name)
+            span = item.parameters[0].span.to(item.parameters[-1].span)
+            problem = f"`{name}` has parameters, and nothing gives them a value"
+            hint = "only a formula that another one names can be given something"
+            self.diagnostics.append(Diagnostic("E310", problem, span, hint=hint))
+        seen: dict[str, tree.Name] = {}
+        for parameter in item.parameters:
+            reason = reserved(parameter.name.text)
+            if reason is not None:
+                problem = f"a parameter cannot be called `{parameter.name}`"
+                self.diagnostics.append(Diagnostic("E202", problem, parameter.name.span, hint=reason))
+            first = seen.setdefault(parameter.name.text, parameter.name)
+            if first is not parameter.name:
+                self.unsure.add(name)
+                self.diagnostics.append(declared_twice("the parameter", parameter.name, first.span))
+
+    def _said(self, formula: str, parameter: tree.FormulaParameter) -> Type | None:
+        if parameter.type is None:
+            return None
+        symbols = self.scope.symbols
+        kind = symbols.type_named(parameter.type.text)
+        if kind is None:
+            self.unsure.add(formula)
+            if not symbols.is_excused(parameter.type.text):
+                found = unknown("E200", "there is no type", parameter.type, symbols.type_names)
+                self.diagnostics.append(found)
+        return kind
+
+    def _passed_on(
+        self, item: tree.NamedFormula, parameter: str, known: Mapping[tuple[str, str], tuple[Type, Span]]
+    ) -> Iterator[tuple[Type, Span]]:
+        """The types with which a parameter is passed on to activities and other formulas, with the places."""
+        for node in names(item.formula):
+            for place, argument in enumerate(node.arguments):
+                if _path(argument.value) == parameter:
+                    kind = self._wanted(node.name, place, known)
+                    if kind is not None:
+                        yield kind, argument.span
+
+    def _wanted(
+        self, name: str, place: int, known: Mapping[tuple[str, str], tuple[Type, Span]]
+    ) -> Type | None:
+        formula = self.formulas.named.get(name)
+        if formula is not None:
+            if place >= len(formula.parameters):
+                return None
+            found = known.get((name, formula.parameters[place].name.text))
+            return found[0] if found is not None else None
+        form = self.scope.symbols.activities.get(name)
+        return form.parameters[place].type if form is not None and place < len(form.parameters) else None
+
+    def _settled(
+        self,
+        name: str,
+        item: tree.NamedFormula,
+        parameter: tree.FormulaParameter,
+        known: Mapping[tuple[str, str], tuple[Type, Span]],
+    ) -> Type | None:
+        text = parameter.name.text
+        first = known.get((name, text))
+        if first is None:
+            self.unsure.add(name)
+            if name == self.formulas.root:
+                return None
+            if parameter.type is None and not self._depends_on_unsure(item, text):
+                problem = f"the type of the parameter `{text}` is not known"
+                hint = f"it is passed on to no activity that says it: write `{name}({text} : …)`"
+                self.diagnostics.append(Diagnostic("E308", problem, parameter.name.span, hint=hint))
+            return None
+        for kind, span in self._passed_on(item, text, known):
+            if kind != first[0] and parameter.type is None:
+                self.unsure.add(name)
+                self.diagnostics.append(
+                    Diagnostic(
+                        "E309",
+                        f"`{text}` is passed on as {first[0]} and as {kind}",
+                        span,
+                        (Related(first[1], f"as {first[0]}"),),
+                        hint="it can be one of them only",
+                    )
+                )
+                return None
+        return first[0]
+
+    def _depends_on_unsure(self, item: tree.NamedFormula, parameter: str) -> bool:
+        """Whether it is passed on to something whose own parameters are not known."""
+        symbols = self.scope.symbols
+        return any(
+            node.name in self.unsure or symbols.is_excused(node.name)
+            for node in names(item.formula)
+            if any(_path(argument.value) == parameter for argument in node.arguments)
+        )
+
+    # ---- arguments -------------------------------------------------------------------------------
+
+    def given(
+        self, node: Formula, scope: Scope, parameters: Mapping[str, tuple[Parameter, ...]]
+    ) -> tuple[Argument, ...]:
+        """What a name is given, by parameter; nothing where something is wrong with that."""
+        wanted = self._parameters_of(node, parameters)
+        if wanted is None:
+            return ()
+        if len(wanted) != len(node.arguments):
+            self._wrong_number(node, wanted)
+            return ()
+        found: list[Argument] = []
+        for parameter, argument in zip(wanted, node.arguments, strict=True):
+            assert isinstance(argument.value, tree.Expression)
+            value, problems = type_value(argument.value, scope, parameter.type)
+            self.diagnostics += problems
+            if value is not None and self._is_lasting(value):
+                found.append(Argument(parameter.name, value))
+        return tuple(found) if len(found) == len(wanted) else ()
+
+    def _parameters_of(
+        self, node: Formula, parameters: Mapping[str, tuple[Parameter, ...]]
+    ) -> Sequence[Parameter] | None:
+        """What a name wants; None, reported if need be, where that is not known."""
+        symbols = self.scope.symbols
+        if node.name in self.formulas.named:
+            return None if node.name in self.unsure else parameters.get(node.name, ())
+        if node.name in self.participants:
+            return ()
+        form = symbols.activities.get(node.name)
+        if symbols.is_excused(node.name):
+            return None
+        if form is None and node.arguments:
+            near = surely(node.name, (*symbols.activities, *parameters))
+            types = ", ".join(f"{_word(a.text, n)} : …" for n, a in enumerate(node.arguments, 1))
+            hint = f"say so among the `activities`: `{node.name}({types})`"
+            if near is not None:
+                hint = f"did you mean `{near}`?"
+            self.diagnostics.append(
+                Diagnostic(
+                    "E523",
+                    f"the activity `{node.name}` is given something, and nothing says that it has parameters",
+                    node.span,
+                    hint=f"{hint}; one after the other is `{_in_sequence(node)}`" if near is None else hint,
+                )
+            )
+            return None
+        return form.parameters if form is not None else ()
+
+    def _wrong_number(self, node: Formula, wanted: Sequence[Parameter]) -> None:
+        formula = self.formulas.named.get(node.name)
+        form = self.scope.symbols.activities.get(node.name)
+        related: tuple[Related, ...] = ()
+        if formula is not None:
+            related = (Related(formula.name.span, "the formula"),)
+        elif form is not None:
+            related = (Related(form.span, "what is said of it"),)
+        count = len(wanted)
+        takes = f"takes {count} argument{'s' if count != 1 else ''}" if count else "takes no arguments"
+        listed = ", ".join(map(str, wanted))
+        hint = f"write `{node.name}(…)`, with {listed}" if count else f"write `{_in_sequence(node)}`"
+        number = len(node.arguments) or "none"
+        self.diagnostics.append(
+            Diagnostic("E523", f"`{node.name}` {takes}, not {number}", node.span, related, hint=hint)
+            if count
+            else Diagnostic("E523", f"`{node.name}` {takes}", node.span, related, hint=hint)
+        )
+
+    def _is_lasting(self, value: Value) -> bool:
+        """Whether what it reads is still there when the state is entered: a signal may be used up (E524)."""
+        for part in walk(value):
+            if isinstance(part, Member) and part.channel.comm is Comm.SIGNAL:
+                hint = "keep what it says in a variable on the way: `/ goal = …`"
+                problem = f"the signal `{part.channel}` may be used up when the state is entered"
+                self.diagnostics.append(Diagnostic("E524", problem, value.span, hint=hint))
+                return False
+        return True
+
+
+def _path(value: object) -> str | None:
+    """The single name that an argument is."""
+    while isinstance(value, tree.Parenthesised):
+        value = value.inner
+    return value.text if isinstance(value, tree.Path) and len(value.segments) == 1 else None
+
+
+def _word(text: str, number: int) -> str:
+    return text if text.isidentifier() else f"x{number}"
+
+
+def _in_sequence(node: Formula) -> str:
+    """How it would be written if the parentheses were those of a group."""
+    inside = " . ".join(argument.text for argument in node.arguments)
+    return cut(f"{node.name} . {inside if len(node.arguments) == 1 else f'({inside})'}")
+
+
+__all__ = ["give", "inside_formula"]

@@ -1,0 +1,93 @@
+"""Settings: what variables hold at first in the agents of a team: `keeper : goalie with limit = 80`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from aseme_dsl.amola.expression import INSTANCE, Literal, Value, substituted
+from aseme_dsl.amola.messages import DOUBLE, INT, Type
+from aseme_dsl.amola.system import Agent, Team
+from aseme_dsl.compiler.names.scope import Scope
+from aseme_dsl.compiler.read.constants import NotConstant, fold
+from aseme_dsl.compiler.read.names import unknown
+from aseme_dsl.compiler.types.scopes import TypedRole
+from aseme_dsl.compiler.types.typecheck import type_value
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Span
+
+
+def settle(
+    teams: Iterable[Team], files: Iterable[tree.File], roles: Mapping[str, TypedRole], top: Scope
+) -> tuple[tuple[Team, ...], tuple[Diagnostic, ...]]:
+    """The teams with what is set in their agents (E514, E610, E611)."""
+    found: list[Diagnostic] = []
+    settings: dict[Span, tuple[tuple[str, Value, Type], ...]] = {}
+    for file in files:
+        for team in file.declarations:
+            if isinstance(team, tree.Team):
+                for line in team.agents:
+                    values = _line(line, roles, top, found) if line.settings else ()
+                    settings.update((name.span, values) for name, _ in line.names)
+    settled = []
+    for group in teams:
+        agents = (_settled(agent, settings.get(agent.span, ()), found) for agent in group.agents)
+        settled.append(replace(group, agents=tuple(agents)))
+    return tuple(settled), tuple(dict.fromkeys(found))
+
+
+def _line(
+    line: tree.TeamAgents, roles: Mapping[str, TypedRole], top: Scope, found: list[Diagnostic]
+) -> tuple[tuple[str, Value, Type], ...]:
+    """The variables that a line sets, with their values and types."""
+    role = roles.get(line.role.text)
+    if role is None:
+        return ()
+    variables = {item.name: item for item in role.variables}
+    values: dict[str, tuple[Value, Type]] = {}
+    first: dict[str, tree.Name] = {}
+    for item in line.settings:
+        name = item.name
+        if first.setdefault(name.text, name) is not name:
+            related = (Related(first[name.text].span, "first set here"),)
+            found.append(
+                Diagnostic("E610", f"`{name}` is set twice", name.span, related, hint="leave one out")
+            )
+            continue
+        variable = variables.get(name.text)
+        if variable is None:
+            if not top.symbols.is_excused(name.text):
+                hint = None if variables else f"declare it in the role: `var {name} : …`"
+                what = f"the role `{line.role}` has no variable"
+                found.append(unknown("E611", what, name, variables, hint))
+            continue
+        value, problems = type_value(item.value, top, variable.type)
+        found += problems
+        if value is not None:
+            values[name.text] = (value, variable.type)
+    return tuple((name, value, kind) for name, (value, kind) in values.items())
+
+
+def _settled(agent: Agent, values: Iterable[tuple[str, Value, Type]], found: list[Diagnostic]) -> Agent:
+    settings: list[tuple[str, Literal]] = []
+    for name, value, kind in values:
+        number = Literal(agent.index, INT, value.span)
+        try:
+            constant = fold(substituted(value, {INSTANCE: number}))
+        except NotConstant as problem:
+            hint = "write a constant; it may be computed from `index`"
+            message = "what is set in an agent must be a constant"
+            found.append(Diagnostic("E514", message, problem.value.span, hint=hint))
+            continue
+        except ArithmeticError as problem:
+            found.append(Diagnostic("E516", f"the value cannot be computed: {problem}", value.span))
+            continue
+        if kind == DOUBLE:
+            assert not isinstance(constant, str)
+            constant = float(constant)
+        settings.append((name, Literal(constant, kind, value.span)))
+    return replace(agent, settings=tuple(settings)) if settings else agent
+
+
+__all__ = ["settle"]

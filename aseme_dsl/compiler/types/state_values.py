@@ -1,0 +1,112 @@
+"""State values: `in(T)`, `done(T)` and `count(T)`, typed; whether a chart has the states that they name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from aseme_dsl.amola.expression import StateValue, values_of, walk
+from aseme_dsl.amola.meant import states_meant
+from aseme_dsl.amola.messages import BOOL, INT
+from aseme_dsl.amola.statechart import Node, NodeType, Statechart
+from aseme_dsl.compiler.formula.formulas import cut
+from aseme_dsl.compiler.names.checker import Checker
+from aseme_dsl.compiler.read.memory import Memory
+from aseme_dsl.compiler.read.names import unknown
+from aseme_dsl.compiler.read.pieces import InPieces
+from aseme_dsl.compiler.types.calls import is_given, only_name
+from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Span
+
+
+def state_value(checker: Checker, question: str, written: tree.Call) -> StateValue | None:
+    """`in(chase)`: of which states it asks is known only in a chart."""
+    if not is_given(checker, question, written, 1):
+        return None
+    name = only_name(checker, question, written.arguments[0], "a formula or an activity")
+    if name is None:
+        return None
+    kind = INT if question == "count" else BOOL
+    return StateValue(question, name.text, kind, name.span, written.span)
+
+
+def check_states(charts: Sequence[Statechart], memory: Memory) -> InPieces[list[Diagnostic]]:
+    """E430 where a chart has no state of the name, E431 where `count` means several, E433 in actions."""
+    found: dict[Span, Diagnostic] = {}
+    asked = yield from memory.each_in_pieces(_questions, zip(charts))
+    for chart, questions in zip(charts, asked, strict=True):
+        for place, value, in_condition in questions:
+            if value.span in found:
+                continue
+            problem = _problem(chart, place, value, in_condition)
+            if problem is not None:
+                found[value.span] = problem
+    return list(found.values())
+
+
+def _questions(chart: Statechart) -> tuple[tuple[str, StateValue, bool], ...]:
+    """What is asked of states, with the state where it is asked and whether a condition asks it."""
+    return tuple(_each_question(chart))
+
+
+def _each_question(chart: Statechart) -> Iterator[tuple[str, StateValue, bool]]:
+    for node in chart.nodes:
+        for argument in node.arguments:
+            for value in walk(argument.value):
+                if isinstance(value, StateValue):
+                    yield node.label, value, False
+    for transition in chart.transitions:
+        condition = transition.expression.condition
+        values = () if condition is None else walk(condition)
+        asked = {value.span for value in values if isinstance(value, StateValue)}
+        for value in values_of(transition.expression):
+            if isinstance(value, StateValue):
+                yield transition.source, value, value.span in asked
+
+
+def _problem(chart: Statechart, source: str, value: StateValue, in_condition: bool) -> Diagnostic | None:
+    found = states_meant(chart, source, value.state)
+    if value.question != "count" and not in_condition:
+        return Diagnostic(
+            "E433",
+            f"`{value.question}` is asked in conditions: while actions run, states are left and entered",
+            value.span,
+            hint="ask it in the condition, in two lines if need be",
+        )
+    if not found:
+        names = {node.name for node in chart.nodes if _has_name(node)}
+        hint = "ask for a formula, an activity or a played participant of this role"
+        return unknown("E430", f"{chart.name} has no state", tree.Name(value.state, value.named), names, hint)
+    if value.question == "count" and len(found) > 1:
+        return Diagnostic(
+            "E431",
+            f"`{cut(value.state)}` stands in {len(found)} places here, and each has its own count",
+            value.span,
+            tuple(Related(node.span, f"{node.label}") for node in found[:5]),
+            hint="give one of them a formula with a name of its own, and count that",
+        )
+    if value.question == "done" and not any(_completes(chart, node) for node in found):
+        return Diagnostic(
+            "W435",
+            f"`{cut(value.state)}` never completes, so that this is never true",
+            value.span,
+            (Related(found[0].span, f"`{cut(value.state)}`"),),
+            hint="ask `in(…)`, or let it end",
+        )
+    return None
+
+
+def _has_name(node: Node) -> bool:
+    return node.name != node.label and node.name.isidentifier()
+
+
+def _completes(chart: Statechart, node: Node) -> bool:
+    match node.type:
+        case NodeType.OR:
+            return chart.end_of(node.label) is not None
+        case NodeType.AND:
+            return all(chart.end_of(region.label) is not None for region in chart.children(node.label))
+    return True
+
+
+__all__ = ["check_states", "state_value"]

@@ -1,0 +1,511 @@
+"""Typecheck: a written expression to a typed one; what does not fit is reported once, at its cause."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from aseme_dsl.amola import expression as amola
+from aseme_dsl.amola.expression import Literal, Named, Value, operands, walk
+from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, STRING, Kind, Type
+from aseme_dsl.compiler.names.checker import Checker
+from aseme_dsl.compiler.names.paths import channel_of, member_of, through_optional, value_of_path
+from aseme_dsl.compiler.names.scope import Scope
+from aseme_dsl.compiler.read.builtins import ACTIONS, FORMS, PERFORMATIVES, STATE_QUESTIONS
+from aseme_dsl.compiler.read.constants import LARGEST_INT, NotConstant, fold
+from aseme_dsl.compiler.read.names import unknown
+from aseme_dsl.compiler.types import exchange, lists
+from aseme_dsl.compiler.types.calls import (
+    assignable,
+    call,
+    constant_duration,
+    function_name,
+    timer,
+    wrong_form,
+)
+from aseme_dsl.compiler.types.operators import COMPARISONS, arithmetic, compare, is_condition, negate
+from aseme_dsl.compiler.types.outcome_values import alone, compare_outcome, is_about_outcome
+from aseme_dsl.compiler.types.state_values import state_value
+from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.source import Span
+
+LISTS = {"size": lists.size, "contains": lists.contains}
+"""The forms that are about lists."""
+
+DEEPEST = 100
+"""How deep an expression may be nested, with its lets written out: everything after walks it by recursion."""
+
+MOST_PARTS = 10_000
+"""How many parts an expression may have, with its lets written out."""
+
+
+def type_expression(
+    written: tree.TransitionExpression, scope: Scope
+) -> tuple[amola.TransitionExpression, tuple[Diagnostic, ...]]:
+    """Type events, condition and actions. What is wrong is left out of the result and has a diagnostic.
+
+    The duration of `after` and the second argument of `at` and `mean` are constants: `At.offset` and
+    `Mean.window` are always `Literal`. A part that an error has removed may leave an expression that means
+    something else, so nothing is to be generated from it.
+    """
+    checker = Checker(scope)
+    events = [_event(checker, event) for event in written.events]
+    taken = exchange.taken_by(checker, written)
+    if taken is not None:
+        checker.scope = replace(scope, taken=taken)
+    condition = None
+    if written.condition is not None:
+        value = _whole(checker, written.condition)
+        if is_condition(checker, value, "a condition") and _is_decided(checker, value):
+            condition = value
+    elif written.when:
+        checker.report("E505", "`when` needs a condition", written.span, "write `when [condition]`")
+    made = [tuple(_actions(checker, action)) for action in written.actions]
+    typed = amola.TransitionExpression(
+        tuple(event for event in events if event is not None),
+        written.when,
+        written.otherwise,
+        condition,
+        tuple(item for items in made for item in items),
+        written.span,
+        None if written.every is None else written.every.nanoseconds,
+    )
+    wholly = (
+        None not in events
+        and (condition is not None or written.condition is None)
+        and all(len(items) == _parts(action) for action, items in zip(written.actions, made, strict=True))
+    )
+    if wholly:
+        exchange.check_use(checker, taken, typed)
+    return typed, tuple(checker.diagnostics)
+
+
+def _is_decided(checker: Checker, value: Value | None) -> bool:
+    """Whether a condition is left to chance (E526): it would be another one each time it is looked at."""
+    drawn = None if value is None else next((v for v in walk(value) if isinstance(v, amola.Random)), None)
+    if drawn is not None:
+        hint = "draw it in an action on the way, `/ chance = random()`, and ask for the variable"
+        problem = "a condition is looked at many times: `random()` would be another number each time"
+        checker.report("E526", problem, drawn.span, hint)
+    return drawn is None
+
+
+def type_value(
+    written: tree.Expression, scope: Scope, expected: Type | None = None
+) -> tuple[Value | None, tuple[Diagnostic, ...]]:
+    """Type a value; with `expected`, it must be assignable to that type. None when it is wrong."""
+    checker = Checker(scope)
+    value = _whole(checker, written)
+    if expected is None:
+        value = None if lists.is_empty(checker, value) else value
+    elif value is not None and not assignable(checker, value, expected):
+        value = None
+    return value, tuple(checker.diagnostics)
+
+
+def constant(
+    written: tree.Expression, expected: Type, scope: Scope
+) -> tuple[Literal | None, tuple[Diagnostic, ...]]:
+    """The constant that an expression of literals, enum constants and lets comes to (E514 otherwise).
+
+    The value of an enum's Literal is the constant's name.
+    """
+    checker = Checker(scope)
+    value = _whole(checker, written)
+    if value is None or not assignable(checker, value, expected):
+        return None, tuple(checker.diagnostics)
+    try:
+        result = fold(value)
+    except NotConstant as problem:
+        hint = "this is known only at run time: assign it in an action"
+        checker.report("E514", "an initial value must be a constant", problem.value.span, hint)
+        return None, tuple(checker.diagnostics)
+    except ArithmeticError as problem:
+        fits = isinstance(problem, OverflowError) and expected == INT
+        larger = "a double can be larger" if fits else None
+        checker.report("E516", f"the value cannot be computed: {problem}", value.span, larger)
+        return None, tuple(checker.diagnostics)
+    if expected == DOUBLE:
+        assert not isinstance(result, str)
+        result = float(result)
+    return Literal(result, expected, written.span), tuple(checker.diagnostics)
+
+
+# ---- size --------------------------------------------------------------------------------------
+
+
+def measure(value: Value, scope: Scope) -> tuple[int, int]:
+    """How deep a typed value is nested and how many parts it has, with its lets written out."""
+    height, size = 0, 0
+    stack = [(value, 1)]
+    while stack:
+        item, depth = stack.pop()
+        size += 1
+        if isinstance(item, Named):
+            let = scope.lets[item.name]
+            size += let.size
+            depth += let.height
+        else:
+            stack.extend((part, depth + 1) for part in operands(item))
+        height = max(height, depth)
+    return height, size
+
+
+def paths_in(written: tree.Expression) -> Iterator[tree.Path]:
+    """Every dotted name of an expression that is a value (not the functions', nor the timers')."""
+    stack = [written]
+    while stack:
+        item = stack.pop()
+        match item:
+            case tree.Path():
+                yield item
+            case tree.Binary() if is_about_outcome(item):
+                pass  # it names an activity and an outcome
+            case tree.Call(arguments=arguments):
+                if item.function.text in ("expired", "start_timer"):
+                    arguments = arguments[1:]
+                stack.extend(reversed(arguments))
+            case tree.Unary(operand=operand):
+                stack.append(operand)
+            case tree.Binary(left=left, right=right):
+                stack += [right, left]
+            case tree.Logic(operands=parts):
+                stack.extend(reversed(parts))
+            case tree.Parenthesised(inner=inner):
+                stack.append(inner)
+            case tree.List(elements=parts):
+                stack.extend(reversed(parts))
+            case tree.Element(list=whole, index=index):
+                stack += [index, whole]
+
+
+def _whole(checker: Checker, written: tree.Expression) -> Value | None:
+    """A complete expression: typed, and not too deep or too large for what comes after."""
+    value = _value(checker, written, 1)
+    if value is None:
+        return None
+    height, size = measure(value, checker.scope)
+    if height > DEEPEST:
+        problem = f"the expression is nested {height} deep, with its lets written out; {DEEPEST} is the limit"
+        checker.report("E103", problem, written.span)
+        return None
+    if size > MOST_PARTS:
+        problem = f"the expression has {size} parts, with its lets written out; {MOST_PARTS} is the limit"
+        checker.report("E304", problem, written.span)
+        return None
+    return value
+
+
+# ---- values ------------------------------------------------------------------------------------
+
+
+def _value(checker: Checker, written: tree.Expression, depth: int) -> Value | None:
+    """Recursive: `depth` bounds it, whatever the parser lets through."""
+    while isinstance(written, tree.Parenthesised):
+        written = written.inner
+    if depth > DEEPEST:
+        checker.report("E103", f"an expression is not nested more than {DEEPEST} deep", written.span)
+        return None
+    match written:
+        case tree.Number(value=number, span=span):
+            kind = INT if isinstance(number, int) else DOUBLE
+            return _checked(checker, Literal(number, kind, span))
+        case tree.Duration(nanoseconds=nanoseconds, span=span):
+            return _checked(checker, Literal(nanoseconds, DURATION, span))
+        case tree.Truth(value=truth, span=span):
+            return Literal(truth, BOOL, span)
+        case tree.Text(text=text, span=span):
+            return Literal(text, STRING, span)
+        case tree.Path():
+            return value_of_path(checker, written)
+        case tree.Call():
+            return _call(checker, written, depth)
+        case tree.List():
+            elements = [_value(checker, part, depth + 1) for part in written.elements]
+            sound = [item for item in elements if item is not None]
+            return lists.literal(checker, written, sound) if len(sound) == len(elements) else None
+        case tree.Element():
+            whole = _value(checker, written.list, depth + 1)
+            index = _value(checker, written.index, depth + 1)
+            if whole is None or index is None:
+                return None
+            return lists.element(checker, written, whole, index)
+        case tree.Hole():
+            return None  # E109 says so; no chart is made of it
+        case tree.Unary():
+            return _unary(checker, written, depth)
+        case tree.Binary() if is_about_outcome(written):
+            return compare_outcome(checker, written)
+        case tree.Binary():
+            left = _value(checker, written.left, depth + 1)
+            right = _value(checker, written.right, depth + 1)
+            if left is None or right is None:
+                return None
+            typed = compare if written.operator in COMPARISONS else arithmetic
+            return typed(checker, written, left, right)
+        case tree.Logic(operator=operator):
+            parts = [_value(checker, part, depth + 1) for part in written.operands]
+            fits = [
+                is_condition(checker, part, f"an operand of `{operator}`") and _is_drawn_once(checker, part)
+                for part in parts
+            ]
+            if not all(fits):
+                return None
+            return amola.Logic(operator, tuple(part for part in parts if part is not None), written.span)
+
+
+def _is_drawn_once(checker: Checker, value: Value | None) -> bool:
+    """Whether a part of a logic expression, which may be asked twice, is not left to chance (E526)."""
+    drawn = None if value is None else next((v for v in walk(value) if isinstance(v, amola.Random)), None)
+    if drawn is not None:
+        problem = "`random()` is not drawn in `&&`, `||` and `!`"
+        checker.report("E526", problem, drawn.span, "keep it in a variable first: `/ chance = random(); …`")
+    return drawn is None
+
+
+def _checked(checker: Checker, literal: Literal) -> Value | None:
+    """A number that fits where it is kept: 64 bits."""
+    if isinstance(literal.value, int) and literal.value > LARGEST_INT:
+        hint = "the longest duration is 292 years" if literal.type == DURATION else "a double can be larger"
+        checker.report("E516", f"{literal.span.text} does not fit 64 bits", literal.span, hint)
+        return None
+    return literal
+
+
+def _unary(checker: Checker, written: tree.Unary, depth: int) -> Value | None:
+    operand = _value(checker, written.operand, depth + 1)
+    if operand is None:
+        return None
+    if written.operator != "!":
+        return negate(checker, written, operand)
+    fits = is_condition(checker, operand, "the operand of `!`") and _is_drawn_once(checker, operand)
+    return amola.Not(operand, written.span) if fits else None
+
+
+def _call(checker: Checker, written: tree.Call, depth: int) -> Value | None:
+    name = function_name(checker, written)
+    if name == "expired":
+        found = timer(checker, written, name, 1)
+        return None if found is None else amola.Expired(found, written.span)
+    if name == "start_timer":
+        wrong_form(checker, name, written.span, "`start_timer` is an action, not a value")
+        return None
+    if name == "outcome" and not checker.scope.symbols.overloads(name):
+        alone(checker, written)
+        return None
+    if name in STATE_QUESTIONS and not checker.scope.symbols.overloads(name):
+        return state_value(checker, name, written)
+    if name is None and len(written.function.segments) == 1:
+        near = closest(written.function.text, (*checker.scope.symbols.function_names, *FORMS))
+        if near in ("expired", "start_timer") or "timer" in written.function.text.lower():
+            return None  # its first argument is the name of a timer, and what is wrong has been said
+    arguments = [_value(checker, argument, depth + 1) for argument in written.arguments]
+    typed = [argument for argument in arguments if argument is not None]
+    if name is None or len(typed) < len(arguments):
+        return None
+    if name in LISTS and not checker.scope.symbols.overloads(name):
+        return LISTS[name](checker, written, typed)
+    return call(checker, name, written, typed)
+
+
+# ---- events ------------------------------------------------------------------------------------
+
+
+def _event(checker: Checker, written: tree.Event) -> amola.Event | None:
+    match written:
+        case tree.After(duration=duration, span=span):
+            value = _whole(checker, duration)
+            if value is None:
+                return None
+            nanoseconds = constant_duration(checker, "the time of `after`", value, 0, None)
+            return None if nanoseconds is None else amola.After(nanoseconds, span)
+        case tree.Received():
+            return exchange.received(checker, written)
+        case tree.Lost():
+            return exchange.lost(checker, written)
+        case tree.Raised(name=name, span=span):
+            if name.text == "error":
+                return amola.Failed(span)
+            if name.text in PERFORMATIVES:
+                hint = f"an agent message is `{name} Message from participant`"
+                checker.report("E512", f"the message of `{name}` is missing", span, hint)
+                return None
+            if name.text in checker.scope.lets or name.text in checker.scope.variables:
+                hint = f"write `[{name}]`; a name without brackets is an event that an activity raises"
+                checker.report("E517", f"`{name}` is a value, not an event", span, hint, fix=f"[{name}]")
+                return None
+            near = surely(name.text, (*checker.scope.lets, *checker.scope.variables))
+            if near is not None:
+                hint = f"if the value `{near}` is meant, write `[{near}]`"
+                checker.report("W424", f"`{name}` is an event that an activity has to raise", span, hint)
+            return amola.Raised(name.text, span)
+
+
+# ---- actions -----------------------------------------------------------------------------------
+
+
+def _actions(checker: Checker, written: tree.Action) -> Iterator[amola.Action]:
+    """What an action stands for: a message that is filled where it is published, for several."""
+    if isinstance(written, tree.Publish) and written.fills is not None:
+        yield from _filled(checker, written, written.fills)
+        return
+    made = _action(checker, written)
+    if made is not None:
+        yield made
+
+
+def _parts(written: tree.Action) -> int:
+    """For how many actions a written one stands, if none of them is left out."""
+    return 1 + len(written.fills or ()) if isinstance(written, tree.Publish) else 1
+
+
+def _filled(checker: Checker, written: tree.Publish, fills: tuple[tree.Fill, ...]) -> Iterator[amola.Action]:
+    """`write_messages.t.state.M { f = v }`: fill the draft, then publish it."""
+    publish = _publish(checker, written.path, written.span)
+    if not isinstance(publish, amola.Publish):
+        return
+    for item in exchange.fill(checker, publish.channel.message, fills, _whole) or ():
+        target = amola.Member(None, publish.channel, item.path, item.type, item.span)
+        yield amola.Assign(target, item.value, item.span)
+    yield publish
+
+
+def _action(checker: Checker, written: tree.Action) -> amola.Action | None:
+    match written:
+        case tree.Assign():
+            return _assign(checker, written)
+        case tree.Publish(path=path, span=span):
+            return _publish(checker, path, span)
+        case tree.ReadMessages(span=span):
+            return amola.ReadMessages(span)
+        case tree.Send():
+            return exchange.send(checker, written, _whole)
+        case tree.Evaluate(expression=tree.Call(function=function) as inner, span=span) if (
+            function.text == "start_timer"
+        ):
+            return _start_timer(checker, inner, span)
+        case tree.Evaluate(expression=inner, span=span):
+            if _is_misspelt_action(checker, inner):
+                return None
+            value = _whole(checker, inner)
+            if value is None:
+                return None
+            compares = isinstance(value, amola.Compare) and value.operator == "=="
+            hint = "`=` assigns" if compares else "assign it to a variable, or remove it"
+            checker.report("W500", "the value is computed and dropped", span, hint)
+            return amola.Evaluate(value, span)
+
+
+def _is_misspelt_action(checker: Checker, written: tree.Expression) -> bool:
+    """Whether what stands as an action is meant as `read_messages` or `write_messages…` (E200, E102)."""
+    scope = checker.scope
+    path = written.function if isinstance(written, tree.Call) else written
+    if not isinstance(path, tree.Path):
+        return False
+    first = path.segments[0]
+    symbols = scope.symbols
+    known = (*scope.variables, *scope.lets, *symbols.function_names, *symbols.agents)
+    if first.text in known or symbols.topic(first.text) or symbols.enum(first.text):
+        return False
+    if first.text in ACTIONS:
+        if not isinstance(written, tree.Call):
+            return False
+        alone = first.text == "read_messages"
+        hint = f"write `{first}`" if alone else f"write `{first}.topic.class.Message`"
+        problem = f"`{first}` is written without parentheses"
+        checker.report("E102", problem, written.span, hint, fix=first.text if alone else None)
+        return True
+    near = closest(first.text, ACTIONS)
+    if near is None or closest(first.text, (*known, near)) != near:
+        return False
+    checker.diagnostics.append(unknown("E200", "there is no action", first, ACTIONS))
+    return True
+
+
+def _start_timer(checker: Checker, written: tree.Call, span: Span) -> amola.Action | None:
+    found = timer(checker, written, "start_timer", 2)
+    if found is None:
+        return None
+    duration = _whole(checker, written.arguments[1])
+    if duration is None:
+        return None
+    if duration.type != DURATION:
+        constant_duration(checker, "the time of `start_timer`", duration, None, None)
+        return None
+    try:
+        fold(duration)
+    except NotConstant:
+        return amola.StartTimer(found, duration, span)
+    except ArithmeticError:
+        checker.report("E516", "the time of `start_timer` cannot be computed", duration.span)
+        return None
+    if constant_duration(checker, "the time of `start_timer`", duration, 0, None) is None:
+        return None
+    return amola.StartTimer(found, duration, span)
+
+
+def _publish(checker: Checker, path: tree.Path, span: Span) -> amola.Action | None:
+    found = channel_of(checker, path)
+    if found is None:
+        return None
+    host, channel, used = found
+    if host is not None:
+        hint = f"write `write_messages.{channel}`; what was assigned with `{host}.` goes to {host} alone"
+        checker.report("E502", "`write_messages` names no host", path.segments[0].span, hint)
+        return None
+    if len(path.segments) > used:
+        hint = f"write `write_messages.{channel}`; members are assigned before it"
+        checker.report("E502", "`write_messages` names no member", path.segments[used].span, hint)
+        return None
+    return amola.Publish(channel, span)
+
+
+def _assign(checker: Checker, written: tree.Assign) -> amola.Action | None:
+    target = _target(checker, written.target)
+    value = _whole(checker, written.value)
+    if target is None or value is None or not assignable(checker, value, target.type):
+        return None
+    if isinstance(value, amola.VariableValue) and target == replace(value, span=target.span):
+        checker.report(
+            "W500", f"`{target.name}` is given the value that it has", written.span, "leave it out"
+        )
+    return amola.Assign(target, value, written.span)
+
+
+def _target(checker: Checker, path: tree.Path) -> amola.VariableValue | amola.Member | None:
+    """What is assigned to: a variable, or a single member of a message (E507)."""
+    first = path.segments[0]
+    scope = checker.scope
+    if first.text in scope.parameters:
+        hint = "it stands for what the formula is given"
+        checker.report("E507", f"`{first}` is a parameter: nothing can be written to it", path.span, hint)
+        return None
+    if first.text in scope.variables:
+        target = value_of_path(checker, path)
+        assert target is None or isinstance(target, amola.VariableValue)
+        return target
+    if first.text in scope.lets:
+        related = (Related(scope.lets[first.text].span, "declared here"),)
+        hint = "a variable (`var`) can be assigned to"
+        checker.report("E507", f"`{first}` is a let: it has no value of its own", path.span, hint, related)
+        return None
+    if scope.symbols.enum(first.text) is not None:
+        checker.report("E507", f"`{path.text}` is a constant", path.span)
+        return None
+    if len(path.segments) == 1:
+        value_of_path(checker, path)
+        return None
+    member = member_of(checker, path)
+    if member is None:
+        return None
+    if member.type.kind is Kind.MESSAGE:
+        what = "a whole message" if not member.path else "a message inside a message"
+        checker.report("E507", f"{what} is not assigned to", path.span, "assign to its members one by one")
+        return None
+    optional = through_optional(checker, member.channel.message, member.path)
+    if optional is not None:
+        hint = "an activity can publish the message with it"
+        checker.report("E507", f"`{optional}` is optional and not there in a new message", path.span, hint)
+        return None
+    return member

@@ -1,0 +1,73 @@
+"""What can be asked of a drawing, and what a drawing is before Graphviz has seen it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from aseme_dsl.diagrams.look import dot
+from aseme_dsl.diagrams.look.dot import Sheet, Shown
+
+
+class Expressions(StrEnum):
+    """How transition expressions appear: numbers and a legend, the text at each transition, or not at all."""
+
+    NUMBERED = "numbered"
+    INLINE = "inline"
+    NONE = "none"
+
+
+class Layout(StrEnum):
+    """The two views of a statechart: states inside states, or the labelled tree (P1, Figures 7 and 5)."""
+
+    NESTED = "nested"
+    TREE = "tree"
+
+
+class NoSuchState(ValueError):
+    """`Options.at` names a state that no statechart has."""
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What to draw of statecharts, and how.
+
+    `at` is the label of the state to draw, with all in it; `depth` how many levels inside it are open (at
+    least 1): composites below are drawn closed, with the number of states inside. `layout` None means both.
+    Raises ValueError for a depth below 1.
+    """
+
+    expressions: Expressions = Expressions.NUMBERED
+    at: str | None = None
+    depth: int | None = None
+    layout: Layout | None = None
+
+    def __post_init__(self) -> None:
+        if self.depth is not None and self.depth < 1:
+            raise ValueError("the depth of a drawing is at least 1")
+
+
+DEFAULT = Options()
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """A drawing: its name as files will be called (`iac.player`), its DOT text, and what it must show.
+
+    `pieces` makes the same drawing in smaller ones, the first of them an index, for when Graphviz cannot
+    draw it whole; None where there is nothing to divide. `states` is how many states are in it.
+    """
+
+    name: str
+    dot: str
+    shown: tuple[Shown, ...] = ()
+    states: int = 0
+    pieces: Callable[[], tuple[Drawing, ...]] | None = field(default=None, compare=False, repr=False)
+
+
+def of_sheet(
+    sheet: Sheet, *, states: int = 0, pieces: Callable[[], tuple[Drawing, ...]] | None = None
+) -> Drawing:
+    """The drawing that a sheet describes."""
+    return Drawing(sheet.name, dot.text(sheet), dot.shown(sheet), states, pieces)

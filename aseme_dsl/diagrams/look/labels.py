@@ -1,0 +1,149 @@
+"""Labels: text for Graphviz' HTML-like labels, wrapped into lines, and tables of it."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from aseme_dsl.diagrams.look import style
+
+_UNPRINTABLE = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]")
+_PIECES = re.compile(r"\S+\s*")
+_HUMPS = re.compile(r"(?<=[_.])|(?<=[a-z0-9])(?=[A-Z])")
+
+# How far each character from blank to tilde takes a line of Arial or Helvetica, in thousandths of its size.
+_ADVANCES = (
+    *(278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278),
+    *(556, 556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556),
+    *(1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833, 722, 778),
+    *(667, 778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556),
+    *(333, 556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556),
+    *(556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584),
+)
+
+
+class Html(str):
+    """A label in Graphviz' HTML-like language, without the angle brackets around it."""
+
+    __slots__ = ()
+
+
+def printable(text: str) -> str:
+    """The text without what XML and Graphviz cannot hold: control characters become their pictures."""
+
+    def picture(match: re.Match[str]) -> str:
+        code = ord(match[0])
+        return chr(0x2400 + code) if code < 0x20 else "\ufffd"
+
+    return _UNPRINTABLE.sub(picture, text)
+
+
+def escaped(text: str) -> str:
+    """The text for use inside an HTML-like label, where Graphviz reads backslashes as well."""
+    text = printable(text).replace("\\", "\\\\")
+    text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
+    return text.replace("\n", "<BR/>")
+
+
+def wrapped(text: str, width: int, most: int | None = None) -> tuple[str, ...]:
+    """The text in lines of at most `width` characters, broken at blanks, else inside words where they join.
+
+    With `most`, further lines are left out and the last one ends in "…". No other character is lost but for
+    the blanks at the breaks.
+    """
+    lines: list[str] = []
+    for paragraph in printable(text).split("\n"):
+        line = ""
+        for piece in _PIECES.findall(paragraph.strip()):
+            for part in _parts(piece, width):
+                if line and len(line) + len(part.rstrip()) > width:
+                    lines.append(line.rstrip())
+                    line = ""
+                line += part
+        lines.append(line.rstrip())
+    if most is not None and len(lines) > most:
+        lines = [*lines[: most - 1], lines[most - 1][: width - 2] + " …"]
+    return tuple(lines)
+
+
+def _parts(piece: str, width: int) -> Iterable[str]:
+    """A word as it is if it fits into a line, else cut where its words join, else anywhere."""
+    if len(piece.rstrip()) <= width:
+        return [piece]
+    return [
+        hump[start : start + width] for hump in _HUMPS.split(piece) for start in range(0, len(hump), width)
+    ]
+
+
+def short(text: str, most: int) -> str:
+    """The text, cut to `most` characters."""
+    return text if len(text) <= most else f"{text[: most - 3]}..."
+
+
+def text_width(text: str, size: float) -> float:
+    """How wide a line of text is, in points: for ASCII as in Arial and Helvetica, else about."""
+    return sum(_advance(char) for char in text) * size / 1000
+
+
+def _advance(char: str) -> int:
+    if " " <= char <= "~":
+        return _ADVANCES[ord(char) - ord(" ")]
+    return 1000 if unicodedata.east_asian_width(char) in "WF" else 640
+
+
+def font(content: str, *, size: int | None = None, colour: str | None = None, bold: bool = False) -> str:
+    """The content in another size, colour or weight."""
+    attributes = f' POINT-SIZE="{size}"' if size else ""
+    attributes += f' COLOR="{colour}"' if colour else ""
+    if bold:
+        content = f"<B>{content}</B>"
+    return f"<FONT{attributes}>{content}</FONT>" if attributes else content
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A cell of a table: lines of text over `columns` columns.
+
+    Graphviz' built-in metrics know only ASCII, so where a line has other characters the cell gets a width.
+    """
+
+    lines: tuple[str, ...]
+    columns: int = 1
+    bold: bool = False
+    colour: str = ""
+    ink: str = ""
+    align: str = "LEFT"
+    size: int = style.TEXT_SIZE
+    tooltip: str = ""
+
+
+def cell_html(cell: Cell) -> str:
+    """The `<TD>` of a cell."""
+    attributes = f' ALIGN="{cell.align}" BALIGN="{cell.align}"'
+    if cell.columns > 1:
+        attributes += f' COLSPAN="{cell.columns}"'
+    if cell.colour:
+        attributes += f' BGCOLOR="{cell.colour}"'
+    if not all(line.isascii() for line in cell.lines):
+        width = max(text_width(line, cell.size) for line in cell.lines)
+        attributes += f' WIDTH="{round(width) + 8}"'
+    content = "<BR/>".join(escaped(line) or " " for line in cell.lines)
+    size = cell.size if cell.size != style.TEXT_SIZE else None
+    return f"<TD{attributes}>{font(content, size=size, colour=cell.ink or None, bold=cell.bold)}</TD>"
+
+
+def table(
+    rows: Sequence[Sequence[Cell]], *, border: int = 0, cell_border: int = 1, padding: int = 4, fill: str = ""
+) -> Html:
+    """A table of cells, one sequence a row; `fill` colours all of it and rounds its corners."""
+    content = "".join(f"<TR>{''.join(map(cell_html, row))}</TR>" for row in rows)
+    attributes = f'BORDER="{border}" CELLBORDER="{cell_border}" CELLSPACING="0" CELLPADDING="{padding}"'
+    attributes += f' STYLE="ROUNDED" BGCOLOR="{fill}"' if fill else ""
+    return Html(f'<TABLE {attributes} COLOR="{style.LINE}">{content}</TABLE>')
+
+
+def table_lines(rows: Sequence[Sequence[Cell]]) -> tuple[str, ...]:
+    """All lines of a table that a reader must find in the drawing."""
+    return tuple(line for row in rows for cell in row for line in cell.lines if line)

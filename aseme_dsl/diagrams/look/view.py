@@ -1,0 +1,157 @@
+"""View: the part of a statechart that a drawing shows, and where its transitions begin and end there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from aseme_dsl.amola.statechart import Node, NodeType, OriginKind, Statechart, Transition, label_key
+from aseme_dsl.diagrams.look.drawing import NoSuchState
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A transition as it is drawn: from `source` to `target`, which are labels of drawn states.
+
+    An end in a closed state is moved to that state; an end outside the view is kept in `source_outside` or
+    `target_outside`, and the label of that end is where the drawing says so. `place` is the transition's
+    place in the statechart.
+    """
+
+    place: int
+    transition: Transition
+    source: str
+    target: str
+    source_outside: bool = False
+    target_outside: bool = False
+
+    @property
+    def id(self) -> str:
+        """The id that the transition has in every drawing and in the SVG."""
+        return f"t{self.place}"
+
+    @property
+    def is_back(self) -> bool:
+        """Whether it leads against the order of the document."""
+        return label_key(self.source) > label_key(self.target)
+
+
+@dataclass(frozen=True)
+class View:
+    """The states of `chart` from `top` downwards, but for those inside the states that are `closed`.
+
+    `states` are in document order; `closed` says how many states are in each closed state.
+    """
+
+    chart: Statechart
+    top: str
+    states: tuple[Node, ...]
+    closed: Mapping[str, int]
+    ways: tuple[Way, ...]
+
+    def inside(self, label: str) -> tuple[Node, ...]:
+        """The drawn states directly inside a drawn state."""
+        return () if label in self.closed else self.chart.children(label)
+
+    def is_group(self, label: str) -> bool:
+        """Whether a state is drawn with others inside."""
+        return bool(self.inside(label))
+
+    def holds(self, outer: str, inner: str) -> bool:
+        """Whether one state is the other or is around it."""
+        return inner == outer or inner.startswith(outer + ".")
+
+    def first(self, label: str) -> str:
+        """The innermost state where a drawn state begins: a state without others inside."""
+        while inside := self.inside(label):
+            label = next((node.label for node in inside if node.type is NodeType.START), inside[0].label)
+        return label
+
+    def last(self, label: str) -> str:
+        """The innermost state where a drawn state ends."""
+        while inside := self.inside(label):
+            label = next((node.label for node in inside if node.type is NodeType.END), inside[-1].label)
+        return label
+
+    def branch(self, label: str) -> str | None:
+        """`attack.center` if the state is the first of a branch that a protocol gave to a role's chart."""
+        node = self.chart.node(label)
+        if not self.is_from_protocol(label):
+            return None
+        parent = node.parent
+        if label != self.top and parent is not None and self.chart.node(parent).origin == node.origin:
+            return None
+        return f"{node.origin.owner}.{node.origin.name}" if node.origin.name else node.origin.owner
+
+    def is_from_protocol(self, label: str) -> bool:
+        """Whether a state of a role's chart came from a protocol."""
+        return self.chart.kind == "IAC" and self.chart.node(label).origin.kind is OriginKind.PROTOCOL
+
+
+def _sizes(chart: Statechart) -> dict[str, int]:
+    """How many states are inside each state, at any depth."""
+    found = dict.fromkeys((node.label for node in chart.nodes), 0)
+    for node in reversed(chart.nodes):
+        if node.parent is not None:
+            found[node.parent] += found[node.label] + 1
+    return found
+
+
+def view(
+    chart: Statechart,
+    *,
+    at: str | None = None,
+    depth: int | None = None,
+    closed: frozenset[str] = frozenset(),
+) -> View:
+    """The part of the chart at `at`, open for `depth` levels, with the states of `closed` closed as well.
+
+    Raises NoSuchState if the chart has no state `at`.
+    """
+    top = chart.root.label if at is None else at
+    if top not in chart.by_label:
+        raise NoSuchState(f"the statechart {chart.name} has no state {top}")
+    counts = _sizes(chart)
+    states: list[Node] = []
+    shut: dict[str, int] = {}
+    stack = [(chart.node(top), 0)]
+    while stack:
+        node, level = stack.pop()
+        states.append(node)
+        children = chart.children(node.label)
+        if children and (node.label in closed or level == depth):
+            shut[node.label] = counts[node.label]
+        else:
+            stack.extend((child, level + 1) for child in reversed(children))
+    drawn = {node.label for node in states}
+    return View(chart, top, tuple(states), shut, _ways(chart, drawn))
+
+
+def _ways(chart: Statechart, drawn: set[str]) -> tuple[Way, ...]:
+    """The transitions with an end among the drawn states, but for those hidden inside a closed one."""
+    shown_at: dict[str | None, str | None] = {None: None}
+    for node in chart.nodes:  # each after its parent
+        shown_at[node.label] = node.label if node.label in drawn else shown_at[node.parent]
+    found: list[Way] = []
+    for place, transition in enumerate(chart.transitions):
+        source, target = shown_at[transition.source], shown_at[transition.target]
+        if source is None and target is None:
+            continue
+        if source is None or target is None:
+            # The view's own neighbours belong to the state around it; what reaches into it is shown.
+            inner = transition.target if source is None else transition.source
+            if chart.node(inner).parent not in drawn:
+                continue
+        elif source == target and (source, target) != (transition.source, transition.target):
+            continue
+        found.append(
+            Way(
+                place,
+                transition,
+                source or transition.source,
+                target or transition.target,
+                source is None,
+                target is None,
+            )
+        )
+    return tuple(found)

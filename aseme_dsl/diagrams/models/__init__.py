@@ -1,0 +1,1 @@
+"""Models: one drawing a model."""

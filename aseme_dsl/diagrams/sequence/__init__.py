@@ -1,0 +1,1 @@
+"""Sequence: diagrams of what agents say to each other."""

@@ -1,0 +1,1 @@
+"""Answers: one file a kind of question of an editor."""

@@ -1,0 +1,1 @@
+"""Changes: refactorings and quick fixes."""

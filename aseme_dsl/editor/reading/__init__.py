@@ -1,0 +1,1 @@
+"""Reading: the texts of an editor, read within a budget."""

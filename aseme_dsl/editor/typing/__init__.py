@@ -1,0 +1,1 @@
+"""Typing: what may come next where somebody types."""

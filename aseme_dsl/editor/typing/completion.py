@@ -1,0 +1,430 @@
+"""Completion: what may be written where the cursor stands, the likeliest first.
+
+The grammar says what may come next (grammar/parsing/expected.py); names.py, values.py and the slots of expressions
+say which names that means in this system.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+from itertools import pairwise
+
+from aseme_dsl.amola.liveness import INFIX, Formula, canonical
+from aseme_dsl.compiler.chart.aip_to_eac import PROCESS
+from aseme_dsl.compiler.formula.terms import Terms, ways
+from aseme_dsl.compiler.names.scope import Party
+from aseme_dsl.compiler.read.builtins import STATE_QUESTIONS
+from aseme_dsl.editor.files.known import Known, used_names
+from aseme_dsl.editor.files.place import Place, place_at
+from aseme_dsl.editor.typing.around import Around, around
+from aseme_dsl.editor.typing.ask import Ask
+from aseme_dsl.editor.typing.items import Item, ItemKind
+from aseme_dsl.editor.typing.names import PLACES, formula_names, performatives
+from aseme_dsl.editor.typing.slots import (
+    Slot,
+    SlotKind,
+    formula_is_open,
+    path_before,
+    transition_slot,
+    value_slot,
+)
+from aseme_dsl.editor.typing.snippets import WHOLE, skeleton
+from aseme_dsl.editor.typing.values import actions, agents, constants, members, outcomes, topics, values
+from aseme_dsl.grammar.parsing.expected import Expected
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.grammar.text.token import Token
+from aseme_dsl.source import Source
+
+MOST = 200
+"""How many items are offered at most. An editor takes long to read more, and nobody reads so many."""
+
+_LATER = 10
+"""By how much items are put behind those that go on with what stands on the line."""
+
+
+def complete(source: Source, offset: int, known: Known) -> tuple[Item, ...]:
+    """The items for a cursor before the character at `offset`. No text raises anything."""
+    return offered(source, offset, known)[0]
+
+
+def offered(source: Source, offset: int, known: Known) -> tuple[tuple[Item, ...], bool]:
+    """The items, and whether these are all: of too many, those that go with what is typed are the first."""
+    place = place_at(source.text, offset)
+    if place.inside == "comment" or not place.expected:
+        return (), True
+    block = around(place, known)
+    found: dict[str, Item] = {}
+    for expected in _relevant(place):
+        if place.inside == "text" and expected.terminal != "Text":
+            continue
+        later = _LATER if _begins_here(place, expected) and _goes_on(place) else 0
+        for item in _items(Ask(place, expected, known, block, source.path)):
+            item = _placed(item, place, later)
+            known_item = found.get(item.label)
+            if known_item is None or item.rank < known_item.rank:
+                found[item.label] = item
+    ordered = sorted(found.values(), key=lambda item: item.rank)
+    if len(ordered) <= MOST:
+        return tuple(ordered), True
+    going = [item for item in ordered if _goes_with(source.text[item.start : offset], item.label)]
+    return tuple(going[:MOST]), False
+
+
+def _goes_with(typed: str, label: str) -> bool:
+    """Whether the letters typed stand in a label in this order, which is how editors choose."""
+    letters = iter(label.lower())
+    return all(letter in letters for letter in typed.lower())
+
+
+def _relevant(place: Place) -> Iterable[Expected]:
+    """What is expected, without what could only follow if the expression ended in the middle."""
+    flat = [item for item in place.expected if item.terminal in _FLAT]
+    for item in flat:
+        if _is_open(place, item):
+            return [item]
+    return place.expected
+
+
+def _begins_here(place: Place, expected: Expected) -> bool:
+    """Whether what is expected begins an entry of the innermost block, or a declaration."""
+    entry = place.entry_of(expected)
+    return entry is None or place.begin_of(entry) >= place.first + len(place.read.rstrip())
+
+
+def _goes_on(place: Place) -> bool:
+    """Whether an entry has been begun on the cursor's line."""
+    line = place.read[place.read.rfind("\n") + 1 :].strip()
+    return bool(line) and line[-1] not in "{}"
+
+
+def _placed(item: Item, place: Place, later: int) -> Item:
+    start = place.start if item.start < 0 else item.start
+    return replace(item, start=start, end=place.end, insert=item.insert or item.label, rank=item.rank + later)
+
+
+def _items(ask: Ask) -> Iterator[Item]:
+    flat = _FLAT.get(ask.expected.terminal)
+    if flat is not None:
+        yield from flat(ask)
+        return
+    words = [word for word in ask.expected.words if word[:1].isalpha()]
+    provider = PLACES.get(ask.expected.place)
+    if words:
+        yield from (_word(ask, word) for word in words)
+    elif provider is not None and not ask.expected.words:
+        yield from provider(ask)
+
+
+def _word(ask: Ask, word: str) -> Item:
+    """A word of the language; with what must follow it, if nothing stands behind the cursor yet."""
+    if ask.place.rest_of_line.strip() not in ("", "}"):
+        return Item(word, ItemKind.WORD, rank=4)
+    whole = WHOLE.get(word) if len(ask.expected.steps) == 2 and ask.place.block < 0 else None
+    text = whole or skeleton(word, ask.expected)
+    indent = _indentation(ask.place)
+    return Item(
+        word,
+        ItemKind.SNIPPET if whole else ItemKind.WORD,
+        insert=text.replace("\n", "\n" + indent),
+        is_snippet=text != word,
+        rank=4,
+    )
+
+
+def _indentation(place: Place) -> str:
+    line = place.text[place.text.rfind("\n", 0, place.start) + 1 : place.start]
+    return line[: len(line) - len(line.lstrip())]
+
+
+# ---- terms and formulas ----------------------------------------------------------------------------
+
+
+def _terms(ask: Ask) -> Iterator[Item]:
+    """The terms of the formula that have this way; those without a line come first."""
+    way_tokens = ask.tokens("Way")
+    control = ask.name("Control")
+    terms = ask.around.terms(control) if control is not None else None
+    if terms is None or not way_tokens:
+        return
+    verb = str(way_tokens[0])
+    start = way_tokens[1].start if len(way_tokens) > 1 else -1
+    assert control is not None
+    said = ask.around.said(control, terms)
+    written = ask.place.rest_of_line.strip()
+    for term in terms.parents:
+        way = ways(terms, term).get(verb)
+        if way is None:
+            continue
+        name = spelled(terms, term)
+        rank = 6 if way in said else 2
+        insert = name if written else f"{name} : "
+        detail = "has a line already" if way in said else f"of {control}"
+        yield Item(name, ItemKind.TERM, detail, "", insert, rank=rank, start=start, goes_on=not written)
+
+
+def spelled(terms: Terms, term: Formula) -> str:
+    """How a control line names a term, in full: `KickBall#2` where it stands several times."""
+    text = canonical(term)
+    places = terms.places[text]
+    name = f"({text})" if term.operator in INFIX else text
+    return name if len(places) == 1 else f"{name}#{places.index(term) + 1}"
+
+
+def _formula(ask: Ask) -> Iterator[Item]:
+    tokens = _behind(ask.place, ask.expected, "=")
+    if tokens is None:
+        return
+    slot = slot_of(ask)
+    if slot is not None and slot.calls:
+        yield from _arguments(ask, slot)
+    elif formula_is_open(tokens):
+        yield from formula_names(ask)
+
+
+def _arguments(ask: Ask, slot: Slot) -> Iterator[Item]:
+    """What an activity or a formula is given: parameters of the formula that uses it, or values."""
+    found = parameters_of(ask, slot.calls[-1].function)
+    index = slot.calls[-1].argument
+    wanted = ask.known.symbols.type_named(found[index][1]) if len(found) > index else None
+    if slot.kind is SlotKind.MEMBER:
+        yield from members(ask.scope, ask.known, slot.path)
+    elif slot.kind is SlotKind.VALUE:
+        for name in _own_parameters(ask):
+            yield Item(name, ItemKind.VARIABLE, "parameter of the formula", rank=0)
+        yield from values(ask.scope, ask.known, slot, ask.place.text, wanted)
+
+
+def parameters_of(ask: Ask, name: str) -> list[tuple[str, str]]:
+    """The parameters of an activity or a formula with their types, which formulas may leave out."""
+    activity = ask.known.symbols.activities.get(name)
+    if activity is not None:
+        return [(item.name, str(item.type)) for item in activity.parameters]
+    declaration = ask.around.declaration
+    part = ask.around.participant(ask.name("Participant") or "")
+    formulas = declaration.formulas if isinstance(declaration, tree.Srm) else part.formulas if part else ()
+    formula = next((item for item in formulas if item.name.text == name), None)
+    found = formula.parameters if formula is not None else ()
+    return [(item.name.text, item.type.text if item.type is not None else "") for item in found]
+
+
+def _own_parameters(ask: Ask) -> list[str]:
+    """The parameters in the head of the formula that is being typed."""
+    head = [str(item) for item in ask.said]
+    head = head[: head.index("=")] if "=" in head else []
+    return [name for before, name in pairwise(head) if before in ("(", ",")]
+
+
+# ---- expressions -----------------------------------------------------------------------------------
+
+
+def _expression(ask: Ask) -> Iterator[Item]:
+    """An expression of a transition, a `let` or a `var`."""
+    slot = slot_of(ask)
+    if slot is None:
+        return
+    enum = ask.known.symbols.enum(str(ask.said[3])) if ask.expected.place[0] == "Var" else None
+    if enum is not None and slot.kind is SlotKind.VALUE:
+        yield from constants(enum, ask.known, f"{enum.name}.", rank=0)
+        return
+    if ask.expected.place[0] in ("Var", "Setting"):
+        slot = replace(slot, decides=True)  # the same whenever it is asked for
+    yield from _in_slot(ask, slot)
+
+
+def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
+    scope = ask.scope
+    party = scope.parties.get(scope.participant) if scope.participant is not None else None
+    match slot.kind:
+        case SlotKind.EVENT:
+            yield from _events(ask, party, scope.parties, slot.first)
+        case SlotKind.CONDITION:
+            yield Item("[…]", ItemKind.WORD, "a condition", "", "[${1:condition}]", is_snippet=True, rank=1)
+        case SlotKind.SENT_PERFORMATIVE:
+            yield from performatives(item.performative for item in (party.sends if party is not None else ()))
+        case SlotKind.RECEIVED_MESSAGE | SlotKind.SENT_MESSAGE:
+            performative = slot.said[-1]
+            exchanged = () if party is None else party.receives
+            if slot.kind is SlotKind.SENT_MESSAGE and party is not None:
+                exchanged = party.sends
+            fitting = {item.message for item in exchanged if item.performative == performative}
+            for message in ask.known.symbols.messages:
+                if message.name in fitting or not fitting:
+                    said = ask.known.documentation(message.span)
+                    yield Item(message.name, ItemKind.MESSAGE, performative, said, rank=2)
+        case SlotKind.FROM | SlotKind.TO:
+            yield Item(slot.kind.value, ItemKind.WORD, "", "", f"{slot.kind.value} ", rank=2, goes_on=True)
+        case SlotKind.SENDER | SlotKind.RECEIVER:
+            yield from _parties(scope.parties, slot)
+        case SlotKind.FILL:
+            filled = ask.known.symbols.message(slot.said[0])
+            for field in filled.fields if filled is not None else ():
+                said = ask.known.documentation(field.span)
+                yield Item(field.name, ItemKind.MEMBER, str(field.type), said, f"{field.name} = ", rank=0)
+        case SlotKind.ACTION:
+            yield from actions(scope, ask.known)
+            if party is not None:
+                yield from _sends(party, scope.parties)
+        case SlotKind.ACTION_MEMBER:
+            path = slot.path[1:] if slot.path[0] == "write_messages" else slot.path
+            if path:
+                yield from members(scope, ask.known, path)
+            else:
+                yield from topics(scope, ask.known, 2)
+        case SlotKind.MEMBER:
+            yield from members(scope, ask.known, slot.path)
+        case SlotKind.VALUE:
+            if slot.calls and slot.calls[-1].function in ("expired", "start_timer"):
+                if slot.calls[-1].argument == 0:
+                    for name in ask.around.timers:
+                        yield Item(name, ItemKind.TIMER, "timer", rank=0)
+                return
+            if slot.calls and slot.calls[-1].function in STATE_QUESTIONS:
+                yield from _states(ask, party)
+                return
+            named = tuple(outcomes(scope, slot))
+            yield from named or values(scope, ask.known, slot, ask.place.text)
+
+
+def _states(ask: Ask, party: Party | None) -> Iterator[Item]:
+    """The formulas and activities of the role or participant, which name its states."""
+    declaration = ask.around.declaration
+    part = ask.around.participant(party.name) if party is not None else None
+    formulas = declaration.formulas if isinstance(declaration, tree.Srm) else part.formulas if part else ()
+    for formula in formulas:
+        if formula.name.text != PROCESS:
+            yield Item(formula.name.text, ItemKind.FORMULA, "formula", rank=0)
+    for name in used_names(formulas):
+        yield Item(name, ItemKind.ACTIVITY, "activity", rank=1)
+
+
+def _events(ask: Ask, party: Party | None, parties: Mapping[str, Party], first: bool) -> Iterator[Item]:
+    """What a transition may wait for."""
+    yield Item(
+        "when", ItemKind.WORD, "as soon as it holds", "", "when [${1:condition}]", is_snippet=True, rank=3
+    )
+    yield Item("after", ItemKind.WORD, "after(5s)", "", "after(${1:5s})", is_snippet=True, rank=3)
+    yield Item("error", ItemKind.EVENT, "an activity inside has failed", rank=4)
+    if first:
+        yield Item("else", ItemKind.WORD, "no other branch is open", rank=3)
+        yield Item("[…]", ItemKind.WORD, "a condition", "", "[${1:condition}]", is_snippet=True, rank=1)
+    if party is not None:
+        yield Item("lost", ItemKind.WORD, "an agent is gone", "", "lost ", rank=4, goes_on=True)
+    for name in ask.known.events:
+        if name != "error":
+            yield Item(name, ItemKind.EVENT, "event", rank=2)
+    if party is None:
+        return
+    for message in party.receives:
+        for other in parties.values():
+            if (message.performative, message.message) in {(m.performative, m.message) for m in other.sends}:
+                text = f"{message.performative} {message.message} from {other.name}"
+                yield Item(text, ItemKind.EVENT, "received message", rank=1)
+    yield from performatives(item.performative for item in party.receives)
+
+
+def _sends(party: Party, parties: Mapping[str, Party]) -> Iterator[Item]:
+    yield Item("send", ItemKind.WORD, "an agent message", "", "send ", rank=3, goes_on=True)
+    for message in party.sends:
+        for other in parties.values():
+            taken = {(item.performative, item.message) for item in other.receives}
+            if (message.performative, message.message) in taken:
+                text = f"send {message.performative} {message.message} to {other.name}"
+                yield Item(text, ItemKind.EVENT, "sent message", rank=0)
+
+
+def _parties(parties: Mapping[str, Party], slot: Slot) -> Iterator[Item]:
+    """Participants; first those that send, or receive, the message."""
+    performative, message = ("", "")
+    if slot.said[:1] != ("lost",):
+        performative, message = slot.said[0:2] if slot.kind is SlotKind.SENDER else slot.said[1:3]
+    for party in parties.values():
+        exchanged = party.sends if slot.kind is SlotKind.SENDER else party.receives
+        fits = any((item.performative, item.message) == (performative, message) for item in exchanged)
+        yield Item(party.name, ItemKind.PARTICIPANT, "participant", rank=1 if fits else 5)
+
+
+def _is_open(place: Place, expected: Expected) -> bool:
+    """Whether an expression or a formula stops where it cannot end."""
+    if expected.terminal == "TermToken":
+        return True
+    if expected.terminal in ("FormulaToken", "ProcessToken"):
+        tokens = _behind(place, expected, "=")
+        return tokens is not None and (formula_is_open(tokens) or bool(value_slot(tokens).calls))
+    slot = _slot(place, expected)
+    if slot is None or slot.kind is SlotKind.COMPLETE:
+        return False
+    # `enter A :` may end there; on the next line, another entry is likelier.
+    return (
+        slot.kind is not SlotKind.EVENT
+        or not slot.first
+        or "\n" not in place.read[len(place.read.rstrip()) :]
+    )
+
+
+def slot_of(ask: Ask) -> Slot | None:
+    """What may come next in the expression that the cursor is in; None outside of expressions."""
+    return _slot(ask.place, ask.expected)
+
+
+def _slot(place: Place, expected: Expected) -> Slot | None:
+    if expected.terminal in ("FormulaToken", "ProcessToken"):
+        tokens = _behind(place, expected, "=")
+        return value_slot(tokens) if tokens is not None else None
+    if expected.terminal not in ("ControlToken", "ExpressionToken", "SettingToken"):
+        return None
+    is_transition = expected.terminal == "ControlToken"
+    tokens = _behind(place, expected, ":" if is_transition else "=")
+    if tokens is None:
+        return None
+    return transition_slot(tokens) if is_transition else value_slot(tokens)
+
+
+def _behind(place: Place, expected: Expected, sign: str) -> list[Token] | None:
+    """The tokens of the innermost rule behind the sign that ends its head; None before it."""
+    tokens = place.tokens(expected.steps[-1])
+    index = next((index for index, item in enumerate(tokens) if item == sign), None)
+    return None if index is None else tokens[index + 1 :]
+
+
+# ---- scenarios and properties ------------------------------------------------------------------------
+
+
+def _stated(ask: Ask) -> Iterator[Item]:
+    """What a statement may name: agents and roles, their states, participants, and what is on topics."""
+    path, _ = path_before(ask.said)
+    known = ask.known
+    if path:
+        yield from members(known.top, known, path)
+        return
+    yield from agents(known.top)
+    for name in known.role_names:
+        yield Item(name, ItemKind.ROLE, "role", rank=3)
+    for name in known.activities:
+        yield Item(name, ItemKind.ACTIVITY, "activity", rank=2)
+    for role in known.blocks.srms:
+        for formula in role.formulas:
+            yield Item(formula.name.text, ItemKind.FORMULA, f"formula of {role.name}", rank=2)
+    for protocol in known.protocols:
+        yield Item(protocol, ItemKind.PROTOCOL, "protocol", rank=4)
+    yield from topics(known.top, known, rank=5)
+
+
+_FLAT: Mapping[str, Callable[[Ask], Iterator[Item]]] = {
+    "TermToken": _terms,
+    "FormulaToken": _formula,
+    "ProcessToken": _formula,
+    "ExpressionToken": _expression,
+    "ControlToken": _expression,
+    "SettingToken": _expression,
+    "Word": _stated,
+}
+"""What is offered inside of what is a list of tokens for the grammar."""
+
+__all__ = [
+    "Around",
+    "complete",
+    "parameters_of",
+    "slot_of",
+    "spelled",
+]

@@ -1,0 +1,1 @@
+"""Formulas: formulas and expressions, from their tokens to trees."""

@@ -1,0 +1,409 @@
+"""From the tokens of a liveness formula to its tree, by precedence and without recursion."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from aseme_dsl.amola.liveness import Formula, Operator
+from aseme_dsl.diagnostics import Diagnostic, Edit, Related
+from aseme_dsl.grammar.formulas.expression import read_arguments
+from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES, RESERVED, Malformed, is_hyphen, is_name
+from aseme_dsl.grammar.text.lexer import shown
+from aseme_dsl.grammar.text.token import Token
+from aseme_dsl.source import Source, Span
+
+DEEPEST = 1000
+"""How many brackets and postfix operators may stand one in the other."""
+
+_POSTFIX = {
+    "*": Operator.ZERO_OR_MORE,
+    "+": Operator.ONE_OR_MORE,
+    "~": Operator.FOREVER,
+    "ω": Operator.FOREVER,
+    "^ω": Operator.FOREVER,
+}
+_INFIX = {
+    ".": Operator.SEQUENCE,
+    "?": Operator.HOLE,
+    "|": Operator.CHOICE,
+    "||": Operator.PARALLEL,
+    "[>": Operator.DISABLING,
+}
+_CLOSES = {"(": ")", "[": "]", "|": "|"}
+
+_OPERATORS = "'.' is one after the other, '|' one of both, '||' both at once"
+_MEANT = {
+    "&&": "write '||' for both at once",
+    "&": "write '||' for both at once",
+    ",": "write '.' for one after the other",
+    ";": "write '.' for one after the other",
+    "->": "write '.' for one after the other",
+    ">": "write '[>' for one that cuts the other short, '.' for one after the other",
+    "/": "write '|' for one of both",
+    "=": "is a name missing before '='?",
+}
+
+
+_FORMULA_ONLY = ("|", "||", "~", "ω", "^ω", "[", "]", "[>", ";", "->")
+"""What does not stand in the arguments of an activity."""
+
+_WRITTEN = {"&&": "||", "&": "||", ",": ".", ";": ".", "->": ".", "/": "|"}
+"""What the operators of other languages are here."""
+
+
+@dataclass
+class _Group:
+    """What has been read in one pair of brackets: a list a level of infix operators, with heights."""
+
+    opener: Token | None
+    disabling: list[tuple[Formula, int]] = field(default_factory=list)
+    parallel: list[tuple[Formula, int]] = field(default_factory=list)
+    choice: list[tuple[Formula, int]] = field(default_factory=list)
+    hole: list[tuple[Formula, int]] = field(default_factory=list)
+    sequence: list[tuple[Formula, int]] = field(default_factory=list)
+
+
+def read_formula(source: Source, tokens: Sequence[Token], deepest: int = DEEPEST) -> Formula:
+    """The formula that the tokens spell.
+
+    Raises:
+        Malformed: They spell none; with the first thing that is wrong (E101, E103).
+    """
+    return _Reader(source, tokens, deepest).read()
+
+
+class _Reader:
+    def __init__(self, source: Source, tokens: Sequence[Token], deepest: int) -> None:
+        self.source = source
+        self.tokens = tokens
+        self.deepest = deepest
+        self.groups = [_Group(None)]
+
+    def read(self) -> Formula:
+        tokens = self.tokens
+        count = len(tokens)
+        group = self.groups[0]
+        operand_expected = True
+        index = 0
+        while index < count:
+            token = tokens[index]
+            if operand_expected:
+                if token in ("(", "[", "|"):
+                    if len(self.groups) > self.deepest:
+                        raise self._too_deep(token)
+                    group = _Group(token)
+                    self.groups.append(group)
+                elif is_name(token):
+                    if token in RESERVED or token in BUILT_IN_TYPES:
+                        raise self._error("E106", f"{shown(token)} cannot be an activity or formula", token)
+                    closing_at = self._end_of_arguments(index)
+                    group.sequence.append((self._named(index, closing_at), 1))
+                    operand_expected = False
+                    index = closing_at
+                else:
+                    raise self._no_operand(index)
+                index += 1
+                continue
+            postfix = _POSTFIX.get(token)
+            if postfix is not None:
+                self._wrap(group, postfix, token)
+                index += 1
+            elif token == "[" and self._is_count(index):
+                self._wrap(group, Operator.INSTANCES, tokens[index + 2], tokens[index + 1])
+                index += 3
+            elif (
+                token == ")" or token == "]" or self._closes_bar(index, group)
+            ) and group.opener is not None:
+                if token != _CLOSES[group.opener]:
+                    raise self._wrong_bracket(token, group.opener)
+                self.groups.pop()
+                formula = self._fold(group)
+                index += 1
+                closing = token
+                if token == "|":
+                    closing = tokens[index]
+                    index += 1
+                group_around = self.groups[-1]
+                group_around.sequence.append(self._bracketed(group.opener, formula, closing))
+                group = group_around
+            elif token in _INFIX:
+                self._infix(group, _INFIX[token])
+                operand_expected = True
+                index += 1
+            else:
+                raise self._no_operator(index)
+        if operand_expected:
+            raise self._no_operand(count)
+        if group.opener is not None:
+            raise self._not_closed(group.opener)
+        return self._fold(group)[0]
+
+    # ---- arguments -----------------------------------------------------------------------------
+
+    def _end_of_arguments(self, index: int) -> int:
+        """Where the arguments of the name at `index` end, or `index` itself where it has none.
+
+        They stand in parentheses behind it: `MoveTo(goal)`. What can only be a formula is none of them.
+        """
+        tokens = self.tokens
+        opening = index + 1
+        if opening >= len(tokens) or tokens[opening] != "(":
+            return index
+        depth = elements = 0
+        for place in range(opening, len(tokens)):
+            token, before = tokens[place], tokens[place - 1]
+            depth += (token == "(") - (token == ")")
+            if depth == 0:
+                return place
+            if (token == "[" and is_name(before)) or (token == "]" and elements):
+                elements += 1 if token == "[" else -1
+                continue
+            if token in _FORMULA_ONLY or (before == "." and token == "(") or (before == ")" and token == "."):
+                return index
+            if before in ("*", "+") and (token in (")", ",", ".")):
+                return index
+        return index
+
+    def _named(self, index: int, closing: int) -> Formula:
+        token = self.tokens[index]
+        if closing == index:
+            return Formula(Operator.NAME, (), self._span(token), name=str(token))
+        if closing == index + 2:
+            span = self._to(token.end, self.tokens[closing])
+            hint = f"without arguments it is written `{token}`"
+            message = "there is nothing between the parentheses"
+            raise Malformed(Diagnostic("E101", message, span, hint=hint, edits=(Edit(span, ""),)))
+        arguments = read_arguments(self.source, self.tokens[index + 1 : closing + 1])
+        span = self._to(token.start, self.tokens[closing])
+        return Formula(Operator.NAME, (), span, name=str(token), arguments=arguments)
+
+    # ---- building ------------------------------------------------------------------------------
+
+    def _span(self, token: Token) -> Span:
+        return Span(self.source, token.start, token.end)
+
+    def _to(self, start: int, token: Token) -> Span:
+        return Span(self.source, start, token.end)
+
+    def _height(self, height: int, token: Token) -> int:
+        if height > self.deepest:
+            raise self._too_deep(token)
+        return height
+
+    def _wrap(self, group: _Group, operator: Operator, last: Token, count: Token | None = None) -> None:
+        operand, height = group.sequence[-1]
+        span = self._to(operand.span.start, last)
+        number = int(count) if count is not None else 0
+        formula = Formula(operator, (operand,), span, count=number)
+        group.sequence[-1] = (formula, self._height(height + 1, last))
+
+    def _infix(self, group: _Group, operator: Operator) -> None:
+        if operator is Operator.SEQUENCE:
+            return
+        group.hole.append(self._joined(Operator.SEQUENCE, group.sequence))
+        group.sequence = []
+        if operator is Operator.HOLE:
+            return
+        group.choice.append(self._joined(Operator.HOLE, group.hole))
+        group.hole = []
+        if operator is Operator.CHOICE:
+            return
+        group.parallel.append(self._joined(Operator.CHOICE, group.choice))
+        group.choice = []
+        if operator is Operator.DISABLING:
+            group.disabling.append(self._joined(Operator.PARALLEL, group.parallel))
+            group.parallel = []
+
+    def _joined(self, operator: Operator, parts: list[tuple[Formula, int]]) -> tuple[Formula, int]:
+        if len(parts) == 1:
+            return parts[0]
+        operands = tuple(formula for formula, _ in parts)
+        formula = Formula(operator, operands, operands[0].span.to(operands[-1].span))
+        return formula, max(height for _, height in parts)
+
+    def _fold(self, group: _Group) -> tuple[Formula, int]:
+        self._infix(group, Operator.DISABLING)
+        found, height = group.disabling[0]
+        for other, other_height in group.disabling[1:]:
+            span = found.span.to(other.span)
+            found = Formula(Operator.DISABLING, (found, other), span)
+            height = max(height + 1, other_height)
+        if height > self.deepest:
+            raise self._too_deep(self.tokens[0])
+        return found, height
+
+    def _bracketed(self, opener: Token, inner: tuple[Formula, int], closing: Token) -> tuple[Formula, int]:
+        formula, height = inner
+        span = self._to(opener.start, closing)
+        if opener == "[":
+            return Formula(Operator.OPTION, (formula,), span), self._height(height + 1, opener)
+        if opener == "|":
+            return (
+                Formula(Operator.INSTANCES, (formula,), span, count=int(closing)),
+                self._height(height + 1, opener),
+            )
+        if formula.operator is Operator.GROUP:  # several parentheses around one thing count as one
+            return Formula(Operator.GROUP, formula.operands, span), height
+        return Formula(Operator.GROUP, (formula,), span), self._height(height + 1, opener)
+
+    def _is_count(self, index: int) -> bool:
+        tokens = self.tokens
+        return (
+            index + 2 < len(tokens)
+            and tokens[index + 1].isdigit()
+            and tokens[index + 2] == "]"
+            and self._fits(tokens[index + 1])
+        )
+
+    def _closes_bar(self, index: int, group: _Group) -> bool:
+        """Whether a `|` is the second of `|A~|3`: an operand never begins with a digit."""
+        tokens = self.tokens
+        return (
+            tokens[index] == "|"
+            and group.opener == "|"
+            and index + 1 < len(tokens)
+            and tokens[index + 1].isdigit()
+            and self._fits(tokens[index + 1])
+        )
+
+    def _fits(self, count: Token) -> bool:
+        if len(count) > 9:
+            raise self._error("E108", f"{shown(count)} instances are too many", count)
+        return True
+
+    # ---- what can be wrong ---------------------------------------------------------------------
+
+    def _error(
+        self,
+        code: str,
+        message: str,
+        token: Token,
+        hint: str | None = None,
+        related: tuple[Related, ...] = (),
+        fix: str | None = None,
+    ) -> Malformed:
+        return Malformed(Diagnostic(code, message, self._span(token), related, hint, fix))
+
+    def _too_deep(self, token: Token) -> Malformed:
+        return self._error(
+            "E103",
+            f"this formula is nested more than {self.deepest} deep",
+            token,
+            hint="give a part of it a name: NAME = …",
+        )
+
+    def _no_operand(self, index: int) -> Malformed:
+        tokens = self.tokens
+        previous = tokens[index - 1] if index else None
+        wanted = "an activity, '(' or '['"
+        if previous is None and not tokens:
+            raise AssertionError("the grammar lets no formula be empty")
+        if index == len(tokens):
+            assert previous is not None
+            hint = "write [A] for an option" if previous == "?" else None
+            return self._error(
+                "E101", f"expected {wanted} after {shown(previous)}, but the formula ends", previous, hint
+            )
+        token = tokens[index]
+        after = f" after {shown(previous)}" if previous is not None else ""
+        hint = None
+        if previous == "?":
+            hint = "write [A] for an option; '?' stands between two terms for an operator still to be chosen"
+        elif token in _INFIX and previous is not None and previous in _INFIX:
+            hint = "one of the two operators is too much, or a name is missing between them"
+        elif token in (")", "]") and previous in ("(", "["):
+            hint = "put an activity between the brackets"
+        elif token in _MEANT and previous is None:
+            hint = _MEANT[token]
+        return self._error("E101", f"expected {wanted}{after}, found {shown(token)}", token, hint)
+
+    def _no_operator(self, index: int) -> Malformed:
+        token = self.tokens[index]
+        previous = self.tokens[index - 1]
+        if token in (")", "]"):
+            opener = "(" if token == ")" else "["
+            return self._error(
+                "E101", f"{shown(token)} closes nothing: there is no '{opener}' before it", token
+            )
+        if token == "[" and self.tokens[index + 1 : index + 2] == [">"]:
+            both = Span(self.source, token.start, self.tokens[index + 1].end)
+            message = f"an operator is missing between {shown(previous)} and '['"
+            hint = "one that cuts the other short is written with '[>', without a blank"
+            raise Malformed(Diagnostic("E101", message, both, (), hint, "[>"))
+        if token == "[":
+            before = str(previous) if is_name(previous) else "A"
+            return self._error(
+                "E101",
+                f"an operator is missing between {shown(previous)} and '['",
+                token,
+                hint=f"write '{before} . [{self._inside(index)}]' for an option that follows, "
+                f"'{before}[3]' for three instances",
+                fix=". [",
+            )
+        if is_name(token) or token == "(":
+            hint = _OPERATORS
+            if "\n" in self.source.text[previous.end : token.start] and is_name(token):
+                hint += f"; a formula begins with 'NAME =': is '=' missing after {shown(token)}?"
+            return self._error(
+                "E101", f"an operator is missing between {shown(previous)} and {shown(token)}", token, hint
+            )
+        hint = _MEANT.get(token, _OPERATORS)
+        fix = _WRITTEN.get(token)
+        if fix == "." and token != "->" and self._is_among_others(index):
+            hint, fix = _OPERATORS, None
+        following = self.tokens[index + 1] if index + 1 < len(self.tokens) else None
+        if token == "-" and following is not None and is_hyphen(previous, token, following):
+            hint, fix = f"names are written with '_': {previous}_{following}", "_"
+        return self._error("E101", f"{shown(token)} is not an operator of formulas", token, hint, fix=fix)
+
+    def _is_among_others(self, index: int) -> bool:
+        """Whether another operator than '.' stands in the same brackets: then this may stand for it, too."""
+        for step in (1, -1):
+            depth = 0
+            place = index + step
+            while 0 <= place < len(self.tokens) and depth >= 0:
+                token = self.tokens[place]
+                depth += step * ((token in ("(", "[")) - (token in (")", "]")))
+                if depth == 0 and token in ("|", "||", "[>"):
+                    return True
+                place += step
+        return False
+
+    def _inside(self, opening: int) -> str:
+        """What stands in the brackets that open at `opening`, if it is short."""
+        for index in range(opening + 1, min(opening + 8, len(self.tokens))):
+            if self.tokens[index] == "]":
+                return " ".join(self.tokens[opening + 1 : index])
+        return "B"
+
+    def _wrong_bracket(self, token: Token, opener: Token) -> Malformed:
+        if opener == "|":
+            return self._error(
+                "E101",
+                f"expected an activity before '|', or '|' and a number before {shown(token)}",
+                opener,
+                hint="three instances of A are written |A|3, or A[3]",
+            )
+        return self._error(
+            "E101",
+            f"expected '{_CLOSES[opener]}', found {shown(token)}",
+            token,
+            related=(Related(self._span(opener), f"this '{opener}' is still open"),),
+        )
+
+    def _not_closed(self, opener: Token) -> Malformed:
+        last = self.tokens[-1]
+        if opener == "|":
+            return self._error(
+                "E101",
+                "expected an activity before '|'",
+                opener,
+                hint="three instances of A are written |A|3, or A[3]",
+            )
+        return self._error(
+            "E101",
+            f"expected '{_CLOSES[opener]}' after {shown(last)}, but the formula ends",
+            last,
+            related=(Related(self._span(opener), f"this '{opener}' is still open"),),
+        )

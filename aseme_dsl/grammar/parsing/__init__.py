@@ -1,0 +1,1 @@
+"""Parsing: the rules of the grammar, and a file read by them."""

@@ -1,0 +1,1 @@
+"""Text: characters, tokens and the tree of a file."""

@@ -1,0 +1,1 @@
+"""Building: everything that follows from a system, into a folder."""

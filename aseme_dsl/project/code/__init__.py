@@ -1,0 +1,1 @@
+"""Code: the Python of activities and functions, checked and begun."""

@@ -1,0 +1,731 @@
+"""Activity code: whether the Python of the activities and modules keeps to what the system says of them.
+
+The code is parsed, never imported. What is looked at are calls on the activity's context whose channel,
+variable or event is written there as a text, or is a constant of the same module.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from aseme_dsl import outside
+from aseme_dsl.amola.expression import Raised
+from aseme_dsl.amola.messages import Channel, Comm, Topic
+from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.system import System
+from aseme_dsl.compiler.read.memory import Memory
+from aseme_dsl.diagnostics import CODES, Diagnostic, Related, Severity, Suppressed, closest
+from aseme_dsl.project.code.activity_access import (
+    HISTORIES,
+    READS,
+    Access,
+    executes_of,
+    looks_back,
+    owners,
+    undeclared,
+    used_by,
+)
+from aseme_dsl.project.code.activity_ends import wrong_outcomes
+from aseme_dsl.project.code.activity_fields import Readings, unfit_values, unknown_members
+from aseme_dsl.project.code.activity_files import (
+    Required,
+    as_simulated,
+    check_files,
+    empty_classes,
+    missing_folder,
+)
+from aseme_dsl.project.code.activity_given import wrong_parameters
+from aseme_dsl.project.code.activity_imports import systems_beside, wrong_imports
+from aseme_dsl.project.code.activity_messages import unfit_messages
+from aseme_dsl.project.code.activity_talk import Talk, parts_of, talk_in, unfit_talk, unsaid
+from aseme_dsl.project.code.activity_words import unknown_messages, unknown_methods
+from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
+from aseme_dsl.runtime.naming import class_name, module_name
+from aseme_dsl.source import Source, Span
+
+if TYPE_CHECKING:
+    from aseme_dsl.amola.srm import Activity
+
+_ALLOW = re.compile(r"(?:#|//)\s*asemec\s*:\s*allow\s*\((?P<codes>[^()]*)\)\s*(?P<reason>.*)")
+_VARIABLES = ("set", "variable")
+_METHODS = (*READS, *_VARIABLES, "publish", "raise_event")
+
+
+def check_code(
+    system: System,
+    folder: Path,
+    *,
+    alone: bool = True,
+    project: Path | None = None,
+    memory: Memory | None = None,
+    look: Look = stamp_of,
+    required: Required | None = None,
+) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
+    """What the Python in `folder` gets wrong of the system: E540, E546, W530, W532, W540, W547, W555,
+    W556, N726.
+
+    What is not there is not asked for, unless it is `required`: then a missing folder is E544, and a missing
+    file E543; a file that nothing uses is W541, one of a simulated activity W542, one in which nothing is
+    written yet N740. Second comes what a comment on the line allows:
+    `# asemec: allow(CODE) reason`.
+    `alone`: the folder belongs to this system only. If other systems share it, a name that nothing here is
+    like may be one of theirs. `project` is the folder from which the code of modules is imported that is not
+    found by their names. With a `memory`, what has not changed since is not looked at again: a file as long
+    as `look` says the same of it.
+    """
+    if not folder.is_dir():
+        return () if required is None else missing_folder(system, folder, required, project), ()
+    memory = memory or Memory()
+    world = _World.of(system, alone, memory)
+    types = memory.same("types", System(system.name, enums=system.enums, messages=system.messages))
+    no_types = memory.same("no types", System(system.name))
+    pieces = _pieces(system, folder, project, memory)
+    paths = code_paths(pieces, folder)
+    codes = _codes(paths, pieces, memory, look)
+    found: list[Diagnostic] = []
+    if required is not None:
+        found += check_files(system, folder, required, project, look)
+    complete = True
+    described: list[tuple[_Code, Activity, str, str]] = []
+    worded: list[tuple[_Code, System]] = []
+    talks: dict[str, tuple[Talk, ...]] = {}
+    for piece in pieces:
+        if piece.said.simulated:  # its code, which is to come, may raise any event
+            complete = False
+            continue
+        code = codes.get(piece.path) if piece.path is not None else None
+        if code is None or code.module is None:
+            complete = False
+            found += code.problems if code is not None else ()
+            if piece.is_missing and code is None:
+                message = f"the code of the module `{piece.said.name}` cannot be found"
+                message += f": there is no `{piece.target.partition(':')[0]}`"
+                found.append(Diagnostic("E546", message, piece.said.span))
+            continue
+        if required is not None and piece.wanted in code.empty:
+            found.append(_unwritten(code.read, piece.said, piece.wanted, piece.what))
+        is_written = piece.said.takes is not None or piece.wanted not in code.empty
+        complete = complete and is_written
+        if is_written and piece.what == "activity":
+            talks[piece.said.name] = code.talk
+        described.append((code, piece.said, piece.wanted, piece.what))
+        worded.append((code, types if code.module.imports_messages else no_types))
+    known = {piece.path for piece in pieces}
+    helpers = [code for path, code in codes.items() if path not in known and code.module is not None]
+    read = {id(code): code for code in (*(code for code, *_ in described), *helpers)}
+    systems = systems_beside(system, required.neighbours if required is not None else ())
+    checked = (
+        memory.each(_problems_of, described, *world.inputs),
+        memory.each(_problems_of_words, worded, *world.inputs),
+        memory.each(_problems_of_helper, [(code,) for code in helpers], types, *world.inputs),
+        memory.each(_problems_of_fields, [(code,) for code in read.values()], types, *world.inputs),
+    )
+    if alone or required is not None:
+        for code in read.values():
+            found += wrong_imports(code.read.tree, system.name, systems, code.read.span)
+    found += (problem for results in checked for problems in results for problem in problems)
+    if alone and system.aips:
+        parts = parts_of(system, memory)
+        found += unfit_talk(parts, talks)
+        found += unsaid(system, parts, talks, [talk for code in helpers for talk in code.talk])
+    if complete and world.events:
+        found += _never_raised([code for code in codes.values() if code.module is not None], world, memory)
+    memory.end()
+    kept = [item for item in found if _allowed(item) is None]
+    return tuple(kept), tuple(allowed for item in found if (allowed := _allowed(item)) is not None)
+
+
+def variables_read(
+    system: System,
+    folder: Path,
+    project: Path | None = None,
+    memory: Memory | None = None,
+    look: Look = stamp_of,
+) -> frozenset[str]:
+    """The variables that the Python in `folder` reads with `context.variable("name")`."""
+    memory = memory or Memory()
+    pieces = _pieces(system, folder, project, memory)
+    codes = _codes(code_paths(pieces, folder), pieces, memory, look)
+    return frozenset(call.name for code in codes.values() for call in code.calls if call.method == "variable")
+
+
+def code_files(
+    system: System, folder: Path, project: Path | None = None, memory: Memory | None = None
+) -> list[str]:
+    """The paths of the files, there or not, that `check_code` looks at."""
+    return code_paths(_pieces(system, folder, project, memory or Memory()), folder)
+
+
+def code_paths(pieces: Iterable[_Piece], folder: Path) -> list[str]:
+    """The paths of the files of `pieces`, there or not, and of all that is beside them."""
+    paths = dict.fromkeys(piece.path for piece in pieces if piece.path is not None)
+    try:
+        names = os.listdir(folder)  # noqa: PTH208 (many names, of which only the texts are wanted)
+    except OSError:
+        names = []
+    within = os.path.join(folder, "")  # noqa: PTH118
+    beside = {within + name for name in names if name.endswith(".py")}
+    return [*paths, *sorted(beside.difference(paths))]
+
+
+def _problems_of(
+    code: _Code, said: Activity, wanted: str, what: str, *world: *_WorldInputs
+) -> tuple[Diagnostic, ...]:
+    """What is wrong with the code of one activity or module, as it is described."""
+    return tuple(_of_piece(code.read, code.calls, said, wanted, what, _World(*world)))
+
+
+def _problems_of_words(code: _Code, types: System, *world: *_WorldInputs) -> tuple[Diagnostic, ...]:
+    """What is wrong with the code whatever is said of its activity."""
+    module = code.read
+    return (
+        *unknown_methods(module.tree, module.span, code.executes),
+        *unknown_messages(module.tree, types, module.span),
+        *unfit_messages(module.tree, types, _published(code.calls, _World(*world)), module.span),
+    )
+
+
+def _problems_of_helper(code: _Code, types: System, *world: *_WorldInputs) -> tuple[Diagnostic, ...]:
+    known, module = _World(*world), code.read
+    return (
+        *(problem for call in code.calls for problem in _unknown(call, None, known)),
+        *unknown_messages(module.tree, types, module.span),
+        *unfit_messages(module.tree, types, _published(code.calls, known), module.span),
+    )
+
+
+def _problems_of_fields(code: _Code, types: System, *world: *_WorldInputs) -> tuple[Diagnostic, ...]:
+    """What is wrong with the members of messages that the code makes and reads."""
+    known, module = _World(*world), code.read
+    readings = Readings({name: item.message for name, item in known.channels.items()}, known.alone)
+
+    def text(node: ast.expr | None) -> str | None:
+        return _text(module, node)
+
+    return (
+        *unfit_values(module.tree, types, module.span),
+        *unknown_members(module.tree, types, readings, code.contexts, text, module.span),
+    )
+
+
+def _allowed(item: Diagnostic) -> Suppressed | None:
+    """The problem with the comment on its line that allows it, if there is one. No error can be allowed."""
+    if item.span is None or CODES[item.code].severity == Severity.ERROR:
+        return None
+    source, number = item.span.source, item.span.line
+    written = _ALLOW.search(source.line(number))
+    if written is None or item.code not in re.split(r"[\s,]+", written["codes"]):
+        return None
+    start = source.line_start(number) + written.start("codes")
+    return Suppressed(item, Span(source, start, start + len(written["codes"])), written["reason"].strip())
+
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    """An activity or a module: what is said of it, the file of its code (None: somewhere else), its class."""
+
+    said: Activity
+    path: str | None
+    wanted: str
+    what: str = "activity"
+    target: str = ""
+    is_missing: bool = False
+    """Whether its file should be there: the folder around it is one of the project."""
+
+
+def _of_activity(said: Activity, folder: str) -> _Piece:
+    return _Piece(said, os.path.join(folder, f"{module_name(said.name)}.py"), class_name(said.name))  # noqa: PTH118
+
+
+def _pieces(system: System, folder: Path, project: Path | None, memory: Memory) -> list[_Piece]:
+    """What there may be code of: the activities, then the modules, one that several roles have once."""
+    pieces = list(memory.each(_of_activity, [(item,) for item in system.activities], str(folder)))
+    modules: dict[tuple[str, str], Activity] = {}
+    for chart in system.iacs:
+        for module in chart.modules:
+            key, said = (module.name, module.target), module.statement
+            other = modules.get(key)
+            if other is not None:
+                said = replace(
+                    said,
+                    reads=(*other.reads, *said.reads),
+                    writes=(*other.writes, *said.writes),
+                    writes_variables=(*other.writes_variables, *said.writes_variables),
+                )
+            modules[key] = said
+    for (name, target), said in modules.items():
+        if not target:
+            pieces.append(_Piece(said, str(folder / f"{module_name(name)}.py"), class_name(name), "module"))
+            continue
+        place, _, wanted = target.partition(":")
+        path = None if project is None else project.joinpath(*place.split(".")).with_suffix(".py")
+        if path is not None and not path.is_file() and (path.with_suffix("") / "__init__.py").is_file():
+            path = path.with_suffix("") / "__init__.py"
+        missing = path is not None and path.parent != project and path.parent.is_dir() and not path.is_file()
+        where = None if path is None else str(path)
+        pieces.append(_Piece(said, where, wanted, "module", target, missing))
+    return pieces
+
+
+@dataclass(frozen=True, slots=True)
+class _World:
+    """What code may name."""
+
+    channels: Mapping[str, Channel]
+    topics: frozenset[str]
+    agents: frozenset[str]
+    variables: Mapping[str, frozenset[str]]
+    """Of each activity and module: those of the roles and participants that perform it."""
+    of_participants: Mapping[str, frozenset[str]]
+    """Of each activity: those of the participants in whose branches it stands, which it may set."""
+    events: Mapping[str, Span]
+    roles: Mapping[str, tuple[Span, ...]]
+    """Of each activity and module: the places of the roles that perform it."""
+    alone: bool
+
+    @property
+    def inputs(self) -> _WorldInputs:
+        return (
+            self.channels,
+            self.topics,
+            self.agents,
+            self.variables,
+            self.of_participants,
+            self.events,
+            self.roles,
+            self.alone,
+        )
+
+    @classmethod
+    def of(cls, system: System, alone: bool, memory: Memory) -> _World:
+        names = memory.each(_names_in, [(chart,) for chart in system.iacs])
+        variables, of_participants, events, roles = memory.recall(_all_names, names)
+        return cls(
+            memory.recall(_channels, memory.same("topics", system.topics)),
+            frozenset(topic.name for topic in system.topics),
+            frozenset(agent.name for team in system.teams for agent in team.agents),
+            variables,
+            of_participants,
+            events,
+            roles,
+            alone,
+        )
+
+
+_WorldInputs = tuple[
+    Mapping[str, Channel],
+    frozenset[str],
+    frozenset[str],
+    Mapping[str, frozenset[str]],
+    Mapping[str, frozenset[str]],
+    Mapping[str, Span],
+    Mapping[str, tuple[Span, ...]],
+    bool,
+]
+
+
+_Names = dict[str, frozenset[str]]
+
+
+def _channels(topics: Iterable[Topic]) -> dict[str, Channel]:
+    return {str(rules.channel): rules.channel for topic in topics for rules in topic.channels}
+
+
+def _all_names(
+    charts: Iterable[tuple[_Names, _Names, dict[str, Span], Span]],
+) -> tuple[_Names, _Names, dict[str, Span], dict[str, tuple[Span, ...]]]:
+    """What `_names_in` has found in each role, for all of them."""
+    variables: _Names = {}
+    of_participants: _Names = {}
+    events: dict[str, Span] = {}
+    roles: dict[str, tuple[Span, ...]] = {}
+    for own, inside, waited, place in charts:
+        for name in own:
+            roles[name] = (*roles.get(name, ()), place)
+        for all_names, names in ((variables, own), (of_participants, inside)):
+            for name, known in names.items():
+                before = all_names.get(name)
+                all_names[name] = known if before is None else before | known
+        for name, span in waited.items():
+            events.setdefault(name, span)
+    return variables, of_participants, events, roles
+
+
+def _names_in(chart: Statechart) -> tuple[_Names, _Names, dict[str, Span], Span]:
+    """Of a role: the variables of each activity and module, those of the participants in whose branches each
+    activity stands, and the events that it waits for."""
+    variables: _Names = {}
+    of_participants: _Names = {}
+    events: dict[str, Span] = {}
+    own = frozenset(item.name.partition("@")[0] for item in chart.variables)
+    scoped = [(item.name.partition("@")[0], f"{item.scope}.") for item in chart.variables if item.scope]
+    for node in chart.nodes:
+        if node.type is NodeType.BASIC and node.activity is not None:
+            variables[node.activity] = own
+            inside = frozenset(name for name, scope in scoped if node.label.startswith(scope))
+            of_participants[node.activity] = of_participants.get(node.activity, frozenset()) | inside
+    mine = frozenset(item.name for item in chart.variables if "@" not in item.name)
+    for module in chart.modules:  # a participant's variables are not its own
+        variables[module.name] = variables.get(module.name, frozenset()) | mine
+    for transition in chart.transitions:
+        for event in transition.expression.events:
+            if isinstance(event, Raised):
+                events.setdefault(event.name, event.span)
+    return variables, of_participants, events, chart.root.span
+
+
+# ---- modules and calls ---------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Module:
+    source: Source
+    tree: ast.Module
+    constants: Mapping[str, ast.Constant]
+
+    @property
+    def imports_messages(self) -> bool:
+        return "messages" in self.source.text
+
+    def span(self, node: ast.expr | ast.stmt) -> Span:
+        """The place of a node: Python counts columns in bytes of UTF-8."""
+        start = self._offset(node.lineno, node.col_offset)
+        end = self._offset(node.end_lineno or node.lineno, node.end_col_offset or node.col_offset)
+        return Span(self.source, start, max(start, end))
+
+    def _offset(self, line: int, column: int) -> int:
+        text = self.source.line(line)
+        before = len(text.encode()[:column].decode(errors="replace"))
+        return self.source.line_start(line) + before
+
+
+@dataclass(frozen=True, slots=True)
+class _Call:
+    """`context.method("name", value, host="…")`, with the name's place; `host` is the sender's or None."""
+
+    method: str
+    name: str
+    span: Span
+    host: tuple[str, Span] | None
+    value: ast.expr | None = None
+    owner: str = ""
+    """The class or function of the module in which it stands."""
+    back: int | None = None
+    """How far back it looks, in ns, if it says so with a number."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Code:
+    """A file: the module, if it is Python, or else what is wrong with it; and what is to be found in it.
+
+    `empty` are the classes that are as a build starts them.
+    """
+
+    module: _Module | None
+    problems: tuple[Diagnostic, ...] = ()
+    calls: tuple[_Call, ...] = ()
+    talk: tuple[Talk, ...] = ()
+    empty: frozenset[str] = frozenset()
+    contexts: frozenset[str] = frozenset()
+    """What the module calls a context."""
+    executes: tuple[str, ...] = ()
+    """The classes in it that are those of activities and modules."""
+
+    @property
+    def read(self) -> _Module:
+        """The module of a file that is Python."""
+        assert self.module is not None
+        return self.module
+
+
+def _codes(paths: Iterable[str], pieces: Iterable[_Piece], memory: Memory, look: Look) -> dict[str, _Code]:
+    """Every file that is there, by its path."""
+    wanted: dict[str, tuple[str, ...]] = {}
+    for piece in pieces:
+        if piece.path is not None:
+            wanted[piece.path] = (*wanted.get(piece.path, ()), piece.wanted)
+    found = {path: (stamp, wanted.get(path, ())) for path in paths if (stamp := look(path)) is not None}
+    stamps = memory.same_values("stamps", found)
+    items = [(path, *rest) for path, rest in stamps.items()]
+    return dict(zip(stamps, memory.each(_code, items), strict=True))
+
+
+def _code(name: str, stamp: Stamp, wanted: tuple[str, ...] = ()) -> _Code:
+    """What is in a file; what is no Python is E546."""
+    try:
+        text = outside.read_bytes(name).decode("utf-8-sig").replace("\r\n", "\n")
+    except (OSError, UnicodeDecodeError):
+        return _Code(None)
+    source = Source(name, text)
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as problem:
+        line = min(max(getattr(problem, "lineno", None) or 1, 1), text.count("\n") + 1)
+        start = source.line_start(line)
+        span = Span(source, start, start + len(source.line(line)))
+        reason = problem.msg if isinstance(problem, SyntaxError) else str(problem)
+        return _Code(None, (Diagnostic("E546", f"this is no Python: {reason}", span),))
+    constants = {
+        target.id: node.value
+        for node in tree.body
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant)
+        for target in node.targets
+        if isinstance(target, ast.Name)
+    }
+    module = _Module(source, tree, constants)
+    contexts = _contexts(module.tree, wanted)
+    calls, talk = _calls(module, contexts), _talk_in(module, contexts)
+    return _Code(module, (), calls, talk, empty_classes(module.tree), contexts, wanted)
+
+
+_Calls = tuple[_Call, ...]
+
+
+def _contexts(tree: ast.Module, wanted: Iterable[str]) -> frozenset[str]:
+    """What a module calls a context: `context`, what is annotated so, and what `execute` takes first."""
+    contexts = {"context"}
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            for argument in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs):
+                if argument.annotation is not None and _last(argument.annotation) == "Context":
+                    contexts.add(argument.arg)
+    for execute in executes_of(tree, wanted):
+        taken = [*execute.args.posonlyargs, *execute.args.args]
+        if len(taken) > 1:
+            contexts.add(taken[1].arg)
+    return frozenset(contexts)
+
+
+def _calls(module: _Module, contexts: frozenset[str]) -> _Calls:
+    """The calls on a context, in the order of the text."""
+    found: list[_Call] = []
+    for owner, node in ((owner, node) for owner, part in owners(module.tree) for node in ast.walk(part)):
+        if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)):
+            continue
+        if node.func.attr not in _METHODS or _last(node.func.value) not in contexts:
+            continue
+        named = {keyword.arg: keyword.value for keyword in node.keywords}
+        first = node.args[0] if node.args else named.get("channel", named.get("name"))
+        said = _text(module, first)
+        if first is None or said is None:
+            continue
+        host = named.get("host")
+        sender = _text(module, host)
+        from_host = (sender, module.span(host)) if host is not None and sender is not None else None
+        value = node.args[1] if len(node.args) > 1 else named.get("message")
+        back = looks_back(node, node.func.attr)
+        found.append(_Call(node.func.attr, said, module.span(first), from_host, value, owner, back))
+    return tuple(sorted(found, key=lambda call: call.span.start))
+
+
+def _talk_in(module: _Module, contexts: frozenset[str]) -> tuple[Talk, ...]:
+    return talk_in(module.tree, module.span, lambda node: _text(module, node), contexts)
+
+
+def _published(calls: _Calls, world: _World) -> Iterator[tuple[str, ast.expr]]:
+    """What the code publishes on channels that there are."""
+    for call in calls:
+        if call.method == "publish" and call.name in world.channels and call.value is not None:
+            yield call.name, call.value
+
+
+def _last(node: ast.expr) -> str | None:
+    """The last name of `a.b.Context`, or of the text that an annotation may be."""
+    if isinstance(node, ast.Name):
+        return node.id
+    if isinstance(node, ast.Attribute):
+        return node.attr
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        return node.value.rpartition(".")[2]
+    return None
+
+
+def _text(module: _Module, node: ast.expr | None) -> str | None:
+    if isinstance(node, ast.Name):
+        node = module.constants.get(node.id)
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
+
+
+# ---- what they say -------------------------------------------------------------------------------
+
+
+def _of_piece(
+    module: _Module, calls: _Calls, activity: Activity, wanted: str, what: str, world: _World
+) -> Iterator[Diagnostic]:
+    classes = [node for node in module.tree.body if isinstance(node, ast.ClassDef)]
+    if not any(node.name == wanted for node in classes) and not _brings(module.tree, wanted):
+        start = Span(module.source, 0, 0)
+        near = closest(wanted, [node.name for node in classes])
+        yield Diagnostic(
+            "E546",
+            f"the code of the {what} `{activity.name}` has no class `{wanted}`",
+            next((_named(module, node) for node in classes if node.name == near), start),
+            (Related(activity.span, f"the {what}"),),
+            hint=f"did you mean `{wanted}`?" if near else f"write `class {wanted}:`",
+        )
+    for node in classes:
+        methods = [item for item in node.body if isinstance(item, (ast.FunctionDef, ast.AsyncFunctionDef))]
+        named = [item.name for item in methods if not item.name.startswith("_")]
+        is_whole = not (node.bases or node.keywords or node.decorator_list)
+        if node.name == wanted and is_whole and _says_something(node) and not _defines(node, "execute"):
+            article = "an" if what == "activity" else "a"
+            hint = f"is it `{named[0]}`?" if len(named) == 1 else f"`execute` is what {article} {what} does"
+            message = f"the class `{wanted}` has no method `execute`, so the {what} does nothing"
+            yield Diagnostic(
+                "E546", message, _named(module, node), (Related(activity.span, f"the {what}"),), hint=hint
+            )
+        execute = next((item for item in methods if item.name == "execute"), None)
+        if node.name == wanted and execute is not None:
+            yield from wrong_outcomes(execute, activity, module.span, lambda item: _text(module, item))
+            yield from wrong_parameters(execute, activity, module.span)
+    accesses: list[Access] = []
+    surely = used_by(module.tree, wanted)
+    for call in calls:
+        problems = list(_unknown(call, activity, world))
+        yield from problems
+        if not problems and call.owner in surely and _is_known(call, activity, world):
+            accesses.append(Access(call.method, call.name, call.span, call.owner, call.back))
+    own = world.of_participants.get(activity.name, frozenset())
+    yield from undeclared(accesses, activity, what, own, world.roles.get(activity.name, ()))
+
+
+def _unwritten(module: _Module, said: Activity, wanted: str, what: str) -> Diagnostic:
+    """N740 for a class that is as it was started."""
+    node = next(item for item in module.tree.body if isinstance(item, ast.ClassDef) and item.name == wanted)
+    hint = "write its `execute`"
+    if what == "activity":
+        hint += f"; or delete the file and say `{as_simulated(said)}`"
+    message = f"the {what} `{said.name}` is not written yet: its `execute` does nothing"
+    return Diagnostic("N740", message, _named(module, node), (Related(said.span, f"the {what}"),), hint=hint)
+
+
+def _says_something(node: ast.ClassDef) -> bool:
+    """Whether there is more in a class than a docstring, `pass` or `...`."""
+    return any(
+        not isinstance(item, ast.Pass)
+        and not (isinstance(item, ast.Expr) and isinstance(item.value, ast.Constant))
+        for item in node.body
+    )
+
+
+def _defines(node: ast.ClassDef, name: str) -> bool:
+    """Whether the body of a class gives `name` a meaning, by whatever statement."""
+    return any(
+        getattr(item, "name", None) == name or (isinstance(item, ast.Name) and item.id == name)
+        for item in ast.walk(node)
+    )
+
+
+def _named(module: _Module, node: ast.ClassDef) -> Span:
+    start = module.span(node).start
+    start = module.source.text.find(node.name, start)
+    return Span(module.source, start, start + len(node.name))
+
+
+def _brings(tree: ast.Module, name: str) -> bool:
+    """Whether the module imports the name, assigns it, or imports whatever there is."""
+    for node in tree.body:
+        match node:
+            case ast.ImportFrom(names=names) | ast.Import(names=names):
+                if any((item.asname or item.name) in (name, "*") for item in names):
+                    return True
+            case ast.Assign(targets=targets):
+                if any(isinstance(item, ast.Name) and item.id == name for item in targets):
+                    return True
+            case ast.If() | ast.Try() | ast.With():
+                return True
+    return False
+
+
+def _unknown(call: _Call, activity: Activity | None, world: _World) -> Iterator[Diagnostic]:
+    """W530 for what is not there, W532 for an event that nothing waits for."""
+    if call.method == "raise_event":
+        if call.name not in world.events:
+            near = closest(call.name, world.events)
+            if near is not None or world.alone:
+                related = (Related(world.events[near], f"`{near}` is waited for here"),) if near else ()
+                hint = f"did you mean `{near}`?" if near else "let a transition wait for it, or leave it out"
+                message = f"no transition waits for the event `{call.name}`"
+                yield Diagnostic("W532", message, call.span, related, hint=hint)
+        return
+    if call.method in _VARIABLES:
+        own = world.variables.get(activity.name, frozenset()) if activity is not None else frozenset()
+        if activity is not None and call.name not in own:
+            near = closest(call.name, own)
+            if near is not None or world.alone:
+                hint = f"did you mean `{near}`?" if near else f"declare it: `var {call.name} : …`"
+                message = f"no role that performs `{activity.name}` has a variable `{call.name}`"
+                yield Diagnostic("W530", message, call.span, hint=hint)
+        return
+    if call.name not in world.channels:
+        near = closest(call.name, world.channels)
+        if near is not None or world.alone or call.name.partition(".")[0] in world.topics:
+            yield Diagnostic(
+                "W530",
+                f"there is no channel `{call.name}`",
+                call.span,
+                hint=f"did you mean `{near}`?" if near else _channel_hint(call.name, world),
+            )
+        return
+    if call.host is not None and world.agents and call.host[0] not in world.agents:
+        near = closest(call.host[0], world.agents)
+        if near is not None or world.alone:
+            message = f"there is no agent `{call.host[0]}`"
+            yield Diagnostic("W530", message, call.host[1], hint=f"did you mean `{near}`?" if near else None)
+        return
+    if call.method in HISTORIES and world.channels[call.name].comm is not Comm.DATA:
+        comm = world.channels[call.name].comm
+        message = f"only data has a history; `{call.name}` is a {comm}"
+        yield Diagnostic("W530", message, call.span)
+
+
+def _never_raised(codes: Sequence[_Code], world: _World, memory: Memory) -> Iterator[Diagnostic]:
+    """N726 for an event that a transition waits for and no code raises, as far as all of the code is there.
+
+    An event whose name is computed may be any of them; one that is almost raised is W532 there.
+    """
+    raised: set[str] = set()
+    for names in memory.each(_raised_by, [(code,) for code in codes]):
+        if names is None:
+            return
+        raised |= names
+    meant = {closest(name, world.events) for name in raised if name not in world.events}
+    for name, span in world.events.items():
+        if name not in raised and name not in meant:
+            hint = f'raise it in an activity: `context.raise_event("{name}")`'
+            yield Diagnostic("N726", f"no activity raises the event `{name}`", span, hint=hint)
+
+
+def _raised_by(code: _Code) -> frozenset[str] | None:
+    """The events that the code raises; None if it computes the name of one."""
+    module = code.read
+    for node in ast.walk(module.tree):
+        if isinstance(node, ast.Call) and _last(node.func) == "raise_event":
+            first = node.args[0] if node.args else next((item.value for item in node.keywords), None)
+            if _text(module, first) is None:
+                return None
+    return frozenset(call.name for call in code.calls if call.method == "raise_event")
+
+
+def _channel_hint(name: str, world: _World) -> str:
+    topic = name.partition(".")[0]
+    own = [text for text in world.channels if text.partition(".")[0] == topic]
+    if own:
+        return f"`{topic}` has " + ", ".join(f"`{text}`" for text in own)
+    return "a channel is `topic.class.Message`, of a topic that the system declares"
+
+
+def _is_known(call: _Call, activity: Activity, world: _World) -> bool:
+    """Whether it is a name of this system, and not one that another system may have."""
+    if call.method in _VARIABLES:
+        return call.name in world.variables.get(activity.name, frozenset())
+    return call.name in world.channels
+
+
+__all__ = ["check_code", "code_files", "variables_read"]

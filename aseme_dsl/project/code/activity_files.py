@@ -1,0 +1,397 @@
+"""Activity files: which activities have one, which files nothing uses, first versions of what is missing.
+
+No code is imported: who uses a file is found in the texts of those that import it.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from aseme_dsl import outside
+from aseme_dsl.amola.expression import duration_text
+from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
+from aseme_dsl.runtime.naming import class_name, module_name
+from aseme_dsl.source import Source, Span, is_library_path
+
+if TYPE_CHECKING:
+    from aseme_dsl.amola.srm import Activity
+    from aseme_dsl.amola.system import System
+
+
+@dataclass(frozen=True, slots=True)
+class Required:
+    """That the files of the activities have to be in a folder: a project, or an option, names it.
+
+    `place` is where the project does, None for an option. `users` are Python files that may import what is in
+    the folder; the systems in `neighbours` may share it.
+    """
+
+    place: Span | None = None
+    users: tuple[str, ...] = ()
+    neighbours: tuple[Path, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """An activity, or a module whose code is found by its name, with the path of its file."""
+
+    said: Activity
+    path: str
+    what: str
+    roles: tuple[Span, ...]
+
+
+def wanted_files(system: System, folder: Path) -> tuple[Wanted, ...]:
+    """What has its code in the folder, simulated activities included, each once."""
+    roles: dict[str, list[Span]] = {}
+    modules: dict[str, Activity] = {}
+    for chart in system.iacs:
+        names = {node.activity for node in chart.nodes if node.type is NodeType.BASIC and node.activity}
+        for module in chart.modules:
+            if not module.target:
+                modules.setdefault(module.name, module.statement)
+                names.add(module.name)
+        for name in names:
+            roles.setdefault(name, []).append(chart.root.span)
+    found = [(item, "activity") for item in system.activities if item.name in roles]
+    found += [(item, "module") for item in modules.values()]
+    return tuple(
+        Wanted(item, str(folder / f"{module_name(item.name)}.py"), what, tuple(roles[item.name]))
+        for item, what in found
+    )
+
+
+def missing_folder(
+    system: System, folder: Path, required: Required, project: Path | None
+) -> tuple[Diagnostic, ...]:
+    """E544: the folder is not there."""
+    lacking = [item.said.name for item in wanted_files(system, folder) if not item.said.simulated]
+    near = closest(folder.name, [path.name for path in _inside(folder.parent) if path.is_dir()])
+    if near is not None:
+        hint = f"did you mean `{near}`?"
+    elif lacking:
+        hint = f"{_scaffold(system)} starts it, with a file for each activity"
+    else:
+        hint = "leave it out: all activities are simulated"
+    if near is None and required.place is None:
+        hint += "; or say with `--activities` where it is"
+    elif near is None:
+        hint += "; or name another one, here or with `--activities`"
+    message = f"there is no folder `{_shown(str(folder), project)}` with the code of the activities"
+    path = None if required.place is not None else str(folder)
+    return (Diagnostic("E544", message, required.place, hint=hint, path=path),)
+
+
+def check_files(
+    system: System, folder: Path, required: Required, project: Path | None, look: Look = stamp_of
+) -> tuple[Diagnostic, ...]:
+    """E543 for an activity without a file, W541 for a file that nothing uses, W542 for one of a simulated
+    activity."""
+    wanted = wanted_files(system, folder)
+    there = {item.path for item in wanted if look(item.path) is not None}
+    own = [item.path for item in wanted if not item.said.simulated]
+    users = [*own, *required.users, *_targets(system, project)]
+    imported = _imported(users, folder, project, look)
+    beside = [str(path) for path in _inside(folder) if path.suffix == ".py"]
+    used = set(map(os.path.realpath, [*users, *(item.path for item in wanted), *(imported or ())]))
+    unused = [] if imported is None else _unused(beside, used, system)
+    unused = _not_of_neighbours(unused, system, required.neighbours)
+    missing = [item for item in wanted if item.path not in there and not item.said.simulated]
+    modules = {Path(path).stem: path for path in unused}
+    found: list[Diagnostic] = []
+    # One file too few and one too many: an activity has been renamed, whatever the names.
+    is_renamed = len(missing) == len(unused) == 1 and _is_of_class(unused[0])
+    for item in missing:
+        near = modules.get(closest(Path(item.path).stem, modules) or "")
+        found.append(_missing(item, unused[0] if is_renamed else near, system, project))
+    for path in unused:
+        near = closest(Path(path).stem, [Path(item.path).stem for item in missing])
+        meant = next((item for item in missing if is_renamed or Path(item.path).stem == near), None)
+        found.append(_unneeded(path, meant, project))
+    for item in wanted:
+        is_helper = imported is not None and os.path.realpath(item.path) in imported
+        if item.said.simulated and item.path in there and not is_helper:
+            message = f"`{item.said.name}` is simulated, so `{_shown(item.path, project)}` is not loaded"
+            hint = "leave out `simulated`, or delete the file"
+            place = _place(item)
+            found.append(Diagnostic("W542", message, place, _declared(item, place), hint=hint))
+    return tuple(found)
+
+
+def _missing(item: Wanted, near: str | None, system: System, project: Path | None) -> Diagnostic:
+    name, file = item.said.name, _shown(item.path, project)
+    if near is not None:
+        hint = f"did you mean `{_shown(near, project)}`? Rename it to `{Path(file).name}`"
+        if _is_of_class(near):
+            hint += f", and its class to `{class_name(name)}`"
+    elif item.what == "activity":
+        hint = f"{_scaffold(system)} starts the file; or let it be simulated: `{as_simulated(item.said)}`"
+    else:
+        hint = f"{_scaffold(system)} starts the file"
+    message = f"the {item.what} `{name}` has no code: there is no `{file}`"
+    place = _place(item)
+    return Diagnostic("E543", message, place, _declared(item, place), hint=hint)
+
+
+def as_simulated(said: Activity) -> str:
+    """How the file says that there is no code for an activity."""
+    return f"{said.name} takes {'1s' if said.takes is None else duration_text(said.takes)} simulated"
+
+
+def _unneeded(path: str, meant: Wanted | None, project: Path | None) -> Diagnostic:
+    hint = "delete it, or import it where it is needed"
+    related: tuple[Related, ...] = ()
+    if meant is not None:
+        hint = f"did you mean `{Path(meant.path).name}`? Rename it"
+        if _is_of_class(path):
+            hint += f", and its class to `{class_name(meant.said.name)}`"
+        related = (Related(meant.said.span, f"the {meant.what} `{meant.said.name}`, which has no file"),)
+    message = f"no activity uses `{_shown(path, project)}`"
+    return Diagnostic("W541", message, _first_line(path), related, hint=hint, path=path)
+
+
+def _place(item: Wanted) -> Span:
+    """Where the user's files speak of it: of an activity of the library, the role that performs it."""
+    is_library = is_library_path(item.said.span.source.path)
+    return item.roles[0] if is_library and item.roles else item.said.span
+
+
+def _declared(item: Wanted, place: Span) -> tuple[Related, ...]:
+    return () if place == item.said.span else (Related(item.said.span, f"the {item.what}"),)
+
+
+def _scaffold(system: System) -> str:
+    file = system.span.source.path if system.span is not None else "FILE"
+    return f"`asemec scaffold {Path(file).name}`"
+
+
+def _shown(path: str, project: Path | None) -> str:
+    """A path as seen from the project, if it is inside."""
+    place = Path(path)
+    if project is not None and place.is_relative_to(project):
+        return place.relative_to(project).as_posix()
+    return path
+
+
+def _inside(folder: Path) -> list[Path]:
+    try:
+        return sorted(folder.iterdir())
+    except OSError:
+        return []
+
+
+def _text(path: str) -> str:
+    try:
+        return outside.read_bytes(Path(path)).decode("utf-8-sig").replace("\r\n", "\n")
+    except (OSError, UnicodeDecodeError):
+        return ""
+
+
+def _is_of_class(path: str) -> bool:
+    """Whether a file has a class that is called like it, as that of an activity."""
+    stem = Path(path).stem
+    return any(module_name(name) == stem for name in re.findall(r"^class\s+(\w+)", _text(path), re.MULTILINE))
+
+
+def _first_line(path: str) -> Span | None:
+    """The name of the first class, or else the first line."""
+    source = Source(path, _text(path))
+    found = re.search(r"^class\s+(\w+)", source.text, re.MULTILINE)
+    if found is not None:
+        return Span(source, *found.span(1))
+    return Span(source, 0, len(source.line(1)))
+
+
+# ---- who uses a file -----------------------------------------------------------------------------
+
+
+def _targets(system: System, project: Path | None) -> list[str]:
+    """The files of the modules that say where their code is."""
+    if project is None:
+        return []
+    targets = {module.target for chart in system.iacs for module in chart.modules if module.target}
+    places = [project.joinpath(*target.partition(":")[0].split(".")) for target in sorted(targets)]
+    return [path for place in places for path in (f"{place}.py", str(place / "__init__.py"))]
+
+
+def _unused(paths: Iterable[str], used: set[str], system: System) -> list[str]:
+    """Files that are not used, nor have a purpose of their own beside activities."""
+    names = ["".join(dict.fromkeys(map(class_name, (system.name, chart.name)))) for chart in system.iacs]
+    agents = "|".join(re.escape(module_name(f"{name}Agent")) for name in names)  # of jade_like
+    other = re.compile(rf"__\w+__|conftest|test_.*|.*_test|(?:{agents})\d*")
+    return [
+        path for path in paths if os.path.realpath(path) not in used and not other.fullmatch(Path(path).stem)
+    ]
+
+
+def _not_of_neighbours(unused: list[str], system: System, neighbours: Sequence[Path]) -> list[str]:
+    """Without the files whose activity another system names, itself or through what it imports."""
+    own = {Path(source.path).resolve() for source in system.sources}
+    others = [path for path in neighbours if path.resolve() not in own] if unused else []
+    named: set[str] = set()
+    for path in others:
+        text = _text(str(path))
+        for library in re.findall(r"\bimport\s+(\w+)", text):
+            text += _library(library)
+        named.update(map(module_name, re.findall(r"[A-Za-z_]\w*", text)))
+    return [path for path in unused if Path(path).stem not in named]
+
+
+def _library(name: str) -> str:
+    from aseme_dsl.standard_library import standard_library
+
+    try:
+        return _text(str(standard_library() / f"{name}.aseme"))
+    except FileNotFoundError:
+        return ""
+
+
+def _imported(roots: Iterable[str], folder: Path, project: Path | None, look: Look) -> frozenset[str] | None:
+    """All files that the roots import, directly or not; None if one of them computes what it imports."""
+    real = Path(os.path.realpath(folder))
+    waiting = list(dict.fromkeys(os.path.realpath(path) for path in (*roots, str(real / "__init__.py"))))
+    begun = set(waiting)
+    found: set[str] = set()
+    while waiting:
+        path = waiting.pop()
+        stamp = look(path)
+        said = None if stamp is None else _imports(path, stamp)
+        if said is None:
+            continue
+        modules, is_open = said
+        if is_open and Path(path).parent == real:
+            return None
+        for level, module in modules:
+            for other in _files_of(Path(path).parent, level, module, project):
+                path_of_other = os.path.realpath(other)
+                found.add(path_of_other)
+                if path_of_other not in begun:
+                    begun.add(path_of_other)
+                    waiting.append(path_of_other)
+    return frozenset(found)
+
+
+def _files_of(here: Path, level: int, module: str, project: Path | None) -> Iterator[str]:
+    """The files, there or not, that an import may mean: of the module, and of the packages around it."""
+    bases = [here]
+    if level == 0 and project is not None:
+        bases.append(project)
+    for _ in range(level - 1):
+        bases = [base.parent for base in bases]
+    parts = [part for part in module.split(".") if part]
+    for base in bases:
+        for depth in range(1, len(parts) + 1):
+            place = base.joinpath(*parts[:depth])
+            yield f"{place}.py"
+            yield str(place / "__init__.py")
+
+
+@lru_cache(maxsize=512)
+def _imports(path: str, stamp: Stamp) -> tuple[tuple[tuple[int, str], ...], bool] | None:
+    """The modules that a file imports, with the dots before each; whether it may import others, too."""
+    try:
+        tree = ast.parse(_text(path))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None
+    found: list[tuple[int, str]] = []
+    is_open = False
+    for node in ast.walk(tree):
+        match node:
+            case ast.Import(names=names):
+                found += ((0, item.name) for item in names)
+                is_open = is_open or any(item.name.split(".")[0] in _WAYS for item in names)
+            case ast.ImportFrom(module=module, names=names, level=level):
+                inside = f"{module}." if module else ""
+                found += ((level, f"{inside}{item.name}") for item in names)
+                is_open = is_open or (level == 0 and inside.split(".")[0] in _WAYS)
+            case ast.Name(id="__import__"):
+                is_open = True
+            case _:
+                pass
+    return tuple(found), is_open
+
+
+_WAYS = ("importlib", "pkgutil", "runpy")
+"""With what a file imports by a name that it computes."""
+
+
+# ---- what has no code ----------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class WithoutCode:
+    """The names of activities that only last when they are played, by the reason.
+
+    `simulated` say so; `missing` have no file; `empty` have one in which nothing is written yet.
+    """
+
+    simulated: tuple[str, ...]
+    missing: tuple[str, ...]
+    empty: tuple[str, ...]
+
+
+def without_code(system: System, folder: Path, look: Look = stamp_of) -> WithoutCode:
+    """Which activities of a system have no code in `folder`, as far as the texts of the files show."""
+    activities = [item for item in wanted_files(system, folder) if item.what == "activity"]
+    simulated = [item for item in activities if item.said.simulated]
+    others = [item for item in activities if not item.said.simulated]
+    missing = [item for item in others if look(item.path) is None]
+    empty = [
+        item
+        for item in others
+        if item not in missing and class_name(item.said.name) in empty_classes(_parsed(item.path))
+    ]
+    return WithoutCode(*(tuple(item.said.name for item in items) for items in (simulated, missing, empty)))
+
+
+def _parsed(path: str) -> ast.Module:
+    try:
+        return ast.parse(_text(path))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return ast.Module([], [])
+
+
+def empty_classes(tree: ast.Module) -> frozenset[str]:
+    """The classes whose `execute` is a docstring, as they are started. `pass` is somebody's word."""
+    return frozenset(
+        node.name
+        for node in tree.body
+        if isinstance(node, ast.ClassDef)
+        for item in node.body
+        if isinstance(item, (ast.FunctionDef, ast.AsyncFunctionDef)) and item.name == "execute"
+        if all(isinstance(part, ast.Expr) and isinstance(part.value, ast.Constant) for part in item.body)
+    )
+
+
+def stubs(system: System, folder: Path, templates: Path | None = None) -> dict[Path, bytes]:
+    """First versions of the files that are missing in `folder`, by their paths."""
+    from aseme_dsl.backends.backend import ACTIVITIES, AGENTS, BackendOptions, find_backend
+
+    found: dict[Path, bytes] = {}
+    for artefact in find_backend(AGENTS[0]).generate(system, BackendOptions(templates)):
+        first, _, rest = artefact.path.partition("/")
+        if artefact.kept and first == ACTIVITIES and stamp_of(folder / rest) is None:
+            found[folder / rest] = artefact.text.encode("utf-8", "backslashreplace")
+    return found
+
+
+__all__ = [
+    "Required",
+    "WithoutCode",
+    "as_simulated",
+    "check_files",
+    "empty_classes",
+    "missing_folder",
+    "stubs",
+    "wanted_files",
+    "without_code",
+]

@@ -1,0 +1,214 @@
+"""Activity talk: whether the agent messages in the Python of activities are those of their participants.
+
+`context.send("inform", Done(…), "manager")`, `context.receive("propose", "Bid")`, `context.received(…)`.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from aseme_dsl.amola.aip import Aip, Participant
+from aseme_dsl.amola.expression import Received, Send
+from aseme_dsl.amola.statechart import NodeType, Statechart
+from aseme_dsl.amola.system import System
+from aseme_dsl.compiler.read.builtins import NOT_UNDERSTOOD, PERFORMATIVES
+from aseme_dsl.compiler.read.library import is_of_library
+from aseme_dsl.compiler.read.memory import Memory
+from aseme_dsl.diagnostics import Diagnostic, Related, closest
+from aseme_dsl.source import Span
+
+_TAKES = ("receive", "received")
+_METHODS = ("send", *_TAKES)
+
+
+@dataclass(frozen=True, slots=True)
+class Talk:
+    """A call that sends or takes an agent message; None stands for what the text does not say."""
+
+    method: str
+    performative: str | None
+    message: str | None
+    span: Span
+
+    @property
+    def said(self) -> str:
+        return f"{self.performative or '…'} {self.message or '…'}"
+
+
+def talk_in(
+    module: ast.Module,
+    span: Callable[[ast.expr], Span],
+    text: Callable[[ast.expr | None], str | None],
+    contexts: Collection[str],
+) -> tuple[Talk, ...]:
+    """The calls of a module on what it calls a context, in the order of the text."""
+    found = []
+    for node in ast.walk(module):
+        if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)):
+            continue
+        if node.func.attr not in _METHODS or _last(node.func.value) not in contexts:
+            continue
+        named = {keyword.arg: keyword.value for keyword in node.keywords}
+        given = dict(zip(("performative", "message"), node.args, strict=False)) | named
+        performative, message = given.get("performative"), given.get("message")
+        kind = _made(message) if node.func.attr == "send" else text(message)
+        found.append(Talk(node.func.attr, text(performative), kind, span(node)))
+    return tuple(sorted(found, key=lambda item: item.span.start))
+
+
+def _last(node: ast.expr) -> str | None:
+    return node.id if isinstance(node, ast.Name) else getattr(node, "attr", None)
+
+
+def _made(node: ast.expr | None) -> str | None:
+    """The type of a message that is made where it is sent: `Done(task=1)`."""
+    return _last(node.func) if isinstance(node, ast.Call) else None
+
+
+# ---- what one activity says ------------------------------------------------------------------------
+
+
+Parts = Mapping[str, tuple[Participant, ...]]
+"""Of each activity: the participants in whose branches it stands."""
+
+
+def unfit_talk(parts: Parts, talks: Mapping[str, tuple[Talk, ...]]) -> Iterator[Diagnostic]:
+    """W555 for what an activity sends or takes and no participant does in which it stands.
+
+    `talks` are those of the activities of which there is code.
+    """
+    for name, said in talks.items():
+        mine = parts.get(name, ()) if said else ()
+        for talk in said if mine else ():
+            yield from _unfit(name, talk, mine)
+
+
+def _unfit(name: str, talk: Talk, parts: Iterable[Participant]) -> Iterator[Diagnostic]:
+    verb = "sends" if talk.method == "send" else "receives"
+    parts = tuple(parts)
+    listed = [item for part in parts for item in (part.sends if verb == "sends" else part.receives)]
+    if talk.performative is None and talk.message is None:
+        return
+    if any(
+        talk.performative in (None, item.performative) and talk.message in (None, item.message)
+        for item in listed
+    ):
+        return
+    whole = [f"{item.performative} {item.message}" for item in listed]
+    who = " or ".join(dict.fromkeys(f"`{part.name}`" for part in parts))
+    problem = f"`{name}` {verb} `{talk.said}`, and {who} does not"
+    if talk.performative is not None and talk.performative not in PERFORMATIVES:
+        near = closest(talk.performative, PERFORMATIVES)
+        problem = f"FIPA has no performative `{talk.performative}`"
+        hint = f"did you mean `{near}`?" if near else f"it has {', '.join(PERFORMATIVES)}"
+    else:
+        near = closest(talk.said, whole)
+        hint = f"did you mean `{near}`?" if near else f"it {verb} {', '.join(whole) or 'nothing'}"
+    yield Diagnostic(
+        "W555", problem, talk.span, tuple(Related(part.span, "the participant") for part in parts), hint=hint
+    )
+
+
+def parts_of(system: System, memory: Memory) -> Parts:
+    """Of each activity of a system: the participants in whose branches it stands."""
+    named = {(aip.name, part.name): part for aip in system.aips for part in aip.participants}
+    found: dict[str, dict[tuple[str, str], Participant]] = {}
+    for placed in memory.each(_placed_in, [(chart,) for chart in system.iacs]):
+        for activity, origin in placed:
+            part = named.get(origin)
+            if part is not None:
+                found.setdefault(activity, {}).setdefault(origin, part)
+    return {name: tuple(parts.values()) for name, parts in found.items()}
+
+
+def _placed_in(chart: Statechart) -> tuple[tuple[str, tuple[str, str]], ...]:
+    """Which activities of a role stand in the branch of which protocol's participant."""
+    found: list[tuple[str, tuple[str, str]]] = []
+    for node in chart.nodes:
+        if node.type is not NodeType.BASIC or node.activity is None:
+            continue
+        branch = chart.branch_of(node.label)
+        origin = None if branch is None else chart.node(branch).origin
+        if origin is not None:
+            found.append((node.activity, (origin.owner, origin.name)))
+    return tuple(dict.fromkeys(found))
+
+
+# ---- what nobody says ------------------------------------------------------------------------------
+
+
+def unsaid(
+    system: System, parts: Parts, talks: Mapping[str, tuple[Talk, ...]], helpers: Iterable[Talk]
+) -> Iterator[Diagnostic]:
+    """W556 for what a participant lists and neither a line of it nor one of its activities sends or takes.
+
+    Only where there is code of all activities of the participant: else it may still be written.
+    """
+    activities: dict[int, list[str]] = {}
+    for name, mine in parts.items():
+        for part in mine:
+            activities.setdefault(id(part), []).append(name)
+    shared = tuple(helpers)
+    for aip in system.aips:
+        chart = system.eac(aip.name)
+        if chart is None or is_of_library(aip.span.source):
+            continue
+        for part in aip.participants:
+            names = activities.get(id(part), [])
+            if not names or not all(name in talks for name in names):
+                continue
+            said = [*shared, *(talk for name in names for talk in talks[name])]
+            yield from _never(aip, part, chart, said)
+
+
+def _never(aip: Aip, part: Participant, chart: Statechart, said: list[Talk]) -> Iterator[Diagnostic]:
+    sent, taken = _by_lines(chart, part)
+    for verb, items, lines, methods in (
+        ("sends", part.sends, sent, ("send",)),
+        ("takes", part.receives, taken, ("receive",)),
+    ):
+        for item in items:
+            by_code = any(
+                talk.method in methods
+                and talk.performative in (None, item.performative)
+                and talk.message in (None, item.message)
+                for talk in said
+            )
+            whole = (item.performative, item.message)
+            if whole in lines or by_code or item.performative == NOT_UNDERSTOOD:
+                continue
+            text = f"{item.performative} {item.message}"
+            how = f"`send {text} to …`" if verb == "sends" else f"`{text} from …`"
+            call = f'`context.send("{item.performative}", …)`'
+            if verb == "takes":
+                call = f'`context.receive("{item.performative}", "{item.message}")`'
+            yield Diagnostic(
+                "W556",
+                f"no line and no activity of `{part.name}` {verb} `{text}`",
+                item.span,
+                hint=f"write a line {how} in its control, or {call} in an activity, or leave it out",
+            )
+
+
+def _by_lines(chart: Statechart, part: Participant) -> tuple[set[tuple[str, str]], set[tuple[str, str]]]:
+    """What the lines of a participant send and take."""
+    around = next((node for node in chart.children(chart.root.label) if node.type is NodeType.AND), None)
+    children = () if around is None else chart.children(around.label)
+    region = next((node.label for node in children if node.name == part.name), chart.root.label)
+    sent: set[tuple[str, str]] = set()
+    taken: set[tuple[str, str]] = set()
+    for transition in chart.transitions:
+        if transition.source != region and not transition.source.startswith(f"{region}."):
+            continue
+        for event in transition.expression.events:
+            if isinstance(event, Received):
+                taken.add((event.performative, event.message))
+        for action in transition.expression.actions:
+            if isinstance(action, Send):
+                sent.add((action.performative, action.message))
+    return sent, taken
+
+
+__all__ = ["Parts", "Talk", "parts_of", "talk_in", "unfit_talk", "unsaid"]

@@ -1,0 +1,1 @@
+"""Editing: changes of source files: layout, repairs, skeletons, new projects."""

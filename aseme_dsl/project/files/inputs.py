@@ -1,0 +1,170 @@
+"""Inputs: which `.aseme` files a command line means: files, folders, patterns and `-`."""
+
+from __future__ import annotations
+
+import glob
+import os
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from aseme_dsl import outside
+from aseme_dsl.compiler.read.load import LARGEST, TARGET_FORMS
+from aseme_dsl.diagnostics import Diagnostic
+from aseme_dsl.source import Source
+
+STANDARD_INPUT = "<stdin>"
+"""The path by which people know what came from `-`."""
+
+_TOKEN = re.compile(r'//[^\n]*|/\*.*?(?:\*/|\Z)|"(?:[^"\\\n]|\\.)*"|[{}]|\w+', re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True)
+class Inputs:
+    """What was meant.
+
+    `roots` are files (or the text of standard input) to be compiled on their own. `others` are files found in
+    folders that declare no system: other files import them, so that they are not roots. `outputs` are the
+    output folders that were named, by the roots that were built into them.
+    """
+
+    roots: tuple[Path | Source, ...]
+    others: tuple[Path, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    outputs: Mapping[Path, Path] = field(default_factory=dict)
+
+    def output_of(self, root: Path | Source) -> Path | None:
+        """The output folder by which a root was named, if it was."""
+        return self.outputs.get(root) if isinstance(root, Path) else None
+
+
+def find_inputs(arguments: Sequence[str], read_standard_input: Callable[[], bytes]) -> Inputs:
+    """The files that `arguments` mean, in the order given, each once.
+
+    A folder means every `*.aseme` in it, at any depth, except in hidden folders and in virtual environments.
+    A pattern (`*`, `?`, `[…]`, `**`) that no file is called by is matched here. A file that is named need not
+    exist: reading it will say so.
+    """
+    roots: dict[str, Path | Source] = {}
+    others: dict[str, Path] = {}
+    diagnostics: list[Diagnostic] = []
+    for argument in arguments:
+        if argument == "-":
+            text = _standard_input(read_standard_input, diagnostics) if "-" not in roots else None
+            if text is not None:
+                roots["-"] = Source(STANDARD_INPUT, text)
+            continue
+        path = Path(argument)
+        if is_folder(path):
+            problems = len(diagnostics)
+            found = list(_files_below(path, diagnostics))
+            if not found and len(diagnostics) == problems:
+                diagnostics.append(_nothing(argument, f"there is no .aseme file in {argument}"))
+            for file in found:
+                (roots if declares_system(file) else others)[_identity(file)] = file
+        elif glob.has_magic(argument) and not _exists(path):
+            # Path.glob takes no absolute pattern.
+            matches = [Path(match) for match in sorted(glob.glob(argument, recursive=True))]  # noqa: PTH207
+            files = [match for match in matches if match.suffix == ".aseme" and not is_folder(match)]
+            if not files:
+                diagnostics.append(_nothing(argument, f"no .aseme file matches {argument}"))
+            roots.update((_identity(file), file) for file in files)
+        elif _is_trace(path) and _exists(path):
+            diagnostics.append(_nothing(argument, f"{argument} is a trace, not a .aseme file"))
+        else:
+            roots[_identity(path)] = path
+    left = {identity: path for identity, path in others.items() if identity not in roots}
+    return Inputs(tuple(roots.values()), tuple(left.values()), tuple(diagnostics))
+
+
+def declares_system(path: Path) -> bool:
+    """Whether a file has a `system` declaration; True for one that cannot be read, so that this gets said."""
+    try:
+        text = outside.read_text(path)
+    except (OSError, UnicodeDecodeError):
+        return True
+    depth = 0
+    for token in _TOKEN.finditer(text):
+        match token[0]:
+            case "{":
+                depth += 1
+            case "}":
+                depth = max(0, depth - 1)
+            case "system" if depth == 0:
+                return True
+    return False
+
+
+def _files_below(folder: Path, diagnostics: list[Diagnostic]) -> Iterator[Path]:
+    """Every `*.aseme` at any depth, in the order of their names."""
+
+    def unreadable(problem: OSError) -> None:
+        path = str(problem.filename)
+        message = f"the folder {path} cannot be read: {problem.strerror or problem}"
+        diagnostics.append(Diagnostic("E001", message, None, path=path))
+
+    for root, folders, files in os.walk(folder, onerror=unreadable):
+        folders[:] = sorted(name for name in folders if is_searched(Path(root, name)))
+        yield from (Path(root, name) for name in sorted(files) if name.endswith(".aseme"))
+
+
+def is_searched(folder: Path) -> bool:
+    """Hidden folders hold no sources; a virtual environment has the standard library's, not the project's."""
+    return not folder.name.startswith(".") and not (folder / "pyvenv.cfg").exists()
+
+
+def _standard_input(read: Callable[[], bytes], diagnostics: list[Diagnostic]) -> str | None:
+    """The text of standard input, checked as a file would be."""
+    try:
+        content = read()
+    except OSError as problem:
+        message = f"standard input cannot be read: {problem.strerror or problem}"
+        diagnostics.append(Diagnostic("E001", message, None, path=STANDARD_INPUT))
+        return None
+    if len(content) > LARGEST:
+        message = f"standard input has more than {LARGEST // 1_000_000} MB"
+        diagnostics.append(Diagnostic("E003", message, None, path=STANDARD_INPUT))
+        return None
+    if b"\0" in content:
+        message = f"standard input is not a text: byte {content.index(0)} is NUL"
+        diagnostics.append(Diagnostic("E002", message, None, path=STANDARD_INPUT))
+        return None
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as problem:
+        line = content.count(b"\n", 0, problem.start) + 1
+        message = f"standard input is not UTF-8: byte 0x{content[problem.start]:02x} in line {line}"
+        diagnostics.append(Diagnostic("E002", message, None, path=STANDARD_INPUT))
+        return None
+
+
+def _nothing(argument: str, message: str) -> Diagnostic:
+    return Diagnostic("E001", message, None, hint=TARGET_FORMS, path=argument)
+
+
+def _is_trace(path: Path) -> bool:
+    return path.name.removesuffix(".part").endswith((".jsonl", ".mcap"))
+
+
+def _identity(path: Path) -> str:
+    """The file itself, whatever links lead to it."""
+    try:
+        return os.path.realpath(path)
+    except ValueError:  # a NUL character: reading it says so
+        return str(path)
+
+
+def is_folder(path: Path) -> bool:
+    """Whether there is a folder; False where that cannot be found out."""
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):
+        return False
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.exists()
+    except (OSError, ValueError):
+        return False

@@ -1,0 +1,1 @@
+"""Playing: teams run, followed and operated."""

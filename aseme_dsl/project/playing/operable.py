@@ -1,0 +1,81 @@
+"""Operable: what a run opens for its operators, and which plans besides its own it can be told to follow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from aseme_dsl.project.settings.configuration import Configuration
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.control import Changed
+    from aseme_dsl.runtime.loading import Loaded
+    from aseme_dsl.runtime.swap import Version
+    from aseme_dsl.runtime.team import Team
+
+
+def output_of(loaded: Loaded) -> Path:
+    """The output folder of the build that a system was loaded from."""
+    assert loaded.folder is not None
+    return loaded.folder.parent.parent
+
+
+@contextmanager
+def operable(
+    team: Team,
+    loaded: Loaded,
+    activities: Path,
+    changed: Callable[[Changed], None] | None = None,
+    keys: Path | None = None,
+) -> Iterator[None]:
+    """Inside, operators reach the team over a socket, and over its transport if there is a file of `keys`.
+
+    `changed` is told of each swap that is done.
+
+    A run to which no socket can be opened goes on without one, with a line in its trace.
+    """
+    from aseme_dsl.runtime.control import Control
+    from aseme_dsl.runtime.control_socket import ControlError, listening
+    from aseme_dsl.runtime.operator_gate import Gate
+    from aseme_dsl.runtime.versions import VERSIONS
+
+    agents = team.agents
+    name = agents[0].name if len(agents) == 1 else "team"
+    control = Control(team, activities, changed, output_of(loaded) / VERSIONS)
+    if keys is None:
+        team.transport.answer(control.not_over_the_bus)
+    else:
+        team.transport.answer(Gate(control, keys, loaded.name, team.transport.life).answer)
+    socket = listening(control, output_of(loaded), name)
+    try:
+        socket.__enter__()
+    except ControlError as problem:
+        team.trace.remark(0, "", f"operators cannot reach this run: {problem}")
+        yield
+        return
+    try:
+        yield
+    finally:
+        socket.__exit__(None, None, None)
+
+
+def others(loaded: Loaded, activities: Path, configuration: Configuration) -> Sequence[Version]:
+    """The other systems whose packages are in the same output folder, loaded beside this one.
+
+    Raises:
+        LoadError: one cannot be imported.
+    """
+    from aseme_dsl.runtime.loading import Mixture, activities_in, load_beside
+    from aseme_dsl.runtime.swap import version_of
+
+    assert loaded.folder is not None
+    found = sorted(path.parent for path in loaded.folder.parent.glob("*/messages.py"))
+    project = [configuration.folder.resolve()]
+    names = Mixture(names=loaded.mixture.names)
+    return [
+        version_of(load_beside(folder, {}, project, names), activities_in(activities))
+        for folder in found
+        if folder.name != loaded.folder.name and (folder / "__init__.py").is_file()
+    ]

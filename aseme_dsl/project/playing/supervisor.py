@@ -1,0 +1,484 @@
+"""Supervisor: a team in which every robot is a process, started, watched, restarted and ended together.
+
+Each process has a pipe from here as its standard input and ends when that does, so that none is left over,
+also if this process is killed. All begin at one moment, told over that pipe when everybody is ready. A robot
+that ends badly is started again after a while that doubles each time, until it has lived for some time.
+Robots tell to which version of their model they are changed while they play: in that they are started again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import secrets
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from queue import Empty, SimpleQueue
+from types import FrameType
+from typing import IO, TYPE_CHECKING, Any
+
+from aseme_dsl import outside
+from aseme_dsl.project.playing.play import PlayError
+from aseme_dsl.project.settings.platforms import given_environment
+
+if TYPE_CHECKING:
+    from aseme_dsl.project.playing.play import Request
+    from aseme_dsl.project.settings.configuration import Configuration
+    from aseme_dsl.runtime.loading import Loaded
+
+READY = "\x01ready"
+"""What a robot's process says on its standard output when it waits for the beginning."""
+CHANGED = "\x01changed "
+"""With this begins a line in which a robot says, as JSON, which version it plays from now on."""
+ENDED = "\x01ended "
+"""With this begins a line in which a robot says, as JSON, how its run has ended: `result`, and as `lines`."""
+WORLD = "ASEMEC_WORLD"
+"""The environment variable that has the key to the world."""
+FEW_ARENAS = {"MALLOC_ARENA_MAX": "2"}
+"""Unless the environment says otherwise: else the GNU C library keeps apart, for each of a robot's two dozen
+threads, what it was once given, and for an hour the process seems to grow."""
+START = 60.0
+"""How long, in seconds, everybody may take to get ready."""
+END = 1.5
+"""How long, in seconds, a process may take to end before it is killed."""
+SHORTEST, LONGEST = 0.2, 5.0
+"""After how many seconds a robot is started again, at first and at most."""
+SETTLED = 10.0
+"""A robot that has lived for so many seconds is started again at once, as if it were the first time."""
+ATTEMPTS = 8
+"""After so many short lives in a row a robot is given up."""
+FINE, FAILED, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
+_DELIBERATE = (FINE, WRONG_USE, INTERRUPTED, 143)
+"""Exit codes of a robot that is not started again."""
+
+_LONGEST = 1 << 20
+"""A longer line of what a process prints is shown in pieces."""
+
+Say = Callable[[str, str, bool], None]
+"""Shows a line: whose it is (a robot's, or "" for the team's), the line, whether something is wrong."""
+
+
+@dataclass(frozen=True, slots=True)
+class RobotEnd:
+    """How a robot ended: the exit code of its last process, how often it was started, its traces."""
+
+    name: str
+    code: int
+    starts: int
+    traces: tuple[Path, ...]
+    end: Mapping[str, Any] = field(default_factory=dict)
+    """What its last process has said of its end (`ENDED`); empty if it could not."""
+
+
+@dataclass(frozen=True, slots=True)
+class Supervised:
+    """How a run ended: "finished", "interrupted", "the world is over", or what went wrong."""
+
+    reason: str
+    robots: tuple[RobotEnd, ...]
+
+    @property
+    def failed(self) -> bool:
+        """Whether a robot has ended badly at last."""
+        return any(robot.code not in (FINE, INTERRUPTED, 143) for robot in self.robots)
+
+
+@dataclass(slots=True)
+class _Child:
+    """A process that belongs to the run: a robot's, or the world's (called "")."""
+
+    name: str
+    process: subprocess.Popen[str] | None = None
+    starts: int = 0
+    short_lives: int = 0
+    began: float = 0.0
+    code: int | None = None
+    over: bool = False
+    again_at: float | None = None
+    traces: list[Path] = field(default_factory=list)
+    end: Mapping[str, Any] = field(default_factory=dict)
+    version: Mapping[str, Any] | None = None
+    """The version that it was changed to (`runtime.control.Changed`), if it was."""
+
+
+def supervise(
+    loaded: Loaded,
+    folder: Path,
+    activities: Path,
+    configuration: Configuration,
+    request: Request,
+    options: Sequence[str],
+    say: Say,
+) -> Supervised:
+    """Play a team with a process for each robot, to the end.
+
+    `folder` is the output folder of the build, `options` are passed on to every robot. Must be called in the
+    main thread. Ctrl-C and SIGTERM end all.
+
+    Raises:
+        PlayError: it cannot be begun: no team, no transport, a robot or the world that does not start.
+    """
+    from aseme_dsl.project.settings.platform_settings import ZENOH
+    from aseme_dsl.project.settings.platforms import PlatformError, check_installed, provided
+    from aseme_dsl.runtime.transport import TransportError
+
+    platform = request.platform or ZENOH
+    if not loaded.team:
+        raise PlayError(f"{loaded.name} declares no team, so there are no robots to start")
+    try:
+        check_installed(platform)
+        with provided(platform, loaded, configuration, lambda line: say("", line, False)):
+            options = [*options, "--platform", platform]
+            return _Run(loaded, folder, activities, configuration, request, options, say).run()
+    except (TransportError, PlatformError) as problem:
+        raise PlayError(str(problem)) from problem
+
+
+class _Run:
+    """One run. All but the pumps happens in the thread that calls `run`."""
+
+    def __init__(
+        self,
+        loaded: Loaded,
+        folder: Path,
+        activities: Path,
+        configuration: Configuration,
+        request: Request,
+        options: Sequence[str],
+        say: Say,
+    ) -> None:
+        self._loaded = loaded
+        self._folder = folder
+        self._activities = activities
+        self._configuration = configuration
+        self._request = request
+        self._options = options
+        self._say = say
+        self._key = secrets.token_bytes(32)
+        self._news: SimpleQueue[tuple[str, str, Any]] = SimpleQueue()
+        self._robots = {name: _Child(name) for name, _ in loaded.team}
+        self._world: _Child | None = None
+        self._address: str | None = None
+        self._origin: int | None = None
+        self._reason = ""
+        self._pumps: list[threading.Thread] = []
+
+    def run(self) -> Supervised:
+        """Start everybody, and watch them to the end."""
+        over = False
+        with _signals(lambda: self._news.put(("", "stop", "interrupted"))):
+            try:
+                if self._made_by is not None:
+                    self._start_world(self._made_by)
+                for child in self._robots.values():
+                    self._start(child)
+                self._await_all()
+                self._watch()
+                over = self._time_is_over()
+            finally:
+                self._end_all()
+        ends = tuple(
+            RobotEnd(child.name, child.code or 0, child.starts, tuple(child.traces), child.end)
+            for child in self._robots.values()
+        )
+        return Supervised(self._reason or ("time" if over else "finished"), ends)
+
+    def _time_is_over(self) -> bool:
+        """Whether the robots have played for as long as they were to."""
+        project = self._configuration.run
+        limit = self._request.duration
+        if limit is None and self._world is not None and project is not None:
+            limit = project.duration
+        return limit is not None and self._origin is not None and time.monotonic_ns() >= self._origin + limit
+
+    @property
+    def _made_by(self) -> str | None:
+        """The function that makes the world, if there is one."""
+        project = self._configuration.run
+        if self._request.world is not None or self._request.bodies:
+            return self._request.world
+        return project.world if project else None
+
+    # ---- starting ----------------------------------------------------------------------------
+
+    def _start_world(self, made_by: str) -> None:
+        project = self._configuration.run
+        child = self._world = _Child("")
+        child.process = self._spawn([sys.executable, "-m", "aseme_dsl.project.playing.world_process"])
+        seed = self._request.seed if self._request.seed is not None else (project.seed if project else None)
+        duration = self._request.duration or (project.duration if project else None)
+        asked = {
+            "project": str(self._configuration.path.absolute()) if self._configuration.path else None,
+            "folder": str(self._configuration.folder.absolute()),
+            "path": [str(entry.absolute()) for entry in self._loaded.path],
+            "world": made_by,
+            "seed": 1 if seed is None else seed,
+            "duration": duration,
+            "key": self._key.hex(),
+        }
+        _write(child, json.dumps(asked))
+        self._pump(child)
+        for name, kind, value in self._listen(START, "the world does not start"):
+            if name == "" and kind == "address":
+                self._address = value
+                return
+            if name == "" and kind == "ended":
+                raise PlayError("the world could not be made")
+            if kind == "stop":
+                raise PlayError(str(value))
+
+    def _start(self, child: _Child) -> None:
+        child.starts += 1
+        child.began = time.monotonic()
+        child.again_at = None
+        trace = self._trace(child)
+        child.traces.append(trace)
+        command = [sys.executable, "-m", "aseme_dsl", "node", child.name, str(self._folder.absolute())]
+        command += ["--supervised", "--system", self._loaded.name, "--trace", str(trace.absolute())]
+        activities = str(self._activities.absolute())
+        if child.version is not None:
+            command += ["--in-version", child.version["hash"]]
+        command += ["--activities", activities]
+        if self._configuration.path is not None:
+            command += ["--project", str(self._configuration.path.absolute())]
+        if self._address is not None:
+            command += ["--world-at", self._address]
+        child.process = self._spawn([*command, *self._options])
+        self._pump(child)
+        if self._origin is not None:
+            _write(child, str(self._origin))
+
+    def _trace(self, child: _Child) -> Path:
+        """A file a robot, and a further one for each further life."""
+        project = self._configuration.run
+        given = self._request.trace or (project.trace if project else None) or self._folder / "trace.jsonl"
+        life = f".{child.starts}" if child.starts > 1 else ""
+        return given.with_name(f"{given.stem}.{child.name}{life}{given.suffix}")
+
+    def _spawn(self, command: list[str]) -> subprocess.Popen[str]:
+        own = {"PYTHONUNBUFFERED": "1", WORLD: self._key.hex()}
+        environment = {**FEW_ARENAS, **os.environ, **given_environment(), **own}
+        return subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            encoding="utf-8",
+            errors="replace",
+            env=environment,
+            start_new_session=True,  # Ctrl-C in a terminal is for us, who end the others in order
+        )
+
+    def _await_all(self) -> None:
+        """Wait until everybody is ready, and begin."""
+        waiting = set(self._robots)
+        if waiting:
+            for name, kind, value in self._listen(START, "not everybody gets ready"):
+                if kind == "ready":
+                    waiting.discard(name)
+                elif kind == "ended":
+                    who = name or "the world"
+                    raise PlayError(f"{who} could not be started ({_how_ended(value)})")
+                elif kind == "stop":
+                    self._reason = value
+                    return
+                if not waiting:
+                    break
+        self._origin = time.monotonic_ns()
+        for child in (*self._robots.values(), *([self._world] if self._world else [])):
+            _write(child, str(self._origin))
+
+    # ---- watching ----------------------------------------------------------------------------
+
+    def _watch(self) -> None:
+        while not self._reason and not all(child.over for child in self._robots.values()):
+            starts = [child.again_at for child in self._robots.values() if child.again_at is not None]
+            rest = max(0.0, min(starts) - time.monotonic()) if starts else None
+            with contextlib.suppress(Empty):
+                name, kind, value = self._news.get(timeout=rest)
+                self._heed(name, kind, value)
+            for child in self._robots.values():
+                if child.again_at is not None and child.again_at <= time.monotonic():
+                    self._start(child)
+
+    def _heed(self, name: str, kind: str, value: Any) -> None:
+        if kind == "stop":
+            self._reason = value
+        elif kind == "changed":
+            for child in self._robots.values() if value["whole_team"] else (self._robots[name],):
+                child.version = value
+        elif kind == "over":
+            self._reason = "the world is over"
+        elif kind == "ended" and name == "":
+            self._reason = f"the world has ended: {_how_ended(value)}"
+            self._say("", self._reason, True)
+        elif kind == "ended":
+            self._ended(self._robots[name], value)
+
+    def _ended(self, child: _Child, code: int) -> None:
+        """A robot's process is over: for good, or to be started again."""
+        child.code = code
+        if child.process is not None and child.process.stdin is not None:
+            with contextlib.suppress(OSError):
+                child.process.stdin.close()
+        if code in _DELIBERATE:
+            child.over = True
+            return
+        lived = time.monotonic() - child.began
+        child.short_lives = 0 if lived >= SETTLED else child.short_lives + 1
+        how = f"{child.name} {_how_ended(code)}"
+        if child.short_lives >= ATTEMPTS:
+            child.over = True
+            self._say("", f"{how}, for the {ATTEMPTS}th time in a row: it is given up", True)
+            return
+        pause = min(LONGEST, SHORTEST * 2 ** max(0, child.short_lives - 1))
+        child.again_at = time.monotonic() + pause
+        self._say("", f"{how}; it is started again in {pause:g} s", True)
+
+    # ---- ending ------------------------------------------------------------------------------
+
+    def _end_all(self) -> None:
+        """Ask everybody to end, robots before the world; kill whoever does not."""
+        robots = [child.process for child in self._robots.values() if child.process is not None]
+        world = [self._world.process] if self._world is not None and self._world.process is not None else []
+        for group, patience in ((robots, END), (world, 0.3)):
+            for process in group:
+                with contextlib.suppress(OSError):
+                    process.terminate()
+            deadline = time.monotonic() + patience
+            for process in group:
+                try:
+                    process.wait(max(0.0, deadline - time.monotonic()))
+                except subprocess.TimeoutExpired:
+                    process.kill()
+                    process.wait()
+                # Only now: to a robot the end of this pipe is a second signal, which ends it at once.
+                if process.stdin is not None:
+                    with contextlib.suppress(OSError):
+                        process.stdin.close()
+        for thread in self._pumps:
+            thread.join(END)
+        for child in self._robots.values():
+            if child.process is not None and not child.over:
+                code = child.process.returncode
+                child.code = FINE if code in (-signal.SIGTERM, 143, INTERRUPTED) else code
+
+    # ---- pipes -------------------------------------------------------------------------------
+
+    def _listen(self, seconds: float, what: str) -> Iterator[tuple[str, str, Any]]:
+        """What happens. Raises PlayError when it takes too long."""
+        deadline = time.monotonic() + seconds
+        while True:
+            try:
+                yield self._news.get(timeout=max(0.0, deadline - time.monotonic()))
+            except Empty:
+                raise PlayError(f"{what}: {seconds:g} s have passed") from None
+
+    def _pump(self, child: _Child) -> None:
+        """Show what a process says, and tell when it has ended."""
+        process = child.process
+        assert process is not None and process.stdout is not None and process.stderr is not None
+        name, out, err = child.name, process.stdout, process.stderr
+        threads = [
+            threading.Thread(target=self._read_out, args=(name, out), daemon=True),
+            threading.Thread(target=self._read_err, args=(name, err), daemon=True),
+        ]
+        for thread in threads:
+            thread.start()
+
+        def wait() -> None:
+            code = process.wait()
+            for thread in threads:
+                thread.join(1.0)  # a grandchild may hold the pipe open
+            self._news.put((name, "ended", code))
+
+        waiting = threading.Thread(target=wait, daemon=True)
+        waiting.start()
+        self._pumps = [thread for thread in (*self._pumps, waiting) if thread.is_alive()]
+
+    def _read_out(self, name: str, stream: IO[str]) -> None:
+        with stream:
+            while text := stream.readline(_LONGEST):
+                line = text.rstrip("\n")
+                try:
+                    self._hear(name, line)
+                except (ValueError, TypeError):  # what an activity prints may look like news
+                    self._say(name, line, False)
+
+    def _hear(self, name: str, line: str) -> None:
+        if name == "":
+            for kind, value in _object(line).items():
+                if kind == "line":
+                    self._say("", value, False)
+                else:
+                    self._news.put(("", kind, value))
+        elif line == READY:
+            self._news.put((name, "ready", None))
+        elif line.startswith(CHANGED):
+            version = _object(line.removeprefix(CHANGED))
+            if not {"hash", "whole_team"} <= version.keys():
+                raise TypeError("it is not `control.Changed`")
+            self._news.put((name, "changed", version))
+        elif line.startswith(ENDED):
+            self._robots[name].end = _object(line.removeprefix(ENDED))
+        else:
+            self._say(name, line, False)
+
+    def _read_err(self, name: str, stream: IO[str]) -> None:
+        with stream:
+            while text := stream.readline(_LONGEST):
+                self._say(name, text.rstrip("\n"), True)
+
+
+def _object(text: str) -> dict[str, Any]:
+    found = outside.loads(text)
+    if not isinstance(found, dict):
+        raise TypeError("a JSON object is wanted")
+    return found
+
+
+def _write(child: _Child, line: str) -> None:
+    process = child.process
+    if process is not None and process.stdin is not None:
+        with contextlib.suppress(OSError):  # it has ended, which will be told
+            process.stdin.write(line + "\n")
+            process.stdin.flush()
+
+
+def _how_ended(code: int) -> str:
+    if code >= 0:
+        return f"has ended with exit code {code}"
+    try:
+        return f"was ended by {signal.Signals(-code).name}"
+    except ValueError:
+        return f"was ended by signal {-code}"
+
+
+@contextmanager
+def _signals(stop: Callable[[], None]) -> Iterator[None]:
+    """Inside, Ctrl-C and SIGTERM call `stop`, if this is the main thread: no other may set handlers."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before: dict[int, Any] = {}
+
+    def handle(number: int, frame: FrameType | None) -> None:
+        stop()
+
+    for number in (int(signal.SIGINT), int(signal.SIGTERM)):
+        if signal.getsignal(number) is not None:  # None: somebody set it who is not Python
+            before[number] = signal.signal(number, handle)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)

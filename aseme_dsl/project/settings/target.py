@@ -1,0 +1,187 @@
+"""Target: what commands work on. A file, a project's folder, or the output folder of a build."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from aseme_dsl.compiler.read.load import TARGET_FORMS, read_source
+from aseme_dsl.diagnostics import Diagnostic, has_errors
+from aseme_dsl.project.files.inputs import STANDARD_INPUT, Inputs, find_inputs, is_folder
+from aseme_dsl.project.settings.configuration import (
+    FILE,
+    OUTPUT,
+    Configuration,
+    find_configuration,
+    read_configuration,
+)
+
+
+def project_here() -> str:
+    """What commands work on that are given nothing: the folder of the project around the current folder."""
+    configuration, _ = find_configuration(Path())
+    return str(configuration.folder)
+
+
+def sources_of(
+    targets: Sequence[str], read_standard_input: Callable[[], bytes], *, all_files: bool = False
+) -> Inputs:
+    """The files that targets mean: of a project's folder those that its pyproject.toml names (unless
+    `all_files`), of an output folder the one that was built into it, of any other folder all in it.
+
+    Besides targets there may be patterns, and `-` for standard input.
+    """
+    outputs: dict[Path, Path] = {}
+    arguments: list[str] = []
+    for target in targets:
+        found, problems = _sources(target, outputs, all_files)
+        if has_errors(problems):
+            return Inputs((), (), problems)
+        arguments += found
+    return replace(find_inputs(arguments, read_standard_input), outputs=outputs)
+
+
+def _sources(
+    target: str, outputs: dict[Path, Path], all_files: bool
+) -> tuple[list[str], tuple[Diagnostic, ...]]:
+    folder = Path(target)
+    if target == "-" or not is_folder(folder):
+        return [target], ()
+    if (folder / FILE).is_file():
+        if all_files:
+            return [target], ()
+        configuration, problems = read_configuration(folder / FILE)
+        return [str(path) for path in configuration.files] or [target], problems
+    found: list[str] = []
+    for output in builds_in(folder):
+        source = _source(output)
+        if isinstance(source, Diagnostic):
+            return [], (source,)
+        outputs[source] = output
+        found.append(str(source))
+    return found or [target], ()
+
+
+def builds_in(folder: Path) -> list[Path]:
+    """The output folders that a folder is, or has for several systems; none for one with sources."""
+    from aseme_dsl.project.files.manifest import NAME
+
+    if any(folder.glob("*.aseme")):
+        return []
+    if (folder / NAME).is_file():
+        return [folder]
+    found = sorted(path.parent for path in folder.glob(f"*/{NAME}"))
+    return [] if found and _has_sources(folder) else found
+
+
+def _has_sources(folder: Path) -> bool:
+    inputs = find_inputs([str(folder)], bytes)
+    return bool(inputs.roots or inputs.others)
+
+
+def _source(output: Path) -> Path | Diagnostic:
+    """The file that was built into an output folder, or why it cannot be known."""
+    from aseme_dsl.project.files.manifest import NAME, DamagedManifest, read_manifest, seen_from_here
+
+    try:
+        source = read_manifest(output).source
+    except (DamagedManifest, OSError) as problem:
+        reason = problem.strerror if isinstance(problem, OSError) else problem
+        message = f"{output / NAME} cannot be read: {reason}"
+        return Diagnostic("E001", message, None, hint=TARGET_FORMS, path=str(output))
+    if source is None or source == STANDARD_INPUT:
+        message = f"{output} was built from standard input"
+        return Diagnostic("E020", message, None, hint="name a .aseme file", path=str(output))
+    shown = seen_from_here(output, source)
+    if not os.path.exists(shown):  # noqa: PTH110  raises nothing
+        message = f"the source of this build, {shown}, cannot be found"
+        hint = "name a .aseme file, or build again from where it is now"
+        return Diagnostic("E020", message, None, hint=hint, path=str(output))
+    return Path(shown)
+
+
+def configuration_of(target: Path) -> tuple[Configuration, tuple[Diagnostic, ...]]:
+    """The configuration that applies to a target, which may be an output folder without its source, and what
+    is wrong with the target. The configuration's own mistakes are for `check` to report.
+    """
+    problems: tuple[Diagnostic, ...] = ()
+    if is_folder(target):
+        if not (target / FILE).is_file() and not builds_in(target) and not _has_sources(target):
+            problems = find_inputs([str(target)], bytes).diagnostics
+        return find_configuration(target)[0], problems
+    inputs = find_inputs([str(target)], bytes)
+    source = read_source(target) if inputs.roots else None
+    problems = (source,) if isinstance(source, Diagnostic) else inputs.diagnostics
+    return find_configuration(target.parent)[0], problems
+
+
+def traces_of(target: Path, *, following: bool = False) -> tuple[tuple[Path, ...], tuple[Diagnostic, ...]]:
+    """The traces that a target means, read or (`following`) still to be written; or what is wrong with it.
+
+    A trace is itself; of a `.aseme` file, a project or an output folder they are those of the last run. A run
+    with a process for each agent leaves one trace each.
+    """
+    if not is_folder(target):
+        if target.suffix != ".aseme" and (
+            following or _is_there(target) or _is_there(target.with_name(f"{target.name}.part"))
+        ):
+            return (target,), ()
+        source = read_source(target)
+        if isinstance(source, Diagnostic):
+            return (), (source,)
+        folder = target.parent
+        is_source = True
+    else:
+        folder = target
+        is_source = (folder / FILE).is_file() or any(folder.glob("*.aseme"))
+        if not is_source and not builds_in(folder) and not _traces_in(folder):
+            is_source = _has_sources(folder)
+            if not is_source and not following:
+                return (), find_inputs([str(folder)], bytes).diagnostics
+    if is_source:
+        configuration, problems = find_configuration(folder)
+        if has_errors(problems):
+            return (), problems
+        if configuration.run is not None and configuration.run.trace is not None:
+            return (configuration.run.trace,), ()
+        folder = configuration.output or Path(OUTPUT)
+    whole = folder / "trace.jsonl"
+    each = sorted(folder.glob("trace.*.jsonl"))
+    if not following and not each and not _is_there(whole) and not _is_there(folder / "trace.jsonl.part"):
+        problem = Diagnostic(
+            "E001", f"there is no trace {whole}", None, hint="`asemec run` writes it", path=str(target)
+        )
+        return (), (problem,)
+    if following or not each:
+        return (whole,), ()
+    last = max(item.stat().st_mtime for item in each)
+    return ((whole,) if whole.is_file() and whole.stat().st_mtime > last else tuple(each)), ()
+
+
+def _traces_in(folder: Path) -> bool:
+    return any(folder.glob("trace*.jsonl*"))
+
+
+def _is_there(path: Path) -> bool:
+    return os.path.lexists(path)
+
+
+def all_traces_of(
+    targets: Sequence[str], *, following: bool = False
+) -> tuple[tuple[Path, ...], tuple[Diagnostic, ...]]:
+    """The traces that targets mean, each once, and what is wrong with them; without any, the project's."""
+    found = [traces_of(Path(target), following=following) for target in targets or [project_here()]]
+    paths = dict.fromkeys(path for traces, _ in found for path in traces)
+    return tuple(paths), tuple(problem for _, problems in found for problem in problems)
+
+
+__all__ = [
+    "all_traces_of",
+    "builds_in",
+    "configuration_of",
+    "project_here",
+    "sources_of",
+    "traces_of",
+]

@@ -1,0 +1,1 @@
+"""Studying: many runs and measurements, and what they say."""

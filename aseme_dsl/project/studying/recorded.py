@@ -1,0 +1,325 @@
+"""Recorded: the courses that agents of some roles went in a run, read from its trace.
+
+What goes into a step stands in the trace by its identity; the line of the step names what it took. A chart of
+the present model is led along while the trace is read, so that it is known to go the same way: where it does
+not, or where the trace does not say enough, the course ends, and says why.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from aseme_dsl.project.studying.course import Course, Given, Recorder, begun
+from aseme_dsl.runtime.as_json import from_json
+from aseme_dsl.runtime.board import QUEUE
+from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.inputs import (
+    LOST,
+    Arrived,
+    Completed,
+    Crashed,
+    Happened,
+    Identity,
+    Input,
+    Mail,
+    Written,
+)
+from aseme_dsl.runtime.trace import FORMAT
+from aseme_dsl.runtime.trace_files import TraceError
+from aseme_dsl.runtime.trace_reading import Record, TraceReader
+
+
+class NotPlayable(Exception):
+    """A trace is not one of these roles as they are; the text says why."""
+
+
+class NobodyThere(NotPlayable):
+    """It has no agents of these roles: another trace of the same run may have them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Recording:
+    """What a trace gave: the courses by role, and what has to be said of the file."""
+
+    path: Path
+    seed: int
+    courses: Mapping[str, tuple[Course, ...]]
+    problem: str | None = None
+
+
+def recorded(
+    path: Path,
+    system: str,
+    kinds: Mapping[str, type[Chart]],
+    messages: Mapping[str, Any],
+    most: int | None = None,
+) -> Recording:
+    """The courses of all agents of these roles, each of `most` steps after its first one at the most.
+
+    `messages` are the classes of the messages and enums that the charts read.
+
+    Raises:
+        NotPlayable: it is no trace, one of another system or of other models, or (`NobodyThere`) has no such
+            agents.
+    """
+    try:
+        reader = TraceReader(path)
+        reading = _Reading(path, system, kinds, messages, most)
+        for line in reader:
+            try:
+                reading.line(line.record)
+            except NotPlayable:
+                raise
+            except (LookupError, TypeError, ValueError, AttributeError, OverflowError) as problem:
+                text = f"{type(problem).__name__}: {problem}"
+                raise NotPlayable(
+                    f"{path}:{line.number}: this line is not as a run of {system} writes it ({text})"
+                ) from problem
+    except TraceError as problem:
+        raise NotPlayable(str(problem)) from problem
+    if not reading.agents and reader.problem is not None:  # not even the header is whole
+        raise NotPlayable(reader.problem)
+    return Recording(reader.path, reading.seed, reading.courses(), reader.problem)
+
+
+@dataclass(slots=True)
+class _Agent:
+    """An agent whose steps are read."""
+
+    role: str
+    recorder: Recorder
+    where: tuple[str, ...] = ()
+    """Its configuration as the trace has it."""
+    steps: int = 0
+    gone: list[tuple[str, Arrived | Mail]] = field(default_factory=list)
+    until: str | None = None
+
+
+class _Reading:
+    """Goes through the lines of a trace once."""
+
+    def __init__(
+        self,
+        path: Path,
+        system: str,
+        kinds: Mapping[str, type[Chart]],
+        messages: Mapping[str, Any],
+        most: int | None,
+    ) -> None:
+        self.path = path
+        self.system = system
+        self.kinds = kinds
+        self.messages = messages
+        self.most = most
+        self.seed = 1
+        self.agents: dict[str, _Agent] = {}
+        self.said: dict[Identity, Record] = {}
+        """The lines of what was said, by the identity of the input that it is."""
+        self.brought: dict[tuple[str, Identity], Record] = {}
+        """The same for what the transport has brought to an agent."""
+        self.branches: dict[tuple[str, str, str], str] = {}
+        """Where an agent takes part in a conversation, by its part."""
+        self.reads = {channel for kind in kinds.values() for channel in kind.READERS}
+        self.kinds_of_lines: dict[str, Callable[[Record], None]] = {
+            "header": self.header,
+            "message": self.published,
+            "heard": self.published,
+            "arrived": self.carried,
+            "received": self.carried,
+            "mail": self.say,
+            "event": self.say,
+            "variable": self.say,
+            "activity": self.activity,
+            "conversation": self.conversation,
+            "taken": self.taken,
+            "swap": self.changed,
+            "select": self.changed,
+            "step": self.step,
+        }
+
+    def line(self, record: Record) -> None:
+        """A line; those of other kinds say nothing of what agents got."""
+        known = self.kinds_of_lines.get(record["kind"])
+        if known is not None:
+            known(record)
+
+    def courses(self) -> dict[str, tuple[Course, ...]]:
+        """What each role's agents got; one whose agents are not in the trace has nothing."""
+        found: dict[str, tuple[Course, ...]] = {role: () for role in self.kinds}
+        for item in self.agents.values():
+            found[item.role] = (*found[item.role], item.recorder.course(item.until or ""))
+        courses = [course for items in found.values() for course in items]
+        if not any(len(course.steps) > 1 for course in courses):
+            reasons = [f"{course.agent}: {course.until}" for course in courses if course.until]
+            why = "; ".join(reasons) or "there is no step after the first"
+            raise NotPlayable(f"{self.path}: nothing of it can be played: {why}")
+        return found
+
+    # ---- the first line ----------------------------------------------------------------------
+
+    def header(self, record: Record) -> None:
+        if self.agents:
+            raise ValueError("a second header")
+        if record["format"] != FORMAT:
+            raise NotPlayable(
+                f"{self.path} has the format {record['format']}; this version reads the format {FORMAT}"
+            )
+        if record["system"] != self.system:
+            raise NotPlayable(
+                f"{self.path} is the trace of a run of {record['system']}, not of {self.system}"
+            )
+        others: dict[str, str] = {}
+        self.seed = int(record["seed"])
+        for item in record["agents"]:
+            name, role, model = str(item["name"]), item["role"], item["model"]
+            kind = self.kinds.get(role)
+            if kind is None:
+                continue
+            if model != kind.PLAN.model:
+                others[role] = f"the model of {role} was {model} then, and is {kind.PLAN.model} now"
+            chart = begun(kind, name, self.seed, record.get("queue", QUEUE))
+            self.agents[name] = _Agent(role, Recorder(chart, name, self.seed, chart.queue))
+        if others:
+            raise NotPlayable(
+                f"{self.path} is the trace of another version of {self.system}: {'; '.join(others.values())}."
+                " Record a new one: asemec run"
+            )
+        if not self.agents:
+            played = dict.fromkeys(str(item["role"]) for item in record["agents"])
+            raise NobodyThere(
+                f"{self.path} has no agent of {' or '.join(self.kinds)}, only of {', '.join(played)}"
+            )
+
+    # ---- how inputs came to be ---------------------------------------------------------------
+
+    def say(self, record: Record) -> None:
+        self.said[str(record["agent"]), record["sequence"]] = record
+
+    def published(self, record: Record) -> None:
+        if record["channel"] in self.reads:
+            self.say(record)
+
+    def carried(self, record: Record) -> None:
+        if record["agent"] in self.agents:
+            self.brought[record["agent"], _identity(record["input"])] = record
+
+    def activity(self, record: Record) -> None:
+        if record["what"] in ("end", "crash") and "sequence" in record and record["agent"] in self.agents:
+            self.say(record)
+
+    def conversation(self, record: Record) -> None:
+        name = record["agent"]
+        if name not in self.agents:
+            return
+        if "sequence" in record:  # it hears that another agent is gone
+            self.say(record)
+        elif record["what"] in ("open", "join"):
+            self.branches[name, record["conversation"], record["participant"]] = record["branch"]
+
+    def taken(self, record: Record) -> None:
+        item = self.agents.get(record["agent"])
+        if item is not None and item.until is None:
+            found = self.input(record["agent"], _identity(record["input"]))
+            if isinstance(found, Arrived | Mail):
+                item.gone.append((record["label"], found))
+
+    def changed(self, record: Record) -> None:
+        item = self.agents.get(record.get("agent", ""))
+        if item is None or item.until is not None:
+            return
+        if record.get("what", "done") == "done" and "reason" not in record:
+            item.until = "then it changed its plan"
+
+    # ---- the steps ---------------------------------------------------------------------------
+
+    def step(self, record: Record) -> None:
+        item = self.agents.get(record["agent"])
+        if item is None or item.until is not None:
+            return
+        if self.most is not None and item.steps > self.most:
+            item.until = "as many as were asked for"
+            return
+        name, number = record["agent"], item.steps + 1
+        if record["step"] != number:
+            item.until = f"the trace does not have step {number}"
+            return
+        inputs: list[Input] = []
+        ahead: list[Arrived] = []
+        for identity in [*record["inputs"], *record.get("ahead", ())]:
+            found = self.input(name, _identity(identity))
+            if found is None:
+                item.until = f"the trace does not say what input {identity} of step {number} was"
+                return
+            if len(inputs) < len(record["inputs"]):
+                inputs.append(found)
+            elif isinstance(found, Arrived):
+                ahead.append(found)
+        given = Given(int(record["time"]), tuple(inputs), tuple(ahead), tuple(item.gone))
+        item.gone.clear()
+        item.steps = number
+        outcome = item.recorder.play(given)
+        if outcome is None:
+            item.until = f"in step {number} it failed"
+            return
+        item.where = tuple(record.get("configuration", item.where))
+        ways = [tuple(way["transitions"]) for way in record["taken"]]
+        if item.recorder.trail[-1] != item.where or outcome.taken != ways:
+            here, there = ", ".join(item.recorder.trail[-1]), ", ".join(item.where)
+            for kept in (item.recorder.steps, item.recorder.trail):
+                kept.pop()
+            item.until = (
+                f"step {number} does not go as it did in the run: it leads to {here}, and led to {there}"
+                if here != there
+                else f"step {number} takes other transitions than in the run"
+            )
+
+    def input(self, agent: str, identity: Identity) -> Input | None:
+        """What an input of an agent was; None if the trace does not say."""
+        record = self.brought.get((agent, identity)) or self.said.get(identity)
+        if record is None:
+            return None
+        match record["kind"]:
+            case "message" | "heard" | "arrived":
+                return self._message(agent, identity, record)
+            case "mail" | "received":
+                return self._mail(agent, identity, record)
+            case "event":
+                return Happened(record["event"])
+            case "variable":
+                kind = type(self.agents[agent].recorder.chart.variable(record["variable"]))
+                value = record["value"]
+                return Written(record["variable"], value if value is None else from_json(kind, value))
+            case "activity" if record["what"] == "end":
+                return Completed(record["label"], record["token"], record.get("outcome"))
+            case "activity":
+                return Crashed(record["label"], record["token"], record.get("reason", ""))
+            case _:
+                part = record["played"]
+                return Mail(record["branch"], LOST, "", None, part, record["peer"], identity)
+
+    def _message(self, agent: str, identity: Identity, record: Record) -> Arrived:
+        channel = record["channel"]
+        content = from_json(self.messages[channel.rpartition(".")[2]], record["message"])
+        if record["kind"] == "arrived":
+            return Arrived(channel, content, identity[0], record["measured"], identity)
+        own = record.get("region") if record["agent"] == agent else None
+        sender = record.get("sender") or record["agent"]
+        return Arrived(channel, content, sender, record["time"], identity, own)
+
+    def _mail(self, agent: str, identity: Identity, record: Record) -> Mail:
+        name = record["message"]
+        content = from_json(self.messages[name], record["content"]) if name in self.messages else None
+        branch = self.branches[agent, record["conversation"], record["receiver"]]
+        part = record["participant"]
+        return Mail(branch, record["performative"], name, content, part, identity[0], identity)
+
+
+def _identity(value: Sequence[Any]) -> Identity:
+    name, number = value
+    return str(name), int(number)
+
+
+__all__ = ["NobodyThere", "NotPlayable", "Recording", "recorded"]
