@@ -21,7 +21,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from aseme_dsl.runtime.team import Team
+from aseme_dsl.runtime.team.team import Team
 from tests.support.generated import Generated, generate
 
 PASSES = 2000

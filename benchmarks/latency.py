@@ -31,11 +31,11 @@ from queue import SimpleQueue
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from aseme_dsl.runtime.inputs import Happened
-from aseme_dsl.runtime.real import RealDriver
-from aseme_dsl.runtime.real_time import RealTime
-from aseme_dsl.runtime.team import Team
-from aseme_dsl.runtime.timekeeper import may_raise_priority
+from aseme_dsl.runtime.chart.inputs import Happened
+from aseme_dsl.runtime.driver.real import RealDriver
+from aseme_dsl.runtime.driver.real_time import RealTime
+from aseme_dsl.runtime.team.team import Team
+from aseme_dsl.runtime.time.timekeeper import may_raise_priority
 from tests.support.generated import generate
 
 MILLISECOND = 1_000_000

@@ -120,8 +120,8 @@ def played(duration: int, trace: Path | None) -> list[Sample]:
     from aseme_dsl.project.building.build import Choice, build
     from aseme_dsl.project.playing.play import load
     from aseme_dsl.project.settings.configuration import find_configuration
-    from aseme_dsl.runtime.loading import activities_in
-    from aseme_dsl.runtime.team import Team, make_team
+    from aseme_dsl.runtime.team.team import Team, make_team
+    from aseme_dsl.runtime.version.loading import activities_in
 
     process = psutil.Process()
     samples: list[Sample] = []
@@ -176,8 +176,8 @@ def virtual(hours: float) -> bool:
 
 def real(minutes: float, number: signal.Signals) -> bool:
     """A match in a process of its own, ended by a signal; whether it is as it should be."""
-    from aseme_dsl.runtime.trace_files import part_of
-    from aseme_dsl.runtime.trace_reading import TraceReader
+    from aseme_dsl.runtime.trace.trace_files import part_of
+    from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
     with tempfile.TemporaryDirectory() as folder:
         project = Path(folder) / "robocup"

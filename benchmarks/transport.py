@@ -55,8 +55,8 @@ class Robot:
     """One robot in this process, with its bus in our hands instead of its activities'."""
 
     def __init__(self, name: str, hear: Callable[[str, Any], None], mail: Callable[[Any], None]) -> None:
-        from aseme_dsl.runtime.inputs import Arrived, Mail
-        from aseme_dsl.runtime.team import Team
+        from aseme_dsl.runtime.chart.inputs import Arrived, Mail
+        from aseme_dsl.runtime.team.team import Team
         from aseme_dsl.runtime.transport import Network
         from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
         from aseme_dsl.runtime.transport.post import Post

@@ -46,6 +46,23 @@ KNOWS_ONLY = {
 }
 """Rooms that may use less than all that is below them."""
 
+ROOMS = {
+    "compiler": "read names formula types control chart requirements checks",
+    "diagrams": "look models sequence rendering",
+    "editor": "reading files answers typing changes",
+    "grammar": "text formulas parsing layout syntax",
+    "project": "files settings code building editing playing studying",
+    "runtime": (
+        "time chart plain message library ports trace transport platform channel conversation world activity"
+        " version workers agent driver team control"
+    ),
+}
+"""The rooms of a package, each of which uses only those before it. What stands beside them uses them all."""
+
+DOZEN = 15
+LARGER = {"cli": "a file a command", "field": "a file a thing on the field"}
+"""Rooms with more files than a dozen or so, and why."""
+
 TOP = {"__init__", "__main__"}
 """The public face of the package, which sees everything and which no room may see."""
 
@@ -111,14 +128,54 @@ def imported_modules(path: Path, known: Mapping[str, Path]) -> set[str]:
     return found & set(known)
 
 
-def test_no_modules_import_each_other_in_a_circle() -> None:
+def known_modules() -> dict[str, Path]:
     known = {}
     for path in modules():
         parts = ["aseme_dsl", *path.relative_to(PACKAGE).with_suffix("").parts]
         known[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    return known
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    known = known_modules()
     imports = {name: imported_modules(path, known) for name, path in known.items()}
     graph = nx.DiGraph((name, other) for name, others in imports.items() for other in others)
     assert [sorted(circle) for circle in nx.strongly_connected_components(graph) if len(circle) > 1] == []
+
+
+def inner_room(module: str) -> tuple[str, str] | None:
+    """The package of a module and the room in it: `("compiler", "names")`."""
+    parts = module.split(".")[1:]
+    if len(parts) < 2 or parts[0] not in ROOMS:
+        return None
+    return (parts[0], parts[1]) if parts[1] in ROOMS[parts[0]].split() else None
+
+
+@pytest.mark.parametrize("package", ROOMS)
+def test_each_room_of_a_package_is_entered(package: str) -> None:
+    found = {path.parent.name for path in (PACKAGE / package).glob("*/__init__.py")}
+    assert found == set(ROOMS[package].split()) - {path.stem for path in (PACKAGE / package).glob("*.py")}
+
+
+def test_rooms_use_only_those_before_them() -> None:
+    known = known_modules()
+    wrong = []
+    for name, path in known.items():
+        here = inner_room(name)
+        for other in imported_modules(path, known) if here else ():
+            there = inner_room(other)
+            beside = there is None and other.startswith(f"aseme_dsl.{here[0]}.") if here else False
+            order = ROOMS[here[0]].split() if here else []
+            upwards = here and there and here[0] == there[0] and order.index(here[1]) < order.index(there[1])
+            if beside or upwards:
+                wrong.append(f"{name} uses {other}")
+    assert wrong == []
+
+
+def test_no_room_has_many_more_files_than_a_dozen() -> None:
+    sizes = {folder: len(list(folder.glob("*.py"))) for folder in {path.parent for path in modules()}}
+    large = {folder.relative_to(PACKAGE).as_posix() for folder, size in sizes.items() if size > DOZEN}
+    assert large == set(LARGER)
 
 
 COMPILER_LIBRARIES = ["textx", "arpeggio", "networkx", "jinja2", "graphviz", "click", "jsonschema"]
@@ -154,7 +211,7 @@ team Walkers { one : robot }
 """
 
 NEVER = {
-    "aseme_dsl.runtime.team",
+    "aseme_dsl.runtime.team.team",
     "asyncio",
     "google.protobuf",
     "numpy",
@@ -177,7 +234,7 @@ SOMETIMES = {
     "aseme_dsl.project.building.build",
     "aseme_dsl.grammar.parsing.explain",
     "aseme_dsl.interop.proto",
-    "aseme_dsl.runtime.inputs",
+    "aseme_dsl.runtime.chart.inputs",
 }
 """What is needed only if there is something to be said, mended or configured: together 30 ms."""
 
@@ -187,7 +244,7 @@ NOT_LOADED = {
         *COMPILER_LIBRARIES,
         "aseme_dsl.compiler",
         "aseme_dsl.diagnostics",
-        "aseme_dsl.runtime.board",
+        "aseme_dsl.runtime.chart.board",
         "json",
         "tomllib",
     }

@@ -34,7 +34,7 @@ def test_that_the_expressions_are_found() -> None:
     found = {pattern.where for pattern in all_patterns()}
     assert len(found) > 300
     assert any(where.startswith("grammar ControlToken") for where in found)
-    assert "aseme_dsl.runtime.acl_text _STRING" in found
+    assert "aseme_dsl.runtime.message.acl_text _STRING" in found
     assert any(where.startswith("lexer") for where in found)
 
 

@@ -29,9 +29,9 @@ from aseme_dsl.grammar import parse
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.project.settings.platforms import GIVEN, _mango_hosts, given_environment, provided
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.loading import Loaded
-from aseme_dsl.runtime.process_wide import switching, uncollected
-from aseme_dsl.runtime.real_time import RealTime
+from aseme_dsl.runtime.driver.real_time import RealTime
+from aseme_dsl.runtime.version.loading import Loaded
+from aseme_dsl.runtime.workers.process_wide import switching, uncollected
 from aseme_dsl.source import Source
 from tests.runtime.playing import make
 from tests.support.batches import made, without_compiling

@@ -20,7 +20,7 @@ from aseme_dsl.diagnostics import Diagnostic
 @click.argument("file", type=FilePath(path_type=Path))
 def command(file: Path) -> int:
     """Write it; 1 if it cannot be written."""
-    from aseme_dsl.runtime.operator_key import KeyFileError, write_key
+    from aseme_dsl.runtime.control.operator_key import KeyFileError, write_key
 
     try:
         key = write_key(file)

@@ -54,7 +54,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from aseme_dsl.project.settings.configuration import Configuration
-    from aseme_dsl.runtime.control import Changed
+    from aseme_dsl.runtime.control.control import Changed
 
 GRACE = 2.0
 """After so many seconds without its supervisor a robot ends, whatever it does."""
@@ -278,7 +278,7 @@ def _tell_end(end: dict[str, Any]) -> None:
 
 
 def _end_with_supervisor() -> None:
-    from aseme_dsl.runtime.descendants import kill_descendants
+    from aseme_dsl.runtime.workers.descendants import kill_descendants
 
     # The file descriptor, not the stream: at the interpreter's end nobody must hold the stream's lock.
     while os.read(0, 4096):

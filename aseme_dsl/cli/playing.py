@@ -172,6 +172,6 @@ def lines_without_code(found: WithoutCode, target: str, output: Path | None) -> 
 
 def ending_left_processes() -> AbstractContextManager[None]:
     """Kill what activities have started and left, when what is inside has ended, and note it."""
-    from aseme_dsl.runtime.descendants import ending_descendants
+    from aseme_dsl.runtime.workers.descendants import ending_descendants
 
     return ending_descendants(lambda line: click.echo(f"note: {line}", err=True))

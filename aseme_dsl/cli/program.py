@@ -17,7 +17,7 @@ import click
 
 from aseme_dsl import __version__
 from aseme_dsl.cli.terminal import protect
-from aseme_dsl.runtime.naming import usable
+from aseme_dsl.runtime.message.naming import usable
 
 FINE, ERRORS, WRONG_USE, OUR_MISTAKE, INTERRUPTED, TERMINATED, BROKEN_PIPE = 0, 1, 2, 70, 130, 143, 141
 

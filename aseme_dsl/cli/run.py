@@ -56,7 +56,7 @@ if TYPE_CHECKING:
     from aseme_dsl.project.code.activity_files import WithoutCode
     from aseme_dsl.project.playing.play import Played, Request
     from aseme_dsl.project.settings.configuration import Configuration
-    from aseme_dsl.runtime.loading import Loaded
+    from aseme_dsl.runtime.version.loading import Loaded
 
 
 def _world(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:

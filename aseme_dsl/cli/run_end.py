@@ -12,9 +12,9 @@ from aseme_dsl.cli.shared import CommandT, plural
 from aseme_dsl.cli.terminal import harmless
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.ending import Awaited, Member, Unread, Waiting
-    from aseme_dsl.runtime.fault_counts import FaultCount
-    from aseme_dsl.runtime.team import AgentResult, RunResult
+    from aseme_dsl.runtime.team.ending import Awaited, Member, Unread, Waiting
+    from aseme_dsl.runtime.team.team import AgentResult, RunResult
+    from aseme_dsl.runtime.trace.fault_counts import FaultCount
 
 WAITING = "waiting"
 """What `--allow` takes: agents that wait for ever are no failure of the run."""

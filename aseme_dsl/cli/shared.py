@@ -332,7 +332,7 @@ def written_summary(written: Written) -> str:
 
 
 def target_argument(command: CommandT) -> CommandT:
-    """`TARGET`: what the command works on (see `project/settings/target.py`); without it, the project here."""
+    """`TARGET`: what the command works on (`project/settings/target.py`); without it, the project here."""
     return click.argument("target", required=False, type=FilePath(), default=_project_here)(command)
 
 

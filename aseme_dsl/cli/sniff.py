@@ -33,7 +33,7 @@ from aseme_dsl.cli.shared import (
 if TYPE_CHECKING:
     from aseme_dsl.diagrams.sequence.sequence import Row, SequenceDiagram
     from aseme_dsl.project.playing.sniff import Wanted
-    from aseme_dsl.runtime.trace_reading import Record
+    from aseme_dsl.runtime.trace.trace_reading import Record
 
 _PAUSE = 0.1
 """Seconds between two looks at a trace that is being written."""
@@ -95,7 +95,7 @@ def command(
     """Show or write; 1 if a trace cannot be read or is not whole."""
     from aseme_dsl.project.playing.sniff import Wanted
     from aseme_dsl.project.settings.target import all_traces_of
-    from aseme_dsl.runtime.trace_files import TraceError
+    from aseme_dsl.runtime.trace.trace_files import TraceError
 
     if as_json and format_ is not None and output is None:
         unused = [("--format", "with `--json`, which prints rows", "write a file with -o, or leave one out")]
@@ -186,7 +186,7 @@ def _show(
     colour: str,
 ) -> int:
     from aseme_dsl.project.playing.sniff import Sniffer, line_of
-    from aseme_dsl.runtime.trace_reading import TraceReader
+    from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
     sniffer = Sniffer(wanted)
     readers = [TraceReader(path) for path in paths]

@@ -12,11 +12,11 @@ import click
 from aseme_dsl.cli.progress import shows_progress
 from aseme_dsl.cli.shared import plural
 from aseme_dsl.cli.terminal import harmless
-from aseme_dsl.runtime.acl import NOT_UNDERSTOOD
+from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.loading import Loaded
-    from aseme_dsl.runtime.plan import Plan
+    from aseme_dsl.runtime.chart.plan import Plan
+    from aseme_dsl.runtime.version.loading import Loaded
 
 _STATUS_SECONDS = 0.1
 """How often the time is renewed on a terminal."""
@@ -165,7 +165,7 @@ class Telling:
 
     def _changed(self, record: Mapping[str, Any]) -> None:
         """An agent follows another plan or another version of its own, or was refused that."""
-        from aseme_dsl.runtime.plan import plans
+        from aseme_dsl.runtime.chart.plan import plans
 
         what = record["plan"] if record["kind"] == "select" else "the new version"
         reasons = record.get("reasons") or ([record["reason"]] if "reason" in record else [])

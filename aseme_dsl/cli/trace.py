@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from aseme_dsl.diagnostics import Diagnostic
     from aseme_dsl.project.playing.traces import Filter
-    from aseme_dsl.runtime.trace_reading import TraceReader
+    from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
 _NANOSECONDS = 1e9
 
@@ -119,8 +119,8 @@ def command(
     """Sum up, list or convert; 1 if a file cannot be read or written, or is not whole."""
     from aseme_dsl.project.playing.traces import Filter
     from aseme_dsl.project.settings.target import all_traces_of
-    from aseme_dsl.runtime.trace_files import TraceError
-    from aseme_dsl.runtime.trace_reading import TraceReader
+    from aseme_dsl.runtime.trace.trace_files import TraceError
+    from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
     files, problems = all_traces_of(targets)
     if output is not None and len(files) > 1:
@@ -162,8 +162,8 @@ def command(
 def _unknown_agents(files: Sequence[Path], agents: Sequence[str]) -> list[Diagnostic]:
     """What is wrong with the agents that are asked for: those that are in no team and that no line names."""
     from aseme_dsl.project.playing.traces import Filter
-    from aseme_dsl.runtime.trace_files import TraceError
-    from aseme_dsl.runtime.trace_reading import TraceReader
+    from aseme_dsl.runtime.trace.trace_files import TraceError
+    from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
     unknown = list(dict.fromkeys(agents))
     team: dict[str, None] = {}

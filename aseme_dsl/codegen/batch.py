@@ -22,8 +22,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from aseme_dsl.codegen.plain import PlainCode
-from aseme_dsl.runtime.batch import TABLES
-from aseme_dsl.runtime.plain import ROUNDS
+from aseme_dsl.runtime.plain.batch import TABLES
+from aseme_dsl.runtime.plain.plain import ROUNDS
 
 START, STEP = "start", "step"
 """The modes of a step that are no event."""

@@ -57,7 +57,7 @@ def _lines(system: System, shown: Callable[[Span], str]) -> Iterator[str]:
         yield "import enum"
     if messages or system.enums:
         yield ""
-    yield "from aseme_dsl.runtime import wire"
+    yield "from aseme_dsl.runtime.message import wire"
     for enum in system.enums:
         yield from _enum(enum, shown(enum.span))
     for message in messages:

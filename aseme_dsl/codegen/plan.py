@@ -25,7 +25,7 @@ Sections = list[tuple[str, list[str]]]
 
 
 def value_term(value: e.Value) -> Term:
-    """A value as the nested tuple that `runtime/plan.py` describes."""
+    """A value as the nested tuple that `runtime/chart/plan.py` describes."""
     match value:
         case e.Named(expression=inner):
             return value_term(inner)

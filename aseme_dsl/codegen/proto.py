@@ -14,7 +14,7 @@ from aseme_dsl.amola.messages import DURATION, EnumType, Field, Kind, Message
 from aseme_dsl.amola.python_names import kept_apart
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.place import place
-from aseme_dsl.runtime.naming import snake_case
+from aseme_dsl.runtime.message.naming import snake_case
 
 if TYPE_CHECKING:
     from google.protobuf.descriptor_pb2 import DescriptorProto, FileDescriptorProto

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import parse_qsl
 
 from aseme_dsl import outside
-from aseme_dsl.runtime.connections import MOST, Places, Timely
+from aseme_dsl.runtime.control.connections import MOST, Places, Timely
 
 if TYPE_CHECKING:
     from aseme_dsl.editor.answers.diagram import LiveDrawing

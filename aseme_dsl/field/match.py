@@ -37,7 +37,7 @@ from aseme_dsl.field.robot import (
 )
 from aseme_dsl.field.team import TeamSheet, kick_off_places, team_sheet
 from aseme_dsl.field.trail import Trail, TrailPoint
-from aseme_dsl.runtime.body import Heard
+from aseme_dsl.runtime.world.body import Heard
 
 STEP_NS = 10_000_000
 """One step of the world."""
@@ -120,7 +120,7 @@ class Result:
 
 
 class FieldBody:
-    """The body of one robot of the field: an ``aseme_dsl.runtime.body.Body[Percept, Command]``."""
+    """The body of one robot of the field: an ``aseme_dsl.runtime.world.body.Body[Percept, Command]``."""
 
     __slots__ = ("_commands", "_match", "_name", "_percept", "_radio")
 
@@ -161,7 +161,7 @@ class FieldBody:
 
 
 class Match:
-    """A match between two teams: an ``aseme_dsl.runtime.body.World[Percept, Command]``.
+    """A match between two teams: an ``aseme_dsl.runtime.world.body.World[Percept, Command]``.
 
     A scripted team plays by itself; the robots of the others have bodies. Raises ValueError if two robots, or
     both teams, have one name.

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from heapq import heappop, heappush
 
-from aseme_dsl.runtime.body import Heard
+from aseme_dsl.runtime.world.body import Heard
 
 MILLISECOND = 1_000_000
 

@@ -9,15 +9,13 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.access import UndeclaredError
-    from aseme_dsl.runtime.activities import Activity, ActivityError
-    from aseme_dsl.runtime.board import NEVER, Board
-    from aseme_dsl.runtime.body import Body, BodyLost, Heard, World
-    from aseme_dsl.runtime.chart import Chart
-    from aseme_dsl.runtime.context import Cancelled, Context
-    from aseme_dsl.runtime.inputs import Arrived, Mail
-    from aseme_dsl.runtime.loading import Loaded, LoadError, activities_in, load_system
-    from aseme_dsl.runtime.plan import (
+    from aseme_dsl.runtime.activity.access import UndeclaredError
+    from aseme_dsl.runtime.activity.activities import Activity, ActivityError
+    from aseme_dsl.runtime.activity.context import Cancelled, Context
+    from aseme_dsl.runtime.chart.board import NEVER, Board
+    from aseme_dsl.runtime.chart.chart import Chart
+    from aseme_dsl.runtime.chart.inputs import Arrived, Mail
+    from aseme_dsl.runtime.chart.plan import (
         ActivityInfo,
         BranchInfo,
         ChannelInfo,
@@ -30,19 +28,21 @@ if TYPE_CHECKING:
         plans,
         register,
     )
-    from aseme_dsl.runtime.scripted import Scripted, ScriptError, read_script
-    from aseme_dsl.runtime.team import AgentResult, RunResult, Team, TeamError, make_team, run
+    from aseme_dsl.runtime.team.scripted import Scripted, ScriptError, read_script
+    from aseme_dsl.runtime.team.team import AgentResult, RunResult, Team, TeamError, make_team, run
+    from aseme_dsl.runtime.version.loading import Loaded, LoadError, activities_in, load_system
+    from aseme_dsl.runtime.world.body import Body, BodyLost, Heard, World
 
 _MODULES = {
-    "access": ("UndeclaredError",),
-    "activities": ("Activity", "ActivityError"),
-    "board": ("NEVER", "Board"),
-    "body": ("Body", "BodyLost", "Heard", "World"),
-    "chart": ("Chart",),
-    "context": ("Cancelled", "Context"),
-    "inputs": ("Arrived", "Mail"),
-    "loading": ("Loaded", "LoadError", "activities_in", "load_system"),
-    "plan": (
+    "activity.access": ("UndeclaredError",),
+    "activity.activities": ("Activity", "ActivityError"),
+    "chart.board": ("NEVER", "Board"),
+    "world.body": ("Body", "BodyLost", "Heard", "World"),
+    "chart.chart": ("Chart",),
+    "activity.context": ("Cancelled", "Context"),
+    "chart.inputs": ("Arrived", "Mail"),
+    "version.loading": ("Loaded", "LoadError", "activities_in", "load_system"),
+    "chart.plan": (
         "ActivityInfo",
         "BranchInfo",
         "ChannelInfo",
@@ -55,8 +55,8 @@ _MODULES = {
         "plans",
         "register",
     ),
-    "scripted": ("Scripted", "ScriptError", "read_script"),
-    "team": ("AgentResult", "RunResult", "Team", "TeamError", "make_team", "run"),
+    "team.scripted": ("Scripted", "ScriptError", "read_script"),
+    "team.team": ("AgentResult", "RunResult", "Team", "TeamError", "make_team", "run"),
 }
 """Where each name is: its module is imported when it is asked for, since most commands need none."""
 

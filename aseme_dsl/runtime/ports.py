@@ -10,12 +10,12 @@ from collections.abc import Callable, Iterable, Sized
 from contextlib import AbstractContextManager
 from typing import Any, Protocol, TypeVar
 
-from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.convert import Messages
-from aseme_dsl.runtime.inputs import Identity, Input
-from aseme_dsl.runtime.intake import Errand, Posted, Writer
-from aseme_dsl.runtime.plan import BranchInfo, Plan
-from aseme_dsl.runtime.timers import Scheduler
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import Identity, Input
+from aseme_dsl.runtime.chart.intake import Errand, Posted, Writer
+from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
+from aseme_dsl.runtime.message.convert import Messages
+from aseme_dsl.runtime.time.timers import Scheduler
 
 RunningT = TypeVar("RunningT", contravariant=True)
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from aseme_dsl.project.studying import course as recorded
-from aseme_dsl.runtime.inputs import Arrived, Completed, Happened, Input, Written
-from aseme_dsl.runtime.plan import Plan
+from aseme_dsl.runtime.chart.inputs import Arrived, Completed, Happened, Input, Written
+from aseme_dsl.runtime.chart.plan import Plan
 from benchmarks.behaviours.aseme import camel, channel, labels, names, text_of
 from benchmarks.behaviours.description import Behaviour, Change
 from tests.oracle.interpreter import Reference

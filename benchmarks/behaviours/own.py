@@ -41,9 +41,9 @@ from aseme_dsl.codegen.flat import FlatChart, Way
 from aseme_dsl.codegen.place import place
 from aseme_dsl.diagnostics import render_text
 from aseme_dsl.project.studying.course import Course, Given, Recorder, begun, give, runs
-from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.inputs import Arrived, Completed, Crashed, Happened, Input, Written
-from aseme_dsl.runtime.plain import NEVER
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import Arrived, Completed, Crashed, Happened, Input, Written
+from aseme_dsl.runtime.plain.plain import NEVER
 from benchmarks.behaviours import description
 from benchmarks.behaviours.description import Action, Behaviour, Change, Guard, State
 

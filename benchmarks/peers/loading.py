@@ -100,7 +100,7 @@ def measured(key: str, title: str, root: Path, module: str, processes: int = PRO
 
 SCRIPT = """
 import gc, importlib, json, marshal, statistics, sys, time
-import aseme_dsl.runtime.plain
+import aseme_dsl.runtime.plain.plain
 
 folder, name, loads = sys.argv[1:]
 sys.path.insert(0, folder)

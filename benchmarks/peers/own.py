@@ -22,10 +22,10 @@ from aseme_dsl.project.studying.bench import Different, compare, plain_classes, 
 from aseme_dsl.project.studying.course import Course
 from aseme_dsl.project.studying.drawn import drawn
 from aseme_dsl.project.studying.recorded import NotPlayable
-from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.loading import Loaded, load_system
-from aseme_dsl.runtime.machine import Machine
-from aseme_dsl.runtime.plain import Plain
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.plain.machine import Machine
+from aseme_dsl.runtime.plain.plain import Plain
+from aseme_dsl.runtime.version.loading import Loaded, load_system
 from benchmarks.behaviours import counts
 from benchmarks.behaviours.description import Behaviour, as_json, entered, instrumented, left, walk
 from benchmarks.behaviours.own import Refused, described, identifier, one_by_one

@@ -9,7 +9,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 from tables import inline, table
 
-from aseme_dsl.runtime.trace_schema import schema
+from aseme_dsl.runtime.trace.trace_schema import schema
 
 COMMON = ("kind", "time")
 

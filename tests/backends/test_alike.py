@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from aseme_dsl.codegen.plain import PlainOptions
-from aseme_dsl.runtime.inputs import Happened
+from aseme_dsl.runtime.chart.inputs import Happened
 from tests.support import batches
 from tests.support.generated import generate, system_of
 from tests.support.plain_engine import plain_class

@@ -10,7 +10,7 @@ import pytest
 
 from aseme_dsl.backends.backend import BackendOptions, UnknownBackend, backend_names, find_backend
 from aseme_dsl.backends.monas.generate import BACKEND
-from aseme_dsl.runtime.naming import class_name, module_name
+from aseme_dsl.runtime.message.naming import class_name, module_name
 from tests.support.generated import system_of
 
 WALKER = "system Walker\nsrm robot { liveness { robot = Walk . StandUp } activities { Walk takes 1s } }"

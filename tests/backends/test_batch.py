@@ -18,8 +18,8 @@ import pytest
 from aseme_dsl.backends.backend import BackendOptions, Refused
 from aseme_dsl.backends.batch import BACKEND
 from aseme_dsl.diagnostics import render_text
-from aseme_dsl.runtime.batch import BatchError
-from aseme_dsl.runtime.plain import Unsettled
+from aseme_dsl.runtime.plain.batch import BatchError
+from aseme_dsl.runtime.plain.plain import Unsettled
 from tests.support.batches import Together, made, without_compiling
 from tests.support.generated import system_of
 

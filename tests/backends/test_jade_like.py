@@ -16,7 +16,7 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import BackendOptions, backend_names, find_backend
 from aseme_dsl.backends.jade_like import BACKEND
 from aseme_dsl.compiler import analyse
-from aseme_dsl.runtime.behaviours import (
+from aseme_dsl.runtime.agent.behaviours import (
     Behaviour,
     CyclicBehaviour,
     FSMBehaviour,
@@ -27,8 +27,8 @@ from aseme_dsl.runtime.behaviours import (
     TickerBehaviour,
     WakerBehaviour,
 )
-from aseme_dsl.runtime.directory import played
-from aseme_dsl.runtime.plan import Plan
+from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.conversation.directory import played
 from tests.conftest import Snapshot
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices
@@ -66,7 +66,7 @@ def tree(agent: JadeLikeAgent) -> list[str]:
 
 def kind(item: Behaviour) -> type[Behaviour]:
     """The class of the runtime that a behaviour is of."""
-    return next(base for base in type(item).__mro__ if base.__module__ == "aseme_dsl.runtime.behaviours")
+    return next(base for base in type(item).__mro__ if base.__module__ == Behaviour.__module__)
 
 
 def check(agent: JadeLikeAgent) -> None:

@@ -15,7 +15,7 @@ from aseme_dsl.backends.plain import BACKEND
 from aseme_dsl.backends.plain import generate as generate_module
 from aseme_dsl.codegen import plain_limits
 from aseme_dsl.codegen.plain import TAKEN, PlainOptions
-from aseme_dsl.runtime import plain as runtime
+from aseme_dsl.runtime.plain import plain as runtime
 from tests.support.generated import generate, system_of
 from tests.support.plain_engine import plain_class
 

@@ -7,7 +7,7 @@ from functools import cache
 import pytest
 
 from aseme_dsl.backends.jade_like import BACKEND
-from aseme_dsl.runtime import chart
+from aseme_dsl.runtime.chart import chart
 from tests.oracle.charts import EVENTS, text
 from tests.oracle.choices import Choices
 from tests.oracle.test_agreement import ROUNDS, forget

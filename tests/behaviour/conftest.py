@@ -7,7 +7,7 @@ from functools import cache
 
 import pytest
 
-from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.chart.chart import Chart
 from tests.behaviour.running import Engine, Run
 from tests.oracle.interpreter import Reference
 from tests.support import asleep

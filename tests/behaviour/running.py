@@ -8,7 +8,7 @@ from dataclasses import fields, is_dataclass, replace
 from enum import IntEnum
 from typing import Any, Protocol
 
-from aseme_dsl.runtime.inputs import (
+from aseme_dsl.runtime.chart.inputs import (
     LOST,
     Arrived,
     Cancel,
@@ -29,7 +29,7 @@ from aseme_dsl.runtime.inputs import (
     Start,
     Written,
 )
-from aseme_dsl.runtime.plan import Plan
+from aseme_dsl.runtime.chart.plan import Plan
 from tests.support.generated import Generated
 
 MS = 1_000_000

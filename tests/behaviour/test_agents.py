@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.runtime.inputs import Completed, Start
+from aseme_dsl.runtime.chart.inputs import Completed, Start
 from tests.behaviour.conftest import Play
 from tests.oracle.interpreter import Reference
 from tests.support.generated import Generated, generate

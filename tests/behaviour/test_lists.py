@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from aseme_dsl.runtime.inputs import Publication
+from aseme_dsl.runtime.chart.inputs import Publication
 from tests.behaviour.conftest import Play
 from tests.behaviour.running import Run
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aseme_dsl.runtime.inputs import Sending
+from aseme_dsl.runtime.chart.inputs import Sending
 from tests.behaviour.conftest import Play
 from tests.behaviour.running import Run
 

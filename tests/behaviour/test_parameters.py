@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from aseme_dsl.runtime.inputs import Sending
+from aseme_dsl.runtime.chart.inputs import Sending
 from tests.behaviour.conftest import Play
 
 

@@ -10,7 +10,7 @@ import pytest
 from aseme_dsl.project.studying.course import Course
 from aseme_dsl.project.studying.drawn import drawn
 from aseme_dsl.project.studying.recorded import recorded
-from aseme_dsl.runtime.loading import importing
+from aseme_dsl.runtime.version.loading import importing
 from benchmarks.behaviours.counts import counts_of
 from benchmarks.behaviours.description import (
     Behaviour,

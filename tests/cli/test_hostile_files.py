@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.runtime.persist import Kept
+from aseme_dsl.runtime.channel.persist import Kept
 
 PROGRAM = (
     "system S\nmessage Score { int own }\ntopic game { state Score persist }\n"

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.runtime.trace_reading import TraceReader
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from tests.cli.support import Here
 
 ROOT = Path(__file__).parents[2]

@@ -23,7 +23,7 @@ from aseme_dsl.codegen.proto import (
 )
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import render_text
-from aseme_dsl.runtime.naming import snake_case
+from aseme_dsl.runtime.message.naming import snake_case
 from aseme_dsl.source import Source
 from tests.conftest import Snapshot
 from tests.support.compiling import system

@@ -22,7 +22,7 @@ from aseme_dsl.codegen.messages import generate_messages
 from aseme_dsl.codegen.proto import descriptor_set, full_name
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import render_text
-from aseme_dsl.runtime.wire import WireError
+from aseme_dsl.runtime.message.wire import WireError
 from aseme_dsl.source import Source
 from tests.conftest import Snapshot
 from tests.support.compiling import system

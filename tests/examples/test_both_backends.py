@@ -14,8 +14,8 @@ from aseme_dsl.diagnostics import has_errors
 from aseme_dsl.project.building.build import Choice, activities_folder, build
 from aseme_dsl.project.building.project import Compiled, compile_root
 from aseme_dsl.project.playing.play import Request, load, play
-from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.inputs import Input, Outcome
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import Input, Outcome
 from tests.support import asleep
 
 ROOT = Path(__file__).parents[2]

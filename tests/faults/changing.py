@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from aseme_dsl.runtime.activities import ActivityFinder
-from aseme_dsl.runtime.swap import Version
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.activity.activities import ActivityFinder
+from aseme_dsl.runtime.team.swap import Version
+from aseme_dsl.runtime.trace.trace import Record
 from tests.support.generated import Generated, generate
 
 

@@ -16,11 +16,11 @@ from typing import IO, Any
 import pytest
 
 from aseme_dsl.runtime import Context, activities_in
-from aseme_dsl.runtime.processes import get
-from aseme_dsl.runtime.real import RealDriver
-from aseme_dsl.runtime.real_time import RealTime
-from aseme_dsl.runtime.team import Team
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.driver.real import RealDriver
+from aseme_dsl.runtime.driver.real_time import RealTime
+from aseme_dsl.runtime.team.team import Team
+from aseme_dsl.runtime.trace.trace import Record
+from aseme_dsl.runtime.workers.processes import get
 from tests.runtime.playing import MS, SECOND, Played, make, play
 from tests.support.waiting import LONG
 
@@ -355,7 +355,7 @@ def test_a_deadline_that_passes_just_as_a_process_returns_is_not_that_of_the_nex
             late.append(driver._elsewhere().kill(execution, "it was late"))
         return data
 
-    monkeypatch.setattr("aseme_dsl.runtime.processes.get", hear)
+    monkeypatch.setattr("aseme_dsl.runtime.workers.processes.get", hear)
     result = team.run()
     assert late == [True]
     assert result.reason == "finished" and not result.failed, result

@@ -6,7 +6,7 @@ from collections import Counter
 
 import pytest
 
-from aseme_dsl.runtime.faults import Crash, Faults
+from aseme_dsl.runtime.team.faults import Crash, Faults
 from tests.runtime.playing import MS, SECOND, Played, play
 from tests.support.generated import Generated, generate
 

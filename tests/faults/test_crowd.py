@@ -5,9 +5,9 @@ from __future__ import annotations
 import threading
 from typing import Any
 
-from aseme_dsl.runtime.inputs import Arrived
-from aseme_dsl.runtime.intake import CROWD, Intake, Posted
-from aseme_dsl.runtime.team import Team
+from aseme_dsl.runtime.chart.inputs import Arrived
+from aseme_dsl.runtime.chart.intake import CROWD, Intake, Posted
+from aseme_dsl.runtime.team.team import Team
 from tests.runtime.playing import MS, SECOND, make
 from tests.support.waiting import LONG
 

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.inputs import Arrived, Happened, Written
-from aseme_dsl.runtime.intake import CROWD, Intake, Posted
-from aseme_dsl.runtime.real_time import RealTime
+from aseme_dsl.runtime.chart.inputs import Arrived, Happened, Written
+from aseme_dsl.runtime.chart.intake import CROWD, Intake, Posted
+from aseme_dsl.runtime.driver.real_time import RealTime
 from tests.runtime.playing import MS, SECOND, Played, make, play
 from tests.support.generated import generate
 from tests.support.waiting import LONG

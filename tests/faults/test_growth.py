@@ -12,7 +12,7 @@ import psutil
 import pytest
 
 from aseme_dsl.runtime import activities_in
-from aseme_dsl.runtime.real_time import RealTime
+from aseme_dsl.runtime.driver.real_time import RealTime
 from tests.faults.test_activities import folder
 from tests.runtime.playing import MS, make
 from tests.support.waiting import LONG, wait_until
@@ -57,8 +57,8 @@ def test_starts_and_cancellations_leave_nothing_behind(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # What waits for long, as on a machine that stands still for a while, gets another thread: not here.
-    monkeypatch.setattr("aseme_dsl.runtime.real.LOOK", 600.0)
-    monkeypatch.setattr("aseme_dsl.runtime.real.GRACE", LONG)
+    monkeypatch.setattr("aseme_dsl.runtime.driver.real.LOOK", 600.0)
+    monkeypatch.setattr("aseme_dsl.runtime.driver.real.GRACE", LONG)
     counts: dict[str, int] = {}
     levels: list[list[int]] = []
 

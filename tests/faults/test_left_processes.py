@@ -12,7 +12,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from aseme_dsl.runtime.descendants import ending_descendants
+from aseme_dsl.runtime.workers.descendants import ending_descendants
 from tests.cli.support import Done, asemec, command
 from tests.support.waiting import long_enough, wait_until
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from aseme_dsl.runtime.faults import Faults, Links, Partition
-from aseme_dsl.runtime.trace import Record, Trace
-from aseme_dsl.runtime.virtual import VirtualDriver
+from aseme_dsl.runtime.driver.virtual import VirtualDriver
+from aseme_dsl.runtime.team.faults import Faults, Links, Partition
+from aseme_dsl.runtime.trace.trace import Record, Trace
 from tests.runtime.playing import MS, SECOND
 
 

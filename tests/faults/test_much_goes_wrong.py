@@ -13,8 +13,8 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.runtime.context import Context
-from aseme_dsl.runtime.faults import Crash, Faults, Partition
+from aseme_dsl.runtime.activity.context import Context
+from aseme_dsl.runtime.team.faults import Crash, Faults, Partition
 from tests.cli.support import Here
 from tests.faults.changing import version
 from tests.runtime.playing import MS, SECOND, check_line, lines_of, make

@@ -17,11 +17,11 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.runtime import control_socket
-from aseme_dsl.runtime.control import Control
-from aseme_dsl.runtime.control_socket import ControlError, ask, endpoints, listening
-from aseme_dsl.runtime.team import Team
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.control import control_socket
+from aseme_dsl.runtime.control.control import Control
+from aseme_dsl.runtime.control.control_socket import ControlError, ask, endpoints, listening
+from aseme_dsl.runtime.team.team import Team
+from aseme_dsl.runtime.trace.trace import Record
 from tests.cli import support as cli
 from tests.faults.test_swap import ONE, WITHOUT_KICK
 from tests.runtime.playing import SECOND, make

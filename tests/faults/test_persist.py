@@ -12,8 +12,8 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.runtime.context import Context
-from aseme_dsl.runtime.persist import Kept
+from aseme_dsl.runtime.activity.context import Context
+from aseme_dsl.runtime.channel.persist import Kept
 from tests.faults.test_operate import Here, here
 from tests.runtime.playing import MS, make, play
 from tests.support.generated import generate
@@ -82,7 +82,7 @@ def test_kill_at_any_moment(here: Here) -> None:
 
 
 def test_a_state_is_kept_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("aseme_dsl.runtime.real.LOOK", 600.0)  # the main thread does nothing meanwhile
+    monkeypatch.setattr("aseme_dsl.runtime.driver.real.LOOK", 600.0)  # the main thread does nothing meanwhile
     file = tmp_path / "kept" / "one.json"
     made = generate(COUNTING.replace("Add~", "Add").replace("every 2ms ", ""))
     found: list[int] = []
@@ -160,7 +160,7 @@ def test_a_full_disk_is_told_once_and_what_was_kept_stays(
 
 
 def test_what_could_not_be_written_is_tried_again_without_anything_new(tmp_path: Path) -> None:
-    from aseme_dsl.runtime.persist import Kept
+    from aseme_dsl.runtime.channel.persist import Kept
     from tests.support.generated import generate
 
     folder = tmp_path / "kept"

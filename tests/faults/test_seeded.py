@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.runtime.context import Context
-from aseme_dsl.runtime.faults import Crash, Faults, Partition
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.activity.context import Context
+from aseme_dsl.runtime.team.faults import Crash, Faults, Partition
+from aseme_dsl.runtime.trace.trace import Record
 from tests.faults.changing import version
 from tests.faults.test_swap import NET
 from tests.runtime.playing import MS, SECOND, make

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from aseme_dsl.runtime.context import Context
-from aseme_dsl.runtime.swap import Version
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.activity.context import Context
+from aseme_dsl.runtime.team.swap import Version
+from aseme_dsl.runtime.trace.trace import Record
 from tests.faults.changing import version
 from tests.runtime.playing import MS, SECOND, check_line, make
 from tests.support.generated import generate

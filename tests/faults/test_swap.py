@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.runtime.context import Context
-from aseme_dsl.runtime.swap import Version
-from aseme_dsl.runtime.team import Team
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.activity.context import Context
+from aseme_dsl.runtime.team.swap import Version
+from aseme_dsl.runtime.team.team import Team
+from aseme_dsl.runtime.trace.trace import Record
 from tests.faults.changing import version, without
 from tests.oracle.charts import text as random_text
 from tests.oracle.choices import Choices

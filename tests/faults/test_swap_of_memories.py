@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from aseme_dsl.runtime.carry import Carried, carry, same_states
-from aseme_dsl.runtime.inputs import Start
+from aseme_dsl.runtime.agent.carry import Carried, carry, same_states
+from aseme_dsl.runtime.chart.inputs import Start
 from tests.behaviour.conftest import PRELUDE
 from tests.behaviour.running import Run
 from tests.support.generated import Generated, generate

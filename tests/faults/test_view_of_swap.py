@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from aseme_dsl.backends.jade_like import BACKEND
-from aseme_dsl.runtime import chart
-from aseme_dsl.runtime.team import Team
+from aseme_dsl.runtime.chart import chart
+from aseme_dsl.runtime.team.team import Team
 from tests.faults.changing import version
 from tests.faults.test_swap import script_for
 from tests.oracle.charts import text as random_text

@@ -24,7 +24,7 @@ from aseme_dsl.field.skills import (
     support_place,
     walk_to,
 )
-from aseme_dsl.runtime.body import Body
+from aseme_dsl.runtime.world.body import Body
 
 THINK_NS = 60_000_000
 FORGET_NS = 3_000_000_000

@@ -15,7 +15,7 @@ from aseme_dsl.field.match import STEP_NS, Match
 from aseme_dsl.field.percept import Percept, PlayerState
 from aseme_dsl.field.radio import RadioSettings
 from aseme_dsl.field.team import Player, TeamSheet, team_sheet
-from aseme_dsl.runtime.body import Body, Heard, World
+from aseme_dsl.runtime.world.body import Body, Heard, World
 
 SECOND = 1_000_000_000
 
@@ -160,7 +160,7 @@ def test_every_motion_is_taken_by_a_body() -> None:
 
 
 def test_the_field_needs_nothing_but_the_port_and_the_standard_library() -> None:
-    allowed = {*sys.stdlib_module_names, "aseme_dsl.runtime.body"}
+    allowed = {*sys.stdlib_module_names, "aseme_dsl.runtime.world.body"}
     folder = Path(aseme_dsl.field.__file__).parent
     for path in sorted(folder.glob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from aseme_dsl.field.radio import Radio, RadioCount, RadioSettings
-from aseme_dsl.runtime.body import Heard
+from aseme_dsl.runtime.world.body import Heard
 
 STEP_NS = 10_000_000
 SECOND = 1_000_000_000

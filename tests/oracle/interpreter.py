@@ -15,7 +15,7 @@ from operator import add
 from random import Random
 from typing import Any
 
-from aseme_dsl.runtime.inputs import (
+from aseme_dsl.runtime.chart.inputs import (
     Arrived,
     Cancel,
     Completed,
@@ -35,7 +35,7 @@ from aseme_dsl.runtime.inputs import (
     Start,
     Written,
 )
-from aseme_dsl.runtime.plan import Plan, Term, Transition
+from aseme_dsl.runtime.chart.plan import Plan, Term, Transition
 
 ROUNDS = 1000
 """The "bound" of a step."""

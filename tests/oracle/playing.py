@@ -8,7 +8,7 @@ from enum import Enum
 from itertools import cycle
 from typing import Any
 
-from aseme_dsl.runtime.inputs import (
+from aseme_dsl.runtime.chart.inputs import (
     LOST,
     Arrived,
     Cancel,

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.runtime import chart
+from aseme_dsl.runtime.chart import chart
 from tests.oracle import interpreter
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices

@@ -28,7 +28,7 @@ from aseme_dsl.amola.statechart import Statechart, Transition
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.batch.generate import problems_of
 from aseme_dsl.codegen import plain as codegen
-from aseme_dsl.runtime.plain import Unsettled
+from aseme_dsl.runtime.plain.plain import Unsettled
 from tests.oracle.charts import MS, text
 from tests.oracle.choices import Choices
 from tests.oracle.examples import agree, how_many

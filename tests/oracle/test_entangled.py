@@ -11,7 +11,7 @@ import re
 import pytest
 
 from aseme_dsl.codegen import plain as codegen
-from aseme_dsl.runtime import plain
+from aseme_dsl.runtime.plain import plain
 from tests.oracle import interpreter
 from tests.oracle.choices import Choices
 from tests.oracle.examples import ROUNDS, forget, how_many

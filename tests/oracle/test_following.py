@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.runtime import chart
-from aseme_dsl.runtime.following import Change, Following, Shape
+from aseme_dsl.runtime.chart import chart
+from aseme_dsl.runtime.chart.following import Change, Following, Shape
 from tests.oracle import interpreter
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.runtime.inputs import (
+from aseme_dsl.runtime.chart.inputs import (
     Arrived,
     Cancel,
     Completed,
@@ -25,7 +25,16 @@ from aseme_dsl.runtime.inputs import (
     Start,
     Written,
 )
-from aseme_dsl.runtime.plan import BranchInfo, ChannelInfo, Plan, Region, State, Term, Transition, Variable
+from aseme_dsl.runtime.chart.plan import (
+    BranchInfo,
+    ChannelInfo,
+    Plan,
+    Region,
+    State,
+    Term,
+    Transition,
+    Variable,
+)
 from tests.oracle.interpreter import Reference
 
 

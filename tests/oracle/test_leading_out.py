@@ -12,7 +12,7 @@ import pytest
 from aseme_dsl.amola.messages import INT
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.diagnostics import Severity
-from aseme_dsl.runtime import chart
+from aseme_dsl.runtime.chart import chart
 from tests.oracle import interpreter
 from tests.oracle.charts import EVENTS, text
 from tests.oracle.choices import Choices

@@ -16,8 +16,7 @@ import pytest
 
 from aseme_dsl.codegen import plain as codegen
 from aseme_dsl.codegen.plain import PlainOptions
-from aseme_dsl.runtime import plain
-from aseme_dsl.runtime.inputs import (
+from aseme_dsl.runtime.chart.inputs import (
     Arrived,
     Cancel,
     Completed,
@@ -29,6 +28,7 @@ from aseme_dsl.runtime.inputs import (
     Start,
     Written,
 )
+from aseme_dsl.runtime.plain import plain
 from tests.oracle import interpreter
 from tests.oracle.charts import EVENTS, HOSTS, MS, text
 from tests.oracle.choices import Choices

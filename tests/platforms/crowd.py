@@ -19,9 +19,9 @@ from collections import Counter
 from typing import Any
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.team import Team
-from aseme_dsl.runtime.transport.over_platform import PlatformLink
-from aseme_dsl.runtime.transport.over_spade import SpadePlatform
+from aseme_dsl.runtime.platform.over_platform import PlatformLink
+from aseme_dsl.runtime.platform.over_spade import SpadePlatform
+from aseme_dsl.runtime.team.team import Team
 from aseme_dsl.runtime.transport.post import Post
 from aseme_dsl.runtime.transport.settings import Xmpp
 from tests.support.generated import generate

@@ -60,7 +60,7 @@ class Server:
             self._configure()
             command = ["prosody", "--config", str(self.folder / "prosody.cfg.lua"), "-F"]
         else:
-            command = [sys.executable, "-m", "aseme_dsl.runtime.transport.embedded_server", str(self.port)]
+            command = [sys.executable, "-m", "aseme_dsl.runtime.platform.embedded_server", str(self.port)]
         with (self.folder / "errors").open("a") as errors:
             self.process = subprocess.Popen(
                 command,

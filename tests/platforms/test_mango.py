@@ -21,9 +21,9 @@ pytest.importorskip("mango", reason="mango is not installed: python3 dev.py long
 
 import mango
 
-from aseme_dsl.runtime.team import TeamError
-from aseme_dsl.runtime.transport.over_mango import MangoPlatform
-from aseme_dsl.runtime.transport.over_platform import PlatformLink
+from aseme_dsl.runtime.platform.over_mango import MangoPlatform
+from aseme_dsl.runtime.platform.over_platform import PlatformLink
+from aseme_dsl.runtime.team.team import TeamError
 from aseme_dsl.runtime.transport.settings import Mango
 from tests.runtime.transport.net import Part, part
 from tests.runtime.transport.test_parts import NET, TEAM, Box

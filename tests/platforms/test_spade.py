@@ -16,8 +16,8 @@ import psutil
 import pytest
 
 from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.platform.over_platform import PlatformLink
 from aseme_dsl.runtime.transport import TransportError
-from aseme_dsl.runtime.transport.over_platform import PlatformLink
 from tests.platforms.servers import Server
 from tests.runtime.transport import net as parts
 from tests.runtime.transport.net import Part
@@ -29,7 +29,7 @@ from tests.support.waiting import LONG, wait_until
 
 pytest.importorskip("spade", reason="SPADE is not installed: python3 dev.py long")
 
-from aseme_dsl.runtime.transport.over_spade import SpadePlatform
+from aseme_dsl.runtime.platform.over_spade import SpadePlatform
 
 NAMES = ("ann", "bob", "cat")
 _running: list[Part] = []
@@ -141,7 +141,7 @@ def test_a_conversation_goes_on_after_the_server_was_restarted(net: Generated, s
 def test_a_server_that_hangs_is_noticed(
     talk: Generated, server: Server, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("aseme_dsl.runtime.transport.over_spade.SILENCE", 1.0)
+    monkeypatch.setattr("aseme_dsl.runtime.platform.over_spade.SILENCE", 1.0)
     box = Box(talk)
     ann = part(talk, ["ann"], box.activities, link(server)).start()
     bob = part(talk, ["bob"], box.activities, link(server)).start()
@@ -321,7 +321,7 @@ def test_what_cannot_be_brought_to_an_outsider_is_told(
 
 
 def test_a_server_that_is_not_there_is_said(net: Generated, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("aseme_dsl.runtime.transport.over_spade.START", 1.0)
+    monkeypatch.setattr("aseme_dsl.runtime.platform.over_spade.START", 1.0)
     nowhere = Server("embedded")
     with own_port() as nowhere.port:
         found = started(net, nowhere, "bob")

@@ -13,7 +13,7 @@ from aseme_dsl.project.building.project import compile_root
 from aseme_dsl.project.studying.bench import Bench, Different, bench, compare, plain_classes
 from aseme_dsl.project.studying.bench_report import markdown
 from aseme_dsl.project.studying.drawn import drawn
-from aseme_dsl.runtime.loading import load_system
+from aseme_dsl.runtime.version.loading import load_system
 from tests.cli.support import BAD, GOOD, asemec
 from tests.support.lamp import LAMP
 

@@ -84,7 +84,7 @@ def dim(n):
 
 GAME = """\
 import json, random, sys
-from aseme_dsl.runtime.plain import ActivityFailed
+from aseme_dsl.runtime.plain.plain import ActivityFailed
 from plain.Room import Lamp
 from plain.Room.messages import Light
 import plain.Room.lamp as module

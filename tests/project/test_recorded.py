@@ -13,7 +13,7 @@ from aseme_dsl.project.studying.bench import recordings_of
 from aseme_dsl.project.studying.course import Course
 from aseme_dsl.project.studying.recorded import NotPlayable, recorded
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.trace.trace import Record
 from tests.cli.support import asemec
 from tests.runtime.held import play_held
 from tests.runtime.playing import MS, SECOND, make

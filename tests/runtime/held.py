@@ -7,8 +7,8 @@ import threading
 import time
 from pathlib import Path
 
-from aseme_dsl.runtime.team import RunResult
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.team.team import RunResult
+from aseme_dsl.runtime.trace.trace import Record
 from tests.runtime.playing import SECOND, make
 from tests.support.generated import Generated, generate
 from tests.support.waiting import LONG

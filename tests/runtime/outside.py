@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from aseme_dsl.runtime.acl import AgentIdentifier, FipaMessage
-from aseme_dsl.runtime.team import Team
+from aseme_dsl.runtime.message.acl import AgentIdentifier, FipaMessage
+from aseme_dsl.runtime.team.team import Team
 from tests.runtime.playing import MS
 
 

@@ -11,11 +11,11 @@ from typing import Any
 
 from jsonschema import Draft202012Validator
 
-from aseme_dsl.runtime.activities import ActivityFinder
-from aseme_dsl.runtime.scripted import read_script
-from aseme_dsl.runtime.team import RunResult, Team
-from aseme_dsl.runtime.trace import Record
-from aseme_dsl.runtime.trace_schema import schema
+from aseme_dsl.runtime.activity.activities import ActivityFinder
+from aseme_dsl.runtime.team.scripted import read_script
+from aseme_dsl.runtime.team.team import RunResult, Team
+from aseme_dsl.runtime.trace.trace import Record
+from aseme_dsl.runtime.trace.trace_schema import schema
 from tests.support.generated import Generated, generate
 
 MS = 1_000_000

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from aseme_dsl.runtime.acl import AgentIdentifier, FipaMessage, Span, Word
-from aseme_dsl.runtime.acl_text import AclTextError, read, written
+from aseme_dsl.runtime.message.acl import AgentIdentifier, FipaMessage, Span, Word
+from aseme_dsl.runtime.message.acl_text import AclTextError, read, written
 
 EXAMPLES = int(os.environ.get("ACL_EXAMPLES", "100"))
 

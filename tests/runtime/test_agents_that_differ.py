@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from random import Random
 
-from aseme_dsl.runtime.faults import Crash, Faults
+from aseme_dsl.runtime.team.faults import Crash, Faults
 from tests.faults.changing import version
 from tests.runtime.playing import MS, SECOND, Played, make, play
 

@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from aseme_dsl.runtime import ScriptError, TeamError, read_script
-from aseme_dsl.runtime.as_json import from_json, to_json
-from aseme_dsl.runtime.scripted import duration
+from aseme_dsl.runtime.message.as_json import from_json, to_json
+from aseme_dsl.runtime.team.scripted import duration
 from tests.runtime.playing import MS, SECOND, play
 from tests.support.generated import generate
 

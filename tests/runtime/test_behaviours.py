@@ -7,10 +7,10 @@ from typing import Any
 import pytest
 
 from aseme_dsl.backends.jade_like import BACKEND
-from aseme_dsl.runtime.behaviours import JadeLikeAgent
-from aseme_dsl.runtime.faults import Crash, Faults
-from aseme_dsl.runtime.swap import activity_errors
-from aseme_dsl.runtime.team import TeamError
+from aseme_dsl.runtime.agent.behaviours import JadeLikeAgent
+from aseme_dsl.runtime.team.faults import Crash, Faults
+from aseme_dsl.runtime.team.swap import activity_errors
+from aseme_dsl.runtime.team.team import TeamError
 from tests.faults.changing import version
 from tests.runtime.playing import MS, SECOND, Played, make, play
 from tests.support.generated import Generated, generate

@@ -9,9 +9,9 @@ from typing import Any, ClassVar
 from hypothesis import given
 from hypothesis import strategies as st
 
-from aseme_dsl.runtime.board import Board
-from aseme_dsl.runtime.inputs import Arrived, Completed
-from aseme_dsl.runtime.snapshot import BoardCopy
+from aseme_dsl.runtime.activity.snapshot import BoardCopy
+from aseme_dsl.runtime.chart.board import Board
+from aseme_dsl.runtime.chart.inputs import Arrived, Completed
 from tests.support.generated import generate
 
 CHANNEL = "eyes.data.Seen"

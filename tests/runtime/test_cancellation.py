@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.runtime import Context, activities_in
-from aseme_dsl.runtime.clock import RealClock
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.time.clock import RealClock
+from aseme_dsl.runtime.trace.trace import Record
 from tests.runtime.playing import MS, Played, play
 from tests.support.generated import generate
 
@@ -102,7 +102,7 @@ def test_who_is_cancelled_is_told_and_what_it_still_does_is_dropped(
 ) -> None:
     """ "Leaving a BASIC state whose activity still runs cancels the activity: it is told, and its late result
     is dropped." """
-    monkeypatch.setattr("aseme_dsl.runtime.real.GRACE", 10.0)  # a process may still be about to begin
+    monkeypatch.setattr("aseme_dsl.runtime.driver.real.GRACE", 10.0)  # a process may still be about to begin
     find = activities_in(folder(tmp_path, work=WORK[kind], boss=BOSS))
     run = play(CANCELLED, find, clock=clock, path=[tmp_path])
     assert run.result.reason == "finished"
@@ -270,7 +270,7 @@ def test_a_real_run_reports_an_activity_that_does_not_end(monkeypatch: pytest.Mo
     import threading
 
     release, begun = threading.Event(), threading.Event()
-    monkeypatch.setattr("aseme_dsl.runtime.real.GRACE", 0.1)
+    monkeypatch.setattr("aseme_dsl.runtime.driver.real.GRACE", 0.1)
 
     class Work:
         def execute(self, context: Context) -> None:
@@ -357,7 +357,7 @@ def test_threads_are_resident(monkeypatch: pytest.MonkeyPatch) -> None:
 
     starts: list[int] = []
     # What waits for long, as on a machine that stands still for a while, gets another thread: not here.
-    monkeypatch.setattr("aseme_dsl.runtime.real.LOOK", 600.0)
+    monkeypatch.setattr("aseme_dsl.runtime.driver.real.LOOK", 600.0)
     text = """system S srm R { liveness { R = Work+ } control R { leave Work : enough  repeat Work :  } }"""
     run = play(text, {"Work": Work}, clock="real")
     assert _finished(run)

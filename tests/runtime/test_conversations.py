@@ -6,8 +6,9 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.runtime import Context, conversation
-from aseme_dsl.runtime.acl import PERFORMATIVES, fipa_name
+from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.conversation import conversation
+from aseme_dsl.runtime.message.acl import PERFORMATIVES, fipa_name
 from tests.runtime.playing import MS, SECOND, Played, play
 from tests.support.generated import generate
 

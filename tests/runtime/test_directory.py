@@ -11,10 +11,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.acl import AgentIdentifier
-from aseme_dsl.runtime.directory import DirectoryError, Entry, Service
-from aseme_dsl.runtime.faults import Crash, Faults
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.conversation.directory import DirectoryError, Entry, Service
+from aseme_dsl.runtime.message.acl import AgentIdentifier
+from aseme_dsl.runtime.team.faults import Crash, Faults
+from aseme_dsl.runtime.trace.trace import Record
 from tests.runtime.outside import Outside
 from tests.runtime.playing import MS, SECOND, Played, check_line, make, play
 from tests.support.generated import Generated, generate

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.team import Team
+from aseme_dsl.runtime.team.team import Team
 from tests.runtime.playing import MS, SECOND, Played, play
 from tests.support.generated import generate
 from tests.support.waiting import long_enough

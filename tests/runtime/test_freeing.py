@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.execution import Execution
+from aseme_dsl.runtime.activity.execution import Execution
 from tests.runtime.playing import MS, SECOND, make
 
 TEXT = """

@@ -9,8 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from aseme_dsl.runtime import Context, UndeclaredError, history
-from aseme_dsl.runtime.inputs import Arrived
+from aseme_dsl.runtime import Context, UndeclaredError
+from aseme_dsl.runtime.chart import history
+from aseme_dsl.runtime.chart.inputs import Arrived
 from tests.runtime.playing import MS, SECOND, make, play
 from tests.support.generated import Generated, generate
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.project.playing.following import TraceFollower
-from aseme_dsl.runtime.trace_files import TraceError
-from aseme_dsl.runtime.trace_mcap import LONGEST, MAGIC
-from aseme_dsl.runtime.trace_reading import TraceReader
+from aseme_dsl.runtime.trace.trace_files import TraceError
+from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
 
 HEADER = json.dumps({"kind": "header", "time": 0}).encode() + b"\n"
 CHANNEL, CHUNK = 4, 6

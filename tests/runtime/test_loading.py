@@ -14,9 +14,9 @@ from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.jade_like import BACKEND as JADE_LIKE
 from aseme_dsl.backends.monas import BACKEND
 from aseme_dsl.runtime import LoadError, TeamError, activities_in, find_plan, load_system, make_team, run
-from aseme_dsl.runtime.clock import SECOND
-from aseme_dsl.runtime.loading import Mixture, importing, load_beside, other_names
-from aseme_dsl.runtime.naming import class_name, module_name
+from aseme_dsl.runtime.message.naming import class_name, module_name
+from aseme_dsl.runtime.time.clock import SECOND
+from aseme_dsl.runtime.version.loading import Mixture, importing, load_beside, other_names
 from tests.support.generated import system_of
 
 TEXT = """

@@ -15,8 +15,8 @@ from typing import Any
 import pytest
 
 from aseme_dsl.codegen.plain import PlainOptions
-from aseme_dsl.runtime.machine import Machine
-from aseme_dsl.runtime.plain import ActivityFailed, Unsettled
+from aseme_dsl.runtime.plain.machine import Machine
+from aseme_dsl.runtime.plain.plain import ActivityFailed, Unsettled
 from tests.support.generated import generate
 from tests.support.plain_engine import plain_class
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.runtime import Context, activities_in
-from aseme_dsl.runtime.real_time import RealTime
+from aseme_dsl.runtime.driver.real_time import RealTime
 from tests.faults.test_activities import folder
 from tests.runtime.playing import SECOND, make, play
 from tests.support.waiting import LONG

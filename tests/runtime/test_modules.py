@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import Context, activities_in
-from aseme_dsl.runtime.real_time import RealTime
-from aseme_dsl.runtime.team import TeamError
+from aseme_dsl.runtime.driver.real_time import RealTime
+from aseme_dsl.runtime.team.team import TeamError
 from tests.faults.changing import version
 from tests.faults.test_activities import folder
 from tests.runtime.playing import MS, Played, make, play

@@ -12,9 +12,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.acl import AgentIdentifier, FipaMessage, Span
-from aseme_dsl.runtime.team import RunResult
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.message.acl import AgentIdentifier, FipaMessage, Span
+from aseme_dsl.runtime.team.team import RunResult
+from aseme_dsl.runtime.trace.trace import Record
 from tests.runtime.outside import Outside
 from tests.runtime.playing import MS, SECOND, check_line, make
 from tests.support.generated import Generated, generate

@@ -15,9 +15,9 @@ import pytest
 
 from aseme_dsl.field.match import Match
 from aseme_dsl.field.team import team_sheet
-from aseme_dsl.runtime.body import BodyLost, Heard
-from aseme_dsl.runtime.shared_world import FarBody, WorldServer
 from aseme_dsl.runtime.transport.meeting import private_folder
+from aseme_dsl.runtime.world.body import BodyLost, Heard
+from aseme_dsl.runtime.world.shared_world import FarBody, WorldServer
 from tests.support.waiting import wait_until
 
 KEY = b"only for us"
@@ -92,7 +92,7 @@ def test_a_world_that_does_not_answer_is_lost(
     server: WorldServer, match: Match, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     body: Any = FarBody("one", server.address, KEY)
-    monkeypatch.setattr("aseme_dsl.runtime.shared_world.PATIENCE", 0.05)
+    monkeypatch.setattr("aseme_dsl.runtime.world.shared_world.PATIENCE", 0.05)
     with server._lock, pytest.raises(BodyLost, match="has not answered for"):
         body.sense()
     with pytest.raises(BodyLost):

@@ -8,7 +8,7 @@ import pytest
 
 from aseme_dsl.field.match import Match
 from aseme_dsl.runtime import Context, Team, TeamError
-from aseme_dsl.runtime.chart import Chart
+from aseme_dsl.runtime.chart.chart import Chart
 from tests.runtime.playing import MS, SECOND, make, play
 from tests.support.generated import generate
 

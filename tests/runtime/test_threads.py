@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.runtime import Context, activities_in
-from aseme_dsl.runtime.real_time import RealTime
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.driver.real_time import RealTime
+from aseme_dsl.runtime.trace.trace import Record
 from tests.faults.changing import version
 from tests.faults.test_activities import folder
 from tests.runtime.playing import MS, SECOND, make
@@ -35,7 +35,7 @@ ROUNDS = 50
 @pytest.fixture(autouse=True)
 def never_late(monkeypatch: pytest.MonkeyPatch) -> None:
     """What waits for long, as on a machine that stands still for a while, gets another thread: not here."""
-    monkeypatch.setattr("aseme_dsl.runtime.real.LOOK", 600.0)
+    monkeypatch.setattr("aseme_dsl.runtime.driver.real.LOOK", 600.0)
 
 
 def activity_threads() -> set[threading.Thread]:

@@ -9,10 +9,10 @@ from collections.abc import Callable
 import pytest
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.clock import MILLISECOND, RealClock
-from aseme_dsl.runtime.real_time import RealTime
-from aseme_dsl.runtime.timekeeper import Timekeeper, may_raise_priority
-from aseme_dsl.runtime.timers import Timer, Timers
+from aseme_dsl.runtime.driver.real_time import RealTime
+from aseme_dsl.runtime.time.clock import MILLISECOND, RealClock
+from aseme_dsl.runtime.time.timekeeper import Timekeeper, may_raise_priority
+from aseme_dsl.runtime.time.timers import Timer, Timers
 from tests.runtime.playing import MS, make, play
 from tests.support.waiting import LONG, wait_until
 

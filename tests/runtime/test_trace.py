@@ -13,7 +13,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.trace_schema import schema
+from aseme_dsl.runtime.trace.trace_schema import schema
 from tests.runtime.playing import MS, SECOND, lines_of, play
 from tests.support.generated import generate
 from tests.support.waiting import LONG

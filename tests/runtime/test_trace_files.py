@@ -17,11 +17,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from aseme_dsl.runtime import Context, trace_files, trace_mcap
-from aseme_dsl.runtime.trace import Trace
-from aseme_dsl.runtime.trace_files import TraceError
-from aseme_dsl.runtime.trace_formats import format_for
-from aseme_dsl.runtime.trace_reading import TraceReader
+from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.trace import trace_files, trace_mcap
+from aseme_dsl.runtime.trace.trace import Trace
+from aseme_dsl.runtime.trace.trace_files import TraceError
+from aseme_dsl.runtime.trace.trace_formats import format_for
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from tests.runtime.playing import SECOND, check_line, lines_of, play
 from tests.support.generated import Generated, generate
 
@@ -71,7 +72,7 @@ KILLED = """
 import sys, time
 sys.path.insert(0, {root!r})
 from pathlib import Path
-from aseme_dsl.runtime.trace_reading import TraceReader
+from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from tests.runtime.playing import make
 
 def is_written():

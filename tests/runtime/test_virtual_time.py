@@ -13,7 +13,8 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.runtime import Cancelled, Context, virtual
+from aseme_dsl.runtime import Cancelled, Context
+from aseme_dsl.runtime.driver import virtual
 from tests.runtime.playing import MS, SECOND, play
 from tests.support.waiting import wait_until
 

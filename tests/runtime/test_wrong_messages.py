@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import activities_in
-from aseme_dsl.runtime.activities import ActivityFinder
-from aseme_dsl.runtime.team import Team
+from aseme_dsl.runtime.activity.activities import ActivityFinder
+from aseme_dsl.runtime.team.team import Team
 from tests.faults.test_activities import folder
 from tests.runtime.playing import SECOND, Played, make, play
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.runtime.control_socket import ask, endpoints
+from aseme_dsl.runtime.control.control_socket import ask, endpoints
 from aseme_dsl.runtime.transport import Network
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport import meeting as meetings

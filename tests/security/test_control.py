@@ -16,18 +16,18 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from aseme_dsl.runtime import connections, control_socket
-from aseme_dsl.runtime.connections import MOST
-from aseme_dsl.runtime.control import Control
-from aseme_dsl.runtime.control_log import Origin
-from aseme_dsl.runtime.control_socket import ask, listening
-from aseme_dsl.runtime.loading import activities_of
-from aseme_dsl.runtime.swap import Version
-from aseme_dsl.runtime.trace_schema import schema
+from aseme_dsl.runtime.control import connections, control_socket
+from aseme_dsl.runtime.control.connections import MOST
+from aseme_dsl.runtime.control.control import Control
+from aseme_dsl.runtime.control.control_log import Origin
+from aseme_dsl.runtime.control.control_socket import ask, listening
+from aseme_dsl.runtime.team.swap import Version
+from aseme_dsl.runtime.trace.trace_schema import schema
 from aseme_dsl.runtime.transport import Network
 from aseme_dsl.runtime.transport import meeting as meetings
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
-from aseme_dsl.runtime.versions import VersionError, hash_of, read_version
+from aseme_dsl.runtime.version.loading import activities_of
+from aseme_dsl.runtime.version.versions import VersionError, hash_of, read_version
 from tests.faults.changing import version
 from tests.faults.team import NAME, Started, project, started
 from tests.faults.test_operate import Running

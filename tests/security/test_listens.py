@@ -19,9 +19,9 @@ import psutil
 import pytest
 
 from aseme_dsl.editor.viewer import LOOPBACK, Viewer, page_state
-from aseme_dsl.runtime import connections
-from aseme_dsl.runtime.connections import MOST
-from aseme_dsl.runtime.control_socket import endpoints
+from aseme_dsl.runtime.control import connections
+from aseme_dsl.runtime.control.connections import MOST
+from aseme_dsl.runtime.control.control_socket import endpoints
 from aseme_dsl.runtime.transport import meeting as meetings
 from tests.cli.support import asemec
 from tests.faults.team import NAME, PATIENT, ROOT, project, started

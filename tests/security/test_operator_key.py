@@ -22,17 +22,17 @@ from aseme_dsl.project.playing.operable import operable
 from aseme_dsl.project.playing.remote import RemoteError, Robot, robots_of
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.project.settings.deployment import Deployment
-from aseme_dsl.runtime import operator_gate
-from aseme_dsl.runtime.control import Control
-from aseme_dsl.runtime.loading import Loaded
-from aseme_dsl.runtime.operator_gate import Gate, GateError, ask
-from aseme_dsl.runtime.operator_key import Key, KeyFileError, newest_key, read_keys, write_key
-from aseme_dsl.runtime.team import Team
-from aseme_dsl.runtime.trace import Record
-from aseme_dsl.runtime.trace_schema import schema
+from aseme_dsl.runtime.control import operator_gate
+from aseme_dsl.runtime.control.control import Control
+from aseme_dsl.runtime.control.operator_gate import Gate, GateError, ask
+from aseme_dsl.runtime.control.operator_key import Key, KeyFileError, newest_key, read_keys, write_key
+from aseme_dsl.runtime.team.team import Team
+from aseme_dsl.runtime.trace.trace import Record
+from aseme_dsl.runtime.trace.trace_schema import schema
 from aseme_dsl.runtime.transport import Network
 from aseme_dsl.runtime.transport.access import OPERATOR, access_rules
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
+from aseme_dsl.runtime.version.loading import Loaded
 from tests.cli import support as cli
 from tests.faults.team import NAME, project, started
 from tests.faults.test_network import WIRE, Mouth, certificates, mouth, port, secured, wire

@@ -6,8 +6,8 @@ import copy
 from collections.abc import Iterable
 from typing import Any
 
-from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.inputs import Input, Outcome
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import Input, Outcome
 
 unchecked_step = Chart.step
 

@@ -15,7 +15,7 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.batch import BACKEND as BATCH
 from aseme_dsl.backends.plain import BACKEND as PLAIN
-from aseme_dsl.runtime.batch import Batch
+from aseme_dsl.runtime.plain.batch import Batch
 
 _numbers = itertools.count(1)
 

@@ -20,8 +20,8 @@ from aseme_dsl.backends.backend import Backend, BackendOptions
 from aseme_dsl.backends.monas import BACKEND
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import has_errors, render_text
-from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.plan import Plan
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.source import Source
 
 _numbers = itertools.count(1)

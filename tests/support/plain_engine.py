@@ -13,7 +13,7 @@ from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.plain.generate import module_text
 from aseme_dsl.codegen.plain import PlainOptions
 from aseme_dsl.codegen.plain_limits import limits
-from aseme_dsl.runtime.inputs import (
+from aseme_dsl.runtime.chart.inputs import (
     Arrived,
     Cancel,
     Completed,
@@ -27,7 +27,7 @@ from aseme_dsl.runtime.inputs import (
     Start,
     Written,
 )
-from aseme_dsl.runtime.plain import ActivityFailed, Plain, Unsettled
+from aseme_dsl.runtime.plain.plain import ActivityFailed, Plain, Unsettled
 from tests.support.generated import Generated
 
 

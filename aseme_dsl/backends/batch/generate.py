@@ -30,8 +30,8 @@ from aseme_dsl.codegen.batch import Array, BatchCode, generate_batch
 from aseme_dsl.codegen.plain import PlainOptions, generate_plain
 from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.runtime.batch import COMPILED
-from aseme_dsl.runtime.naming import class_name
+from aseme_dsl.runtime.message.naming import class_name
+from aseme_dsl.runtime.plain.batch import COMPILED
 
 _TYPES = {Kind.BOOL: "?", Kind.INT: "i8", Kind.DOUBLE: "f8", Kind.DURATION: "i8", Kind.ENUM: "i8"}
 """The NumPy types of variables."""

@@ -24,9 +24,9 @@ from aseme_dsl.backends.shared.generate import (
     system_file,
 )
 from aseme_dsl.codegen.place import place
-from aseme_dsl.runtime.acl import JSON
-from aseme_dsl.runtime.directory import service_of
-from aseme_dsl.runtime.naming import class_name, module_name, usable
+from aseme_dsl.runtime.conversation.directory import service_of
+from aseme_dsl.runtime.message.acl import JSON
+from aseme_dsl.runtime.message.naming import class_name, module_name, usable
 
 RESERVED = (*POINTS.values(), *(str(kind) for kind in Kind), "WakerBehaviour")
 """What the modules of behaviours import: no behaviour is called so."""

@@ -27,7 +27,7 @@ from aseme_dsl.amola.expression import After, duration_text
 from aseme_dsl.amola.srm import Activity
 from aseme_dsl.amola.statechart import Node, NodeType, Statechart, Transition, label_key
 from aseme_dsl.amola.system import System
-from aseme_dsl.runtime.naming import class_name
+from aseme_dsl.runtime.message.naming import class_name
 
 POINTS = {NodeType.START: "START", NodeType.CONDITION: "CHOICE", NodeType.END: "END"}
 """The types of state that are no behaviour, and what they are called inside the behaviour around them."""

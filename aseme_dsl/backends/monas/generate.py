@@ -16,7 +16,7 @@ from aseme_dsl.backends.shared.generate import (
     source_of,
     system_file,
 )
-from aseme_dsl.runtime.naming import usable
+from aseme_dsl.runtime.message.naming import usable
 
 if TYPE_CHECKING:
     from jinja2 import Environment

@@ -13,7 +13,7 @@ from aseme_dsl.backends.shared.generate import environment, messages_file, rende
 from aseme_dsl.codegen.plain import TAKEN, PlainOptions, generate_plain
 from aseme_dsl.codegen.plain_limits import Limit, limits
 from aseme_dsl.diagnostics import Diagnostic, Related
-from aseme_dsl.runtime.naming import class_name, usable
+from aseme_dsl.runtime.message.naming import class_name, usable
 
 WATCHED = "_watched"
 """How the module ends whose class tells what happens in it."""

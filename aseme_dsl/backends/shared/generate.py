@@ -21,7 +21,7 @@ from aseme_dsl.codegen.place import in_docstring
 from aseme_dsl.codegen.plan import Sections, branch_texts, plan_sections, protocol_versions
 from aseme_dsl.codegen.seen import seen_by_roles
 from aseme_dsl.codegen.step import StepCode, generate_step
-from aseme_dsl.runtime.naming import class_name, module_name, usable
+from aseme_dsl.runtime.message.naming import class_name, module_name, usable
 
 if TYPE_CHECKING:
     from jinja2 import Environment

@@ -13,7 +13,7 @@ from aseme_dsl.editor.files.index import Kind, Symbol, Use
 from aseme_dsl.editor.files.program import Program
 from aseme_dsl.editor.files.python_places import offset_of
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.runtime.naming import class_name, module_name
+from aseme_dsl.runtime.message.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
 
 

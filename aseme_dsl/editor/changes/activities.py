@@ -11,7 +11,7 @@ from aseme_dsl.editor.changes.rewriting import Refused, piece_at
 from aseme_dsl.editor.files.index import Kind
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.runtime.naming import module_name
+from aseme_dsl.runtime.message.naming import module_name
 from aseme_dsl.source import Span
 
 

@@ -16,7 +16,7 @@ from aseme_dsl.editor.files.program import Program, errors_in_texts
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.files.workspace import Workspace
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.runtime.naming import class_name, snake_case
+from aseme_dsl.runtime.message.naming import class_name, snake_case
 from aseme_dsl.source import Span
 from aseme_dsl.standard_library import standard_library
 

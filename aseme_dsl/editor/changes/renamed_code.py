@@ -12,7 +12,7 @@ from pathlib import Path
 from aseme_dsl.diagnostics import Edit
 from aseme_dsl.editor.files.index import Kind, Symbol
 from aseme_dsl.editor.files.python_places import outcome_places, read_python
-from aseme_dsl.runtime.naming import class_name, module_name
+from aseme_dsl.runtime.message.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
 
 

@@ -6,7 +6,7 @@ import ast
 from pathlib import Path
 
 from aseme_dsl import outside
-from aseme_dsl.runtime.naming import class_name, module_name
+from aseme_dsl.runtime.message.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
 
 

@@ -1,7 +1,7 @@
 """Completion: what may be written where the cursor stands, the likeliest first.
 
-The grammar says what may come next (grammar/parsing/expected.py); names.py, values.py and the slots of expressions
-say which names that means in this system.
+The grammar says what may come next (grammar/parsing/expected.py); names.py, values.py and the slots of
+expressions say which names that means in this system.
 """
 
 from __future__ import annotations

@@ -25,7 +25,7 @@ from aseme_dsl.project.files.write import Planned
 BACKEND = "plain"
 """The backend whose modules can be compiled."""
 
-_BASE = "aseme_dsl.runtime.plain"
+_BASE = "aseme_dsl.runtime.plain.plain"
 _FLAGS = "-O2 -g0 -Wl,--build-id=none -Wl,-s"
 """Without what differs from one compilation to the next, and without what only a debugger needs."""
 
@@ -153,7 +153,7 @@ def _reason(done: subprocess.CompletedProcess[str]) -> str:
 
 def native_source(module: str) -> str:
     """The module with the class `Plain` in it, in the place of its import."""
-    from aseme_dsl.runtime import plain
+    from aseme_dsl.runtime.plain import plain
 
     head, imported, rest = re.split(rf"^(from {re.escape(_BASE)} import .*)$", module, maxsplit=1, flags=re.M)
     assert imported

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.compiler.read.missing import in_block
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
-from aseme_dsl.runtime.clock import nanoseconds
+from aseme_dsl.runtime.time.clock import nanoseconds
 from aseme_dsl.source import Span, is_library_path
 
 if TYPE_CHECKING:

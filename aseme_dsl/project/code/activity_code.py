@@ -46,7 +46,7 @@ from aseme_dsl.project.code.activity_messages import unfit_messages
 from aseme_dsl.project.code.activity_talk import Talk, parts_of, talk_in, unfit_talk, unsaid
 from aseme_dsl.project.code.activity_words import unknown_messages, unknown_methods
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
-from aseme_dsl.runtime.naming import class_name, module_name
+from aseme_dsl.runtime.message.naming import class_name, module_name
 from aseme_dsl.source import Source, Span
 
 if TYPE_CHECKING:

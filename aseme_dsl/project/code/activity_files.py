@@ -19,7 +19,7 @@ from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.amola.statechart import NodeType
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
-from aseme_dsl.runtime.naming import class_name, module_name
+from aseme_dsl.runtime.message.naming import class_name, module_name
 from aseme_dsl.source import Source, Span, is_library_path
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ Place = Callable[[ast.expr | ast.stmt], Span]
 def unknown_methods(tree: ast.Module, place: Place, wanted: Iterable[str]) -> Iterator[Diagnostic]:
     """W530 for what a `Context` does not have, in the `execute` of the classes `wanted` and where a parameter
     is annotated as one."""
-    from aseme_dsl.runtime.context import Context
+    from aseme_dsl.runtime.activity.context import Context
 
     known = {name for name in dir(Context) if not name.startswith("_")}
     executes = {id(function) for function in executes_of(tree, wanted)}

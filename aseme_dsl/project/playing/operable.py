@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 from aseme_dsl.project.settings.configuration import Configuration
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.control import Changed
-    from aseme_dsl.runtime.loading import Loaded
-    from aseme_dsl.runtime.swap import Version
-    from aseme_dsl.runtime.team import Team
+    from aseme_dsl.runtime.control.control import Changed
+    from aseme_dsl.runtime.team.swap import Version
+    from aseme_dsl.runtime.team.team import Team
+    from aseme_dsl.runtime.version.loading import Loaded
 
 
 def output_of(loaded: Loaded) -> Path:
@@ -36,10 +36,10 @@ def operable(
 
     A run to which no socket can be opened goes on without one, with a line in its trace.
     """
-    from aseme_dsl.runtime.control import Control
-    from aseme_dsl.runtime.control_socket import ControlError, listening
-    from aseme_dsl.runtime.operator_gate import Gate
-    from aseme_dsl.runtime.versions import VERSIONS
+    from aseme_dsl.runtime.control.control import Control
+    from aseme_dsl.runtime.control.control_socket import ControlError, listening
+    from aseme_dsl.runtime.control.operator_gate import Gate
+    from aseme_dsl.runtime.version.versions import VERSIONS
 
     agents = team.agents
     name = agents[0].name if len(agents) == 1 else "team"
@@ -67,8 +67,8 @@ def others(loaded: Loaded, activities: Path, configuration: Configuration) -> Se
     Raises:
         LoadError: one cannot be imported.
     """
-    from aseme_dsl.runtime.loading import Mixture, activities_in, load_beside
-    from aseme_dsl.runtime.swap import version_of
+    from aseme_dsl.runtime.team.swap import version_of
+    from aseme_dsl.runtime.version.loading import Mixture, activities_in, load_beside
 
     assert loaded.folder is not None
     found = sorted(path.parent for path in loaded.folder.parent.glob("*/messages.py"))

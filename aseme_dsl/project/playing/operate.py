@@ -14,7 +14,7 @@ from aseme_dsl import outside
 from aseme_dsl.diagnostics import closest
 from aseme_dsl.project.building.build import Choice
 from aseme_dsl.project.playing.remote import RemoteError, Robot
-from aseme_dsl.runtime.versions import VERSIONS
+from aseme_dsl.runtime.version.versions import VERSIONS
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
@@ -60,7 +60,7 @@ def look(output: Path, robots: Sequence[Robot] | None = None) -> tuple[tuple[Nod
     Raises:
         OperateError: there is none.
     """
-    from aseme_dsl.runtime.control_socket import endpoints
+    from aseme_dsl.runtime.control.control_socket import endpoints
 
     found: Sequence[Endpoint] = endpoints(output) if robots is None else robots
     if not found:
@@ -125,7 +125,7 @@ def write_version(system: System, output: Path, choice: Choice, activities: Path
     Raises:
         OperateError: it cannot be written.
     """
-    from aseme_dsl.runtime.versions import ACTIVITIES, VersionError, hash_of, read_version
+    from aseme_dsl.runtime.version.versions import ACTIVITIES, VersionError, hash_of, read_version
 
     files, model = _packages(system, choice)
     for path in sorted(activities.rglob("*")) if activities is not None and activities.is_dir() else ():
@@ -305,7 +305,7 @@ def _ask_all(requests: Mapping[Endpoint, Reply], timeout: float) -> dict[Endpoin
 
 def _try_all(requests: Mapping[Endpoint, Reply], timeout: float = _ANSWER) -> dict[Endpoint, Reply]:
     """The replies; who does not answer is taken to refuse."""
-    from aseme_dsl.runtime.control_socket import ControlError, ask
+    from aseme_dsl.runtime.control.control_socket import ControlError, ask
 
     def one(endpoint: Endpoint) -> Reply:
         try:

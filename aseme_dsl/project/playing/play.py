@@ -21,15 +21,15 @@ if TYPE_CHECKING:
 
     from aseme_dsl.project.building.build import Agents, Choice
     from aseme_dsl.project.settings.deployment import Deployment
-    from aseme_dsl.runtime.body import World
-    from aseme_dsl.runtime.control import Changed
-    from aseme_dsl.runtime.loading import Loaded, Mixture
-    from aseme_dsl.runtime.plan import State
-    from aseme_dsl.runtime.real_time import RealTime
-    from aseme_dsl.runtime.scripted import Scripted
-    from aseme_dsl.runtime.shared_world import FarBody
-    from aseme_dsl.runtime.team import RunResult, Team
-    from aseme_dsl.runtime.trace import Listener
+    from aseme_dsl.runtime.chart.plan import State
+    from aseme_dsl.runtime.control.control import Changed
+    from aseme_dsl.runtime.driver.real_time import RealTime
+    from aseme_dsl.runtime.team.scripted import Scripted
+    from aseme_dsl.runtime.team.team import RunResult, Team
+    from aseme_dsl.runtime.trace.trace import Listener
+    from aseme_dsl.runtime.version.loading import Loaded, Mixture
+    from aseme_dsl.runtime.world.body import World
+    from aseme_dsl.runtime.world.shared_world import FarBody
 
 LOOK_NS = 100_000_000
 """How often the project is asked what there is to tell, in the run's own time."""
@@ -167,7 +167,7 @@ def load(folder: Path, system: str, configuration: Configuration, choice: Choice
         PlayError: it is not there, or cannot be imported.
     """
     from aseme_dsl.backends.backend import AGENTS
-    from aseme_dsl.runtime.loading import LoadError, load_system
+    from aseme_dsl.runtime.version.loading import LoadError, load_system
 
     usual = choice.agents.usual
     there = [name for name in (usual, *AGENTS) if (folder / name / system / "__init__.py").is_file()]
@@ -183,7 +183,7 @@ def load(folder: Path, system: str, configuration: Configuration, choice: Choice
 def mixture_of(agents: Agents, package: Path) -> Mixture:
     """From which packages the agents are taken whose package is not this one; the roles are its system's."""
     from aseme_dsl.backends.backend import AGENTS
-    from aseme_dsl.runtime.loading import Mixture
+    from aseme_dsl.runtime.version.loading import Mixture
 
     return Mixture({role: name for role, name in agents.roles.items() if name != package.parent.name}, AGENTS)
 
@@ -195,8 +195,8 @@ def in_version(loaded: Loaded, name: str, configuration: Configuration) -> Loade
         PlayError: it is not there, cannot be imported, or lacks a plan of the team.
     """
     from aseme_dsl.project.playing.operable import output_of
-    from aseme_dsl.runtime.loading import LoadError, load_system, package_like
-    from aseme_dsl.runtime.versions import VERSIONS, VersionError, read_version
+    from aseme_dsl.runtime.version.loading import LoadError, load_system, package_like
+    from aseme_dsl.runtime.version.versions import VERSIONS, VersionError, read_version
 
     assert loaded.folder is not None
     try:
@@ -287,9 +287,9 @@ def _play_here(
 ) -> Played:
     """Run a system's team, or one plan, in this process."""
     from aseme_dsl.project.playing.operable import operable, others
-    from aseme_dsl.runtime.activities import ActivityError
-    from aseme_dsl.runtime.loading import activities_in, importing
-    from aseme_dsl.runtime.team import TeamError, make_team
+    from aseme_dsl.runtime.activity.activities import ActivityError
+    from aseme_dsl.runtime.team.team import TeamError, make_team
+    from aseme_dsl.runtime.version.loading import activities_in, importing
 
     project = configuration.run
     seed = _seed(request, configuration)
@@ -372,13 +372,13 @@ def _play_robot(
     from aseme_dsl.project.settings.deployment import misfits
     from aseme_dsl.project.settings.platform_settings import ZENOH
     from aseme_dsl.project.settings.platforms import PlatformError, link_of
-    from aseme_dsl.runtime.activities import ActivityError
-    from aseme_dsl.runtime.body import BodyLost
-    from aseme_dsl.runtime.loading import activities_in, activities_of, importing
-    from aseme_dsl.runtime.shared_world import FarBody
-    from aseme_dsl.runtime.team import TeamError, make_team
+    from aseme_dsl.runtime.activity.activities import ActivityError
+    from aseme_dsl.runtime.team.team import TeamError, make_team
     from aseme_dsl.runtime.transport import TransportError
     from aseme_dsl.runtime.transport.post import Post
+    from aseme_dsl.runtime.version.loading import activities_in, activities_of, importing
+    from aseme_dsl.runtime.world.body import BodyLost
+    from aseme_dsl.runtime.world.shared_world import FarBody
 
     check_robot(loaded, robot)
     deployment = configuration.deploy
@@ -449,7 +449,7 @@ def _keys_of(robot: str, platform: str, deployment: Deployment | None) -> Path |
     """
     from aseme_dsl.project.settings.deployment import keys_of
     from aseme_dsl.project.settings.platform_settings import ZENOH
-    from aseme_dsl.runtime.operator_key import KeyFileError, read_keys
+    from aseme_dsl.runtime.control.operator_key import KeyFileError, read_keys
 
     keys = keys_of(deployment, robot)
     if keys is None:
@@ -490,7 +490,7 @@ class _Reports:
 
 def _script(path: Path | None, loaded: Loaded) -> tuple[Scripted, ...]:
     """What a script gives the agents."""
-    from aseme_dsl.runtime.scripted import ScriptError, read_script
+    from aseme_dsl.runtime.team.scripted import ScriptError, read_script
 
     if path is None:
         return ()
@@ -533,7 +533,7 @@ def _state(request: Request, project: RunConfiguration | None) -> Path | None:
 
 def _real_time(project: RunConfiguration | None) -> RealTime:
     """What the project asks of the machine; the usual where it says nothing."""
-    from aseme_dsl.runtime.real_time import RealTime
+    from aseme_dsl.runtime.driver.real_time import RealTime
 
     said = {field.name: getattr(project, field.name, None) for field in fields(RealTime)}
     return RealTime(**{name: value for name, value in said.items() if value is not None})
@@ -633,7 +633,7 @@ def _bodies(
 
 def function_of(name: str) -> Callable[..., Any]:
     """A function of the project, `module:name`. Raises PlayError if it cannot be had."""
-    from aseme_dsl.runtime.functions import FunctionError, find_function
+    from aseme_dsl.runtime.chart.functions import FunctionError, find_function
 
     try:
         return find_function(name)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from aseme_dsl.project.settings.configuration import Configuration
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.operator_key import Key
+    from aseme_dsl.runtime.control.operator_key import Key
     from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 
 _PAUSE = 0.05
@@ -36,7 +36,7 @@ class Robot:
 
     def ask(self, request: dict[str, Any], timeout: float) -> dict[str, Any]:
         """Its reply, if it proves that it knows the key. Raises RemoteError if there is none."""
-        from aseme_dsl.runtime.operator_gate import GateError, ask
+        from aseme_dsl.runtime.control.operator_gate import GateError, ask
         from aseme_dsl.runtime.transport import TransportError
 
         deadline = time.monotonic() + timeout
@@ -67,7 +67,7 @@ def robots_of(
         RemoteError: it cannot be used, or the network cannot.
     """
     from aseme_dsl.project.settings.deployment import network_of
-    from aseme_dsl.runtime.operator_key import KeyFileError, newest_key
+    from aseme_dsl.runtime.control.operator_key import KeyFileError, newest_key
     from aseme_dsl.runtime.transport import TransportError
     from aseme_dsl.runtime.transport.access import OPERATOR
     from aseme_dsl.runtime.transport.over_zenoh import ZenohLink

@@ -13,7 +13,7 @@ from typing import Any
 
 from aseme_dsl.diagrams.sequence.sequence import Arrow, Lifeline, Mark, Row, SequenceDiagram, seconds
 from aseme_dsl.project.files.duration import duration
-from aseme_dsl.runtime.trace_reading import Record
+from aseme_dsl.runtime.trace.trace_reading import Record
 
 _AFTER = re.compile(r"\bafter\(([^)]*)\)")
 _EXPIRED = re.compile(r"(?<![!\w])expired\((\w+)\)")

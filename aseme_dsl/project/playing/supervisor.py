@@ -32,7 +32,7 @@ from aseme_dsl.project.settings.platforms import given_environment
 if TYPE_CHECKING:
     from aseme_dsl.project.playing.play import Request
     from aseme_dsl.project.settings.configuration import Configuration
-    from aseme_dsl.runtime.loading import Loaded
+    from aseme_dsl.runtime.version.loading import Loaded
 
 READY = "\x01ready"
 """What a robot's process says on its standard output when it waits for the beginning."""

@@ -10,9 +10,9 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
-from aseme_dsl.runtime.trace_files import TraceError, part_of, reason_of
-from aseme_dsl.runtime.trace_formats import format_for
-from aseme_dsl.runtime.trace_reading import Line, Record
+from aseme_dsl.runtime.trace.trace_files import TraceError, part_of, reason_of
+from aseme_dsl.runtime.trace.trace_formats import format_for
+from aseme_dsl.runtime.trace.trace_reading import Line, Record
 
 _FRAME = ("header", "finish")
 """The lines that every trace has."""
@@ -310,6 +310,6 @@ def convert(lines: Iterable[Line], wanted: Filter, path: Path) -> int:
 
 def kinds() -> Mapping[str, str]:
     """Every kind of line with what it means."""
-    from aseme_dsl.runtime.trace_schema import schema
+    from aseme_dsl.runtime.trace.trace_schema import schema
 
     return {line["title"]: line.get("description", "") for line in schema()["oneOf"]}

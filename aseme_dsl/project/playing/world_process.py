@@ -24,7 +24,7 @@ def main() -> int:
     """Simulate; 1 if the project's functions fail."""
     from aseme_dsl.project.playing.play import PlayError
     from aseme_dsl.project.settings.configuration import Configuration, read_configuration
-    from aseme_dsl.runtime.loading import importing
+    from aseme_dsl.runtime.version.loading import importing
 
     lines, out = sys.stdin, _own_output()
     request = json.loads(lines.readline() or "null")
@@ -49,7 +49,7 @@ def _own_output() -> IO[str]:
 
 def _simulate(request: Mapping[str, Any], configuration: Any, lines: IO[str], out: IO[str]) -> int:
     from aseme_dsl.project.playing.play import LOOK_NS, Progress, call, made_world, users_mistakes
-    from aseme_dsl.runtime.shared_world import WorldServer
+    from aseme_dsl.runtime.world.shared_world import WorldServer
 
     def tell(kind: str, text: str) -> None:
         out.write(json.dumps({kind: text}) + "\n")

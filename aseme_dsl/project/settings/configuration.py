@@ -33,7 +33,7 @@ class RunConfiguration:
     """
 
     world: str | None = None
-    """Called with `seed=…`; gives the `aseme_dsl.runtime.body.World` whose bodies the agents have. A world
+    """Called with `seed=…`; gives the `aseme_dsl.runtime.World` whose bodies the agents have. A world
     with a true attribute `over` ends the run."""
     progress: str | None = None
     """Called with the world, ten times a second; gives all there is to tell so far, as a sequence of lines.

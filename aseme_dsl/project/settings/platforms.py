@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     import subprocess
 
     from aseme_dsl.project.settings.configuration import Configuration
-    from aseme_dsl.runtime.loading import Loaded
     from aseme_dsl.runtime.transport.link import Link
     from aseme_dsl.runtime.transport.settings import Xmpp
+    from aseme_dsl.runtime.version.loading import Loaded
 
 _here: ContextVar[str | None] = ContextVar("provided", default=None)
 """What `provided` gives here; the environment is the whole process's, and not changed."""
@@ -53,15 +53,15 @@ def link_of(platform: str, loaded: Loaded, configuration: Configuration, here: S
         TransportError: the platform is not installed, or its settings do not fit.
     """
     from aseme_dsl.project.settings.deployment import network_of
-    from aseme_dsl.runtime.transport.over_platform import PlatformLink
+    from aseme_dsl.runtime.platform.over_platform import PlatformLink
 
     team = [name for name, _ in loaded.team] or list(here)
     if platform == SPADE:
-        from aseme_dsl.runtime.transport.over_spade import SpadePlatform
+        from aseme_dsl.runtime.platform.over_spade import SpadePlatform
 
         return PlatformLink(SpadePlatform(_xmpp(configuration), team), loaded.name, team)
     if platform == MANGO:
-        from aseme_dsl.runtime.transport.over_mango import MangoPlatform
+        from aseme_dsl.runtime.platform.over_mango import MangoPlatform
         from aseme_dsl.runtime.transport.settings import Mango
 
         is_whole = len(team) <= len(here)
@@ -80,11 +80,11 @@ def link_of(platform: str, loaded: Loaded, configuration: Configuration, here: S
 def check_installed(platform: str) -> None:
     """Raises TransportError, saying how to install it, if what a platform needs is missing."""
     if platform == SPADE:
-        from aseme_dsl.runtime.transport.over_spade import import_spade
+        from aseme_dsl.runtime.platform.over_spade import import_spade
 
         import_spade()
     elif platform == MANGO:
-        from aseme_dsl.runtime.transport.over_mango import import_mango
+        from aseme_dsl.runtime.platform.over_mango import import_mango
 
         import_mango()
     elif platform == ZENOH:
@@ -202,7 +202,7 @@ class EmbeddedServer:
     def _start(self, port: int) -> subprocess.Popen[str]:
         import subprocess
 
-        command = [sys.executable, "-m", "aseme_dsl.runtime.transport.embedded_server", str(port)]
+        command = [sys.executable, "-m", "aseme_dsl.runtime.platform.embedded_server", str(port)]
         return subprocess.Popen(
             command,
             stdin=subprocess.PIPE,
@@ -213,7 +213,7 @@ class EmbeddedServer:
 
     def _listening(self) -> int:
         """The port, when it is ready. Raises PlatformError."""
-        from aseme_dsl.runtime.transport.embedded_server import LISTENING
+        from aseme_dsl.runtime.platform.embedded_server import LISTENING
 
         process = self._process
         timer = threading.Timer(START, process.kill)

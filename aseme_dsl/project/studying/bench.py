@@ -22,16 +22,16 @@ from aseme_dsl.project.building.build import Choice, build
 from aseme_dsl.project.studying.course import Course, begun, doings, plain_begun, plain_player, player
 from aseme_dsl.project.studying.drawn import drawn_anew
 from aseme_dsl.project.studying.recorded import NobodyThere, Recording, recorded
-from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.loading import importing, load_system
-from aseme_dsl.runtime.machine import Machine
-from aseme_dsl.runtime.plain import ActivityFailed
-from aseme_dsl.runtime.process_wide import uncollected
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.plain.machine import Machine
+from aseme_dsl.runtime.plain.plain import ActivityFailed
+from aseme_dsl.runtime.version.loading import importing, load_system
+from aseme_dsl.runtime.workers.process_wide import uncollected
 
 if TYPE_CHECKING:
     from aseme_dsl.amola.statechart import Statechart
     from aseme_dsl.amola.system import System
-    from aseme_dsl.runtime.plain import Plain
+    from aseme_dsl.runtime.plain.plain import Plain
 
 STEPS = 2000
 """How many inputs are drawn."""

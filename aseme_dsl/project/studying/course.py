@@ -8,11 +8,20 @@ from importlib import import_module
 from random import Random
 from typing import Any, NamedTuple
 
-from aseme_dsl.runtime.board import QUEUE
-from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.convert import converted, like
-from aseme_dsl.runtime.inputs import Arrived, Completed, Crashed, Happened, Input, Mail, Outcome, Written
-from aseme_dsl.runtime.plain import Plain
+from aseme_dsl.runtime.chart.board import QUEUE
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import (
+    Arrived,
+    Completed,
+    Crashed,
+    Happened,
+    Input,
+    Mail,
+    Outcome,
+    Written,
+)
+from aseme_dsl.runtime.message.convert import converted, like
+from aseme_dsl.runtime.plain.plain import Plain
 
 Where = tuple[str, ...]
 """A configuration: the labels of the active leaves."""

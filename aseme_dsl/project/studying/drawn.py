@@ -16,8 +16,8 @@ from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.project.studying.course import Course, Given, Recorder, begun
-from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.inputs import Arrived, Completed, Happened, Input, Mail, Written
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import Arrived, Completed, Happened, Input, Mail, Written
 
 MS = 1_000_000
 _LONGEST = 50

@@ -13,10 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from aseme_dsl.project.studying.course import Course, Given, Recorder, begun
-from aseme_dsl.runtime.as_json import from_json
-from aseme_dsl.runtime.board import QUEUE
-from aseme_dsl.runtime.chart import Chart
-from aseme_dsl.runtime.inputs import (
+from aseme_dsl.runtime.chart.board import QUEUE
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import (
     LOST,
     Arrived,
     Completed,
@@ -27,9 +26,10 @@ from aseme_dsl.runtime.inputs import (
     Mail,
     Written,
 )
-from aseme_dsl.runtime.trace import FORMAT
-from aseme_dsl.runtime.trace_files import TraceError
-from aseme_dsl.runtime.trace_reading import Record, TraceReader
+from aseme_dsl.runtime.message.as_json import from_json
+from aseme_dsl.runtime.trace.trace import FORMAT
+from aseme_dsl.runtime.trace.trace_files import TraceError
+from aseme_dsl.runtime.trace.trace_reading import Record, TraceReader
 
 
 class NotPlayable(Exception):

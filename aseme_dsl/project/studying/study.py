@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 
     from aseme_dsl.amola.system import System
     from aseme_dsl.project.building.build import Choice
-    from aseme_dsl.runtime.loading import Loaded
-    from aseme_dsl.runtime.team import RunResult
+    from aseme_dsl.runtime.team.team import RunResult
+    from aseme_dsl.runtime.version.loading import Loaded
 
 TIME = "time"
 """The measure that is how long it took until all agents had finished, in s."""
@@ -262,7 +262,7 @@ class _Faults:
 @lru_cache(maxsize=4)
 def _loaded(package: Path, configuration_folder: Path) -> Loaded:
     from aseme_dsl.backends.backend import AGENTS
-    from aseme_dsl.runtime.loading import Mixture, load_system
+    from aseme_dsl.runtime.version.loading import Mixture, load_system
 
     return load_system(package, path=[configuration_folder.resolve()], mixture=Mixture(names=AGENTS))
 
@@ -273,7 +273,7 @@ def run(package: Path, seed: int, plan: Plan) -> Run:
     Raises:
         StudyError: it cannot be played, or cannot be measured so.
     """
-    from aseme_dsl.runtime.loading import forgetting
+    from aseme_dsl.runtime.version.loading import forgetting
 
     with forgetting(plan.configuration.folder):
         return _run(package, seed, plan)
@@ -281,7 +281,7 @@ def run(package: Path, seed: int, plan: Plan) -> Run:
 
 def _run(package: Path, seed: int, plan: Plan) -> Run:
     from aseme_dsl.project.playing import play
-    from aseme_dsl.runtime.loading import LoadError
+    from aseme_dsl.runtime.version.loading import LoadError
 
     configuration = plan.configuration
     project = configuration.run
@@ -354,7 +354,7 @@ def _measured(plan: Plan, result: RunResult, clocks: _Clocks, world: object) -> 
 def _given(plan: Plan, world: object) -> float | None:
     """What the project's function says of the world at the end."""
     from aseme_dsl.project.playing.play import PlayError, call
-    from aseme_dsl.runtime.loading import importing
+    from aseme_dsl.runtime.version.loading import importing
 
     try:
         with importing([plan.configuration.folder.resolve()]):

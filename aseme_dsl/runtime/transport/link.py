@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple, Protocol
 
-from aseme_dsl.runtime.acl import FipaMessage
+from aseme_dsl.runtime.message.acl import FipaMessage
 from aseme_dsl.runtime.transport.envelope import Envelope
 
 NOBODY = "?"

@@ -29,7 +29,7 @@ from aseme_dsl.runtime.transport.settings import LARGEST
 from aseme_dsl.runtime.transport.stream import PATIENCE, Samples
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.acl import FipaMessage
+    from aseme_dsl.runtime.message.acl import FipaMessage
     from aseme_dsl.runtime.transport.link import Answer, Hears, Stamp
     from aseme_dsl.runtime.transport.settings import Network
 

@@ -6,15 +6,15 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
-from aseme_dsl.runtime.inputs import Identity
-from aseme_dsl.runtime.timers import Scheduler
+from aseme_dsl.runtime.chart.inputs import Identity
+from aseme_dsl.runtime.time.timers import Scheduler
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.acl import AclMessage, AgentIdentifier, FipaMessage
-    from aseme_dsl.runtime.plan import ChannelInfo, Plan
+    from aseme_dsl.runtime.chart.plan import ChannelInfo, Plan
+    from aseme_dsl.runtime.message.acl import AclMessage, AgentIdentifier, FipaMessage
+    from aseme_dsl.runtime.message.wire import Schema
     from aseme_dsl.runtime.ports import Receiver
-    from aseme_dsl.runtime.trace import Trace
-    from aseme_dsl.runtime.wire import Schema
+    from aseme_dsl.runtime.trace.trace import Trace
 
 Answer = Callable[[str, bytes], dict[str, Any]]
 """What answers a control request to an agent, as it came; the answer is a JSON object. May be called from any

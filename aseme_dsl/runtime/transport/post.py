@@ -29,18 +29,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl import outside
-from aseme_dsl.runtime.acl import JSON, AclMessage, AgentIdentifier, FipaMessage, name_of
-from aseme_dsl.runtime.clock import RealClock
-from aseme_dsl.runtime.inputs import Identity
+from aseme_dsl.runtime.chart.inputs import Identity
+from aseme_dsl.runtime.message.acl import JSON, AclMessage, AgentIdentifier, FipaMessage, name_of
+from aseme_dsl.runtime.message.wire import Schema, WireError
+from aseme_dsl.runtime.time.clock import RealClock
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.link import NOBODY, Link, Stamp
 from aseme_dsl.runtime.transport.port import Answer, Connected, Peer, Transport, TransportError
 from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing, Samples
-from aseme_dsl.runtime.wire import Schema, WireError
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.plan import ChannelInfo
+    from aseme_dsl.runtime.chart.plan import ChannelInfo
     from aseme_dsl.runtime.ports import Receiver
 
 BEAT = 0.02

@@ -32,7 +32,7 @@ def running(behaviour: Behaviour, folder: str, form: str) -> Running:
     leaves = leaves_of(behaviour, chart.configuration)
     is_machine = form.startswith(("send", "post"))
     if is_machine:
-        from aseme_dsl.runtime.machine import Machine
+        from aseme_dsl.runtime.plain.machine import Machine
 
         machine = Machine(chart)
         machine.start()
@@ -70,7 +70,7 @@ def instances(
         raise NotImplementedError("an agent's class keeps its blackboards")
     machine = class_of(behaviour, folder, form)
     if form.startswith(("send", "post")):
-        from aseme_dsl.runtime.machine import Machine
+        from aseme_dsl.runtime.plain.machine import Machine
 
         def make(bb: Any) -> object:
             made = Machine(machine(bb))
@@ -120,7 +120,7 @@ def class_of(behaviour: Behaviour, folder: str, form: str) -> type[Any]:
 
 def agent(behaviour: Behaviour, folder: str) -> Running:
     """The agent's class with its whole step: inputs, blackboards, effects."""
-    from aseme_dsl.runtime.inputs import Arrived, Completed, Happened, Input, Written
+    from aseme_dsl.runtime.chart.inputs import Arrived, Completed, Happened, Input, Written
 
     package = package_of(behaviour, folder, "agent")
     chart = package.CHARTS[behaviour.name]("agent")

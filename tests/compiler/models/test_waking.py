@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from aseme_dsl.runtime import chart
+from aseme_dsl.runtime.chart import chart
 from tests.oracle.choices import Choices
 from tests.support.compiling import analysis
 from tests.support.generated import generate

@@ -14,9 +14,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from aseme_dsl.runtime.acl import FipaMessage
-from aseme_dsl.runtime.team import RunResult, Team
-from aseme_dsl.runtime.trace import Record
+from aseme_dsl.runtime.message.acl import FipaMessage
+from aseme_dsl.runtime.team.team import RunResult, Team
+from aseme_dsl.runtime.trace.trace import Record
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.link import Answer, Hears, Link, Stamp
 from aseme_dsl.runtime.transport.post import Post

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from queue import SimpleQueue
 
-from aseme_dsl.runtime.transport.platform import Headers, Platform, Receives
+from aseme_dsl.runtime.platform.platform import Headers, Platform, Receives
 
 
 @dataclass

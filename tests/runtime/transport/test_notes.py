@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as some
 
-from aseme_dsl.runtime.acl import PERFORMATIVES, AgentIdentifier, FipaMessage, fipa_name
+from aseme_dsl.runtime.message.acl import PERFORMATIVES, AgentIdentifier, FipaMessage, fipa_name
+from aseme_dsl.runtime.platform import notes, stanza
 from aseme_dsl.runtime.transport import envelope as envelopes
-from aseme_dsl.runtime.transport import notes, stanza
 from aseme_dsl.runtime.transport.envelope import Envelope, EnvelopeError
 from aseme_dsl.runtime.transport.link import Stamp
 

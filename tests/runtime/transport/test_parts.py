@@ -11,14 +11,14 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.acl import AclMessage
-from aseme_dsl.runtime.directory import Entry, Service
-from aseme_dsl.runtime.team import TeamError
+from aseme_dsl.runtime.conversation.directory import Entry, Service
+from aseme_dsl.runtime.message.acl import AclMessage
+from aseme_dsl.runtime.platform.over_platform import PlatformLink
+from aseme_dsl.runtime.team.team import TeamError
 from aseme_dsl.runtime.transport import Network
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.link import Link, Stamp
-from aseme_dsl.runtime.transport.over_platform import PlatformLink
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 from tests.runtime.playing import make
 from tests.runtime.transport.net import Air, Part, _AirLink, part

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from aseme_dsl.runtime.transport.over_platform import PlatformLink
-from aseme_dsl.runtime.transport.platform import Receives
+from aseme_dsl.runtime.platform.over_platform import PlatformLink
+from aseme_dsl.runtime.platform.platform import Receives
 from tests.runtime.transport.net import part
 from tests.runtime.transport.square import Square
 from tests.runtime.transport.test_parts import NET

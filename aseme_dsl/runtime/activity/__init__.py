@@ -1,0 +1,1 @@
+"""Activity: the code of the user: its context, its starts and its ends."""

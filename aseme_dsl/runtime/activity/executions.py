@@ -1,0 +1,489 @@
+"""Executions: the activities of one agent, from the start that a step asks for to the end it hears of."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Mapping
+from dataclasses import dataclass, field, is_dataclass, replace
+from functools import partial
+from typing import Any
+
+from aseme_dsl.runtime.activity import access
+from aseme_dsl.runtime.activity import context as c
+from aseme_dsl.runtime.activity.activities import ActivityError, ActivityFinder, has_code, kind_of
+from aseme_dsl.runtime.activity.execution import Execution, Host
+from aseme_dsl.runtime.activity.returning import as_outcome, frames_of, is_cancellation, reason_of
+from aseme_dsl.runtime.chart.functions import TYPES
+from aseme_dsl.runtime.chart.inputs import Cancel, Completed, Crashed, Start
+from aseme_dsl.runtime.chart.plan import ActivityInfo
+from aseme_dsl.runtime.chart.undecided import listed, undecided
+from aseme_dsl.runtime.conversation.directory import Offer, Withdraw
+from aseme_dsl.runtime.message.as_json import to_json
+from aseme_dsl.runtime.message.convert import same_shape
+from aseme_dsl.runtime.time.clock import MILLISECOND, nanoseconds, shown
+from aseme_dsl.runtime.time.timers import Timer
+
+WITHOUT_CODE = 100 * MILLISECOND
+"""How long an activity lasts that has neither code nor `takes`."""
+TICK = 10 * MILLISECOND
+"""How long a `step` activity sleeps that yields nothing."""
+
+
+@dataclass(slots=True)
+class _Node:
+    """A BASIC state: what runs there, and what is to run next."""
+
+    info: ActivityInfo
+    code: type[Any] | None
+    """None where there is no code."""
+    kind: str
+    error: ActivityError | None
+    """Why the activity cannot run."""
+    branch: str | None
+    """The label of the protocol branch around it."""
+    starts: int = 0
+    last_start: int | None = None
+    last_end: int = 0
+    current: Execution | None = None
+    next: Start | None = None
+    held: Timer | None = None
+    waits: bool = False
+    warned: set[str] = field(default_factory=set)
+
+
+class Executions:
+    """The activities of one agent. Called only while the agent is guarded, but for `check`."""
+
+    def __init__(self, agent: Host, find: ActivityFinder) -> None:
+        self.agent = agent
+        self._find = find
+        self._infos = {info.name: info for info in agent.plan.activities}
+        self._nodes: dict[str, _Node] = {}
+        self._former: list[_Node] = []
+        """What the present plan does not have and is cancelled, but has not come to its end yet."""
+        self._late_codeless: set[str] = set()
+        self._codeless: set[str] = set()
+        """The branches of which an activity without code has begun."""
+
+    # ---- what the step asks for --------------------------------------------------------------
+
+    def start(self, start: Start) -> None:
+        """Start an activity, as soon as its period and its predecessor allow it."""
+        node = self._nodes.get(start.label)
+        if node is None:
+            node = self._nodes[start.label] = self._node(start)
+        node.next = start
+        node.waits = False
+        self._begin_when_free(node)
+
+    def cancel(self, cancel: Cancel) -> None:
+        """Cancel an activity that runs, or that was to start."""
+        node = self._nodes.get(cancel.label)
+        if node is None:
+            return
+        if node.next is not None and node.next.token == cancel.token:
+            node.next = None
+            if node.held is not None:
+                node.held.cancel()
+                node.held = None
+            self._trace("cancel", cancel, started=False)
+            return
+        execution = node.current
+        if execution is None or execution.start.token != cancel.token or execution.cancelled:
+            return
+        execution.cancelled = True
+        execution.dropped += len(execution.held)
+        execution.held.clear()
+        self._trace("cancel", cancel, **({"reason": cancel.reason} if cancel.reason is not None else {}))
+        if execution.timer is not None:
+            execution.timer.cancel()
+        if execution.code is None or execution.has_returned:
+            self._free(execution)
+        elif execution.generator is not None:
+            self._close(execution)
+        else:
+            self.agent.driver.cancel(execution)
+
+    def cancel_all(self) -> None:
+        """Cancel everything: the agent stops."""
+        for label, node in self._nodes.items():
+            if node.next is not None:
+                self.cancel(Cancel(label, node.next.activity, node.next.token))
+            if node.current is not None:
+                start = node.current.start
+                self.cancel(Cancel(label, start.activity, start.token))
+
+    def running(self) -> list[Execution]:
+        """What has not come to its end yet, cancelled or not."""
+        nodes = (*self._nodes.values(), *self._former)
+        return [node.current for node in nodes if node.current is not None]
+
+    def in_threads(self) -> int:
+        """How many of the plan's activities can run in threads at once."""
+        threads: dict[str, bool] = {}
+        labels: list[str] = []
+        for state in self.agent.plan.states:
+            name = state.activity
+            if name is not None:
+                if name not in threads:
+                    node = self._node(Start(state.label, name, 0))
+                    threads[name] = node.code is not None and node.kind == "thread"
+                if threads[name]:
+                    labels.append(state.label)
+        return self.agent.plan.at_once(frozenset(labels))
+
+    @property
+    def find(self) -> ActivityFinder:
+        """Where the code of activities is found."""
+        return self._find
+
+    # ---- another plan ------------------------------------------------------------------------
+
+    def carry(self, labels: Mapping[str, str], find: ActivityFinder) -> None:
+        """Go on under the agent's new plan, in which the states have these labels.
+
+        What runs keeps running, with the code that it has; what starts later has the new plan's.
+        """
+        nodes, self._nodes = self._nodes, {}
+        self._find = find
+        self._codeless.clear()
+        self._infos = {info.name: info for info in self.agent.plan.activities}
+        for old, node in nodes.items():
+            label = labels.get(old)
+            if label is None:  # nothing is active there
+                if node.current is not None:
+                    self._former.append(node)
+                continue
+            self._nodes[label] = node
+            start = Start(label, self.agent.plan.by_label[label].activity or "", 0)
+            fresh = self._node(start)
+            node.info, node.code, node.kind = fresh.info, fresh.code, fresh.kind
+            node.error, node.branch = fresh.error, fresh.branch
+            if node.next is not None:
+                node.next = replace(node.next, label=label)
+            execution = node.current
+            if execution is not None:
+                execution.start = replace(execution.start, label=label)
+                execution.branch = node.branch
+                execution.board = self.agent.chart.board_of(label)
+
+    def forget(self, find: ActivityFinder) -> None:
+        """Go on under the agent's new plan, of which nothing runs yet; everything has been cancelled."""
+        self._former += [node for node in self._nodes.values() if node.current is not None]
+        self._nodes = {}
+        self._find = find
+        self._codeless.clear()
+        self._infos = {info.name: info for info in self.agent.plan.activities}
+
+    # ---- beginning ---------------------------------------------------------------------------
+
+    def _info(self, activity: str) -> ActivityInfo:
+        return self._infos.get(activity) or ActivityInfo(activity)
+
+    def _node(self, start: Start) -> _Node:
+        info = self._info(start.activity)
+        code: type[Any] | None = None
+        kind = info.kind
+        error: ActivityError | None = None
+        try:
+            code = None if info.simulated else self._find(start.activity)
+            if code is not None:
+                code = code if has_code(code) else None
+                kind = info.kind if code is None else kind_of(code, info.kind)
+        except ActivityError as raised:
+            error = raised
+        return _Node(info, code, kind, error, self.agent.branch_of(start.label))
+
+    def _begin_when_free(self, node: _Node) -> None:
+        """Begin what is next, unless the old one has not returned or the period is not over."""
+        start = node.next
+        if start is None or node.held is not None:
+            return
+        if node.current is not None:
+            if not node.waits:
+                node.waits = True
+                self._trace("wait", start)
+            return
+        now = self.agent.driver.clock.now()
+        every = node.info.every
+        if every is not None and node.last_start is not None:
+            due = node.last_start + every
+            if now < due:
+                release = partial(self._release, node, due)
+                node.held = self.agent.driver.at(due, lambda: self.agent.errand(release))
+                return
+            missed = (node.last_end - node.last_start - 1) // every
+            if missed > 0:
+                self._trace("missed", start, beats=missed)
+        self._begin(node, start, now)
+
+    def _begin_held(self, node: _Node, due: int) -> None:
+        """Begin what was held back until `due`. Its period is counted from then, however late it is now."""
+        start, every = node.next, node.info.every
+        assert start is not None and every is not None
+        now = self.agent.driver.clock.now()
+        missed = (now - due) // every
+        if missed > 0:  # the machine or the process stood still
+            self._trace("missed", start, beats=missed)
+        self._begin(node, start, now)
+        node.last_start = due + missed * every
+
+    def _release(self, node: _Node, due: int) -> None:
+        """The period is over, if it is still this start that is held back."""
+        if node.held is not None and node.held.moment == due:
+            node.held = None
+            if node.next is not None and node.current is None:
+                self._begin_held(node, due)
+            else:
+                self._begin_when_free(node)
+
+    def _begin(self, node: _Node, start: Start, now: int) -> None:
+        info = node.info
+        node.next = None
+        node.last_start = now
+        node.starts += 1
+        board = self.agent.chart.board_of(start.label)
+        execution = node.current = Execution(
+            self, start, info, node.code, node.kind, node.starts, node.branch, board, now
+        )
+        given = {name: to_json(value) for name, value in start.arguments}
+        self._trace("start", start, **({"arguments": given} if given else {}))
+        if node.error is not None:
+            self.returned(execution, node.error)
+        elif execution.code is None:
+            self._last(execution, info, now)
+        else:
+            if info.takes is not None and self.agent.driver.clock.virtual:
+                execution.opens = now + info.takes
+                execution.timer = self.agent.driver.at(execution.opens, lambda: self._open(execution))
+            if execution.kind == "step":
+                self._advance(execution)
+            else:
+                self.agent.driver.launch(execution)
+
+    def _last(self, execution: Execution, info: ActivityInfo, now: int) -> None:
+        """Let an activity without code last."""
+        if info.takes is None and info.name not in self._late_codeless:
+            self._late_codeless.add(info.name)
+            text = f"activity {info.name} has neither code nor `takes`: it lasts {shown(WITHOUT_CODE)}"
+            self.agent.trace.remark(now, self.agent.name, text, code="W201", activity=info.name)
+        if execution.branch is not None and execution.branch not in self._codeless:
+            self._codeless.add(execution.branch)
+            self._tell_undecided(execution.branch, now)
+        lasts = WITHOUT_CODE if info.takes is None else info.takes
+        execution.timer = self.agent.driver.at(
+            now + lasts, lambda: self.agent.errand(lambda: self.returned(execution, None))
+        )
+
+    def _tell_undecided(self, branch: str, now: int) -> None:
+        """Tell, once for a role, of a participant that agrees to nothing: no activity of it has code."""
+        plan = self.agent.plan
+        found = undecided(plan, branch)
+        if not found.variables or any(map(self._has_code, found.activities)):
+            return
+        info = self.agent.branch_info(branch)
+        stay = f"{listed(found.variables, 'and')} {'stays' if len(found.variables) == 1 else 'stay'} false"
+        text = f"{plan.name} plays {info.protocol}.{info.participant} without code, so {stay}"
+        write = listed(found.activities, "or")
+        self.agent.trace.remark(now, self.agent.name, f"{text}: {write} would decide that")
+
+    def _has_code(self, activity: str) -> bool:
+        """Whether there is code for an activity; what cannot be loaded is told when it starts."""
+        try:
+            return not self._info(activity).simulated and has_code(self._find(activity))
+        except ActivityError:
+            return True
+
+    def _open(self, execution: Execution) -> None:
+        """The activity has lasted what it takes: what it did counts."""
+        if execution.cancelled:
+            return
+        execution.opens = None
+        held, execution.held = execution.held, []
+        for doing in held:
+            self.agent.perform(execution, doing)
+        if execution.has_returned:
+            self.agent.errand(lambda: self._end(execution))
+
+    def _advance(self, execution: Execution) -> None:
+        """Let a `step` activity go on until it yields."""
+        if execution.cancelled or execution.has_returned:
+            return
+        try:
+            if execution.generator is None:
+                assert execution.code is not None
+                made = execution.code().execute(execution.context, **execution.arguments)
+                if not isinstance(made, Generator):  # a plain function is one that never yields
+                    execution.result = as_outcome(made)
+                    self.returned(execution, None)
+                    return
+                execution.generator = made
+            pause = next(execution.generator)
+            delay = TICK if pause is None else nanoseconds(pause)
+        except StopIteration as end:
+            execution.result = as_outcome(end.value)
+            self.returned(execution, None)
+        except BaseException as error:
+            if execution.generator is not None:
+                execution.generator.close()
+            self.returned(execution, error)
+        else:
+            moment = self.agent.driver.clock.now() + delay
+            execution.handle = self.agent.driver.at(
+                moment, lambda: self.agent.errand(lambda: self._advance(execution))
+            )
+
+    def _close(self, execution: Execution) -> None:
+        """End a cancelled generator where it stands."""
+        if execution.handle is not None:
+            execution.handle.cancel()
+        error: BaseException | None = None
+        try:
+            assert execution.generator is not None
+            execution.generator.close()
+        except BaseException as raised:
+            error = raised
+        self.returned(execution, error)
+
+    # ---- ending ------------------------------------------------------------------------------
+
+    def returned(self, execution: Execution, error: BaseException | None) -> None:
+        """The code has come to its end, or what has no code has lasted long enough."""
+        if execution.has_returned:
+            return
+        execution.has_returned = True
+        if error is None and not execution.cancelled:
+            error = _wrong_outcome(execution)
+        execution.error = error
+        if execution.cancelled:
+            if error is not None and is_cancellation(error):
+                error = None
+            self._trace(
+                "late",
+                execution.start,
+                dropped=execution.dropped or None,
+                reason=None if error is None else reason_of(error),
+                traceback=None if error is None else frames_of(error),
+            )
+            self._free(execution)
+        elif execution.opens is None or error is not None:
+            self._end(execution)
+
+    def _end(self, execution: Execution) -> None:
+        if execution.cancelled:
+            return
+        agent = self.agent
+        now = agent.driver.clock.now()
+        start = execution.start
+        takes = execution.info.takes
+        if takes is not None and now - execution.started > takes:
+            self._trace("overrun", start, takes=takes, lasted=now - execution.started)
+        identity = agent.identity()
+        if execution.timer is not None:
+            execution.timer.cancel()
+        if execution.error is None:
+            outcome = _outcome(execution)
+            told = {} if outcome is None else {"outcome": outcome}
+            self._trace("end", start, sequence=identity[1], **told)
+            agent.post(identity, Completed(start.label, start.token, outcome))
+        else:
+            reason = reason_of(execution.error)
+            self._trace(
+                "crash",
+                start,
+                sequence=identity[1],
+                reason=reason,
+                traceback=frames_of(execution.error),
+                dropped=len(execution.held) or None,
+            )
+            agent.post(identity, Crashed(start.label, start.token, reason))
+        self._free(execution)
+
+    def _free(self, execution: Execution) -> None:
+        execution.forget()
+        node = self._nodes.get(execution.label)
+        if node is not None and node.current is execution:
+            node.current = None
+            node.last_end = self.agent.driver.clock.now()
+            self._begin_when_free(node)
+        else:
+            self._former = [item for item in self._former if item.current is not execution]
+
+    # ---- what an activity does ---------------------------------------------------------------
+
+    def check(self, execution: Execution, doing: c.Doing) -> None:
+        """Refuse at once what means nothing, and what was not declared.
+
+        Raises:
+            UndeclaredError: the activity does not declare that it writes the channel or variable.
+            LookupError: there is no such channel, variable or participant.
+            TypeError: a message or value is of another type.
+        """
+        match doing:
+            case c.Publish(channel, message):
+                c.check_message(channel, message)
+                self._check_kind(channel, message)
+                access.check_publish(execution.info, channel)
+            case c.SetVariable(name, value):
+                variable = self.agent.variable_of(name, execution.label)
+                if not _fits(variable.type, value):
+                    raise TypeError(f"variable {name} is a {variable.type}, not {value!r}")
+                access.check_set(execution.info, variable, name)
+            case c.Prepare(message):
+                if isinstance(message, type) or not is_dataclass(message):
+                    raise TypeError(f"what is prepared is a message, not {message!r}")
+            case c.Send(performative, message, to):
+                self.agent.check_send(execution.branch, performative, type(message).__name__, to)
+            case Offer(anew=anew):
+                self.agent.check_registered(anew)
+            case Withdraw():
+                self.agent.check_registered(True)
+
+    def frozen(self, execution: Execution) -> c.Port:
+        """The port of a context that goes on with what its activity sees just now."""
+        from aseme_dsl.runtime.activity.snapshot import FrozenPort
+
+        return FrozenPort(execution)
+
+    def _check_kind(self, channel: str, message: Any) -> None:
+        """Refuse a class that has only the name of a message; one of another version may be another class."""
+        agent, found = self.agent, type(message)
+        kind = agent.kinds.get(found.__name__)
+        if found is kind or kind is None:
+            return
+        if not is_dataclass(found) or not (agent.messages or same_shape(found, kind)):
+            text = (
+                f"{channel} carries {agent.plan.system}'s {found.__name__}, not the one of {found.__module__}"
+            )
+            raise TypeError(text)
+
+    def _trace(self, what: str, effect: Start | Cancel, **members: Any) -> None:
+        agent = self.agent
+        if agent.trace.active:
+            agent.trace.activity(what, agent.driver.clock.now(), agent.name, effect, **members)
+
+
+_TYPES = {**TYPES, "agent": (str, type(None))}
+
+
+def _fits(kind: str, value: Any) -> bool:
+    expected = _TYPES.get(kind)
+    if expected is None:
+        return type(value).__name__ == kind
+    return isinstance(value, expected) and (bool in expected or not isinstance(value, bool))
+
+
+def _outcome(execution: Execution) -> str | None:
+    """How an activity has ended: one without code in the first of the ways in which it may."""
+    ends = execution.info.ends
+    if not ends:
+        return None
+    return ends[0] if execution.code is None else execution.result
+
+
+def _wrong_outcome(execution: Execution) -> ActivityError | None:
+    """An activity that ends in one of several ways has to say in which."""
+    ends = execution.info.ends
+    if not ends or execution.code is None or execution.result in ends:
+        return None
+    returned = "nothing" if execution.result is None else execution.result
+    return ActivityError(f"it returned {returned}: it ends {' or '.join(ends)}")

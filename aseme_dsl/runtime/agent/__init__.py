@@ -1,0 +1,1 @@
+"""Agent: one agent with its statechart, alone or as behaviours."""

@@ -1,0 +1,726 @@
+"""Agent: one ordered intake in front of a synchronous chart, and the hands that carry its effects out."""
+
+from __future__ import annotations
+
+import itertools
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from typing import Any
+
+from aseme_dsl.runtime.activity import context as c
+from aseme_dsl.runtime.activity.activities import ActivityFinder
+from aseme_dsl.runtime.activity.execution import Execution
+from aseme_dsl.runtime.activity.executions import Executions
+from aseme_dsl.runtime.activity.modules import Modules
+from aseme_dsl.runtime.activity.returning import frames_of, reason_of
+from aseme_dsl.runtime.agent.behaviours import JadeLikeAgent, agent_class
+from aseme_dsl.runtime.agent.carry import Carried
+from aseme_dsl.runtime.agent.overload import Overload
+from aseme_dsl.runtime.channel.bus import SELECT, Bus
+from aseme_dsl.runtime.chart.board import QUEUE
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import (
+    Arrived,
+    Cancel,
+    Completed,
+    Crashed,
+    Effect,
+    Fault,
+    FunctionResult,
+    Happened,
+    Identity,
+    Input,
+    Joined,
+    Left,
+    LeftOut,
+    Mail,
+    MailTaken,
+    Outcome,
+    Publication,
+    Sending,
+    Start,
+    Written,
+)
+from aseme_dsl.runtime.chart.intake import Errand, Intake, Posted, Writer
+from aseme_dsl.runtime.chart.plan import BranchInfo, Plan, Variable
+from aseme_dsl.runtime.conversation import directory as d
+from aseme_dsl.runtime.conversation.conversation import Conversations
+from aseme_dsl.runtime.message.acl import AgentIdentifier
+from aseme_dsl.runtime.message.as_json import to_json
+from aseme_dsl.runtime.message.convert import Messages, arrived, converted, like, mailed
+from aseme_dsl.runtime.ports import Driver
+from aseme_dsl.runtime.time.timers import Timer
+from aseme_dsl.runtime.trace.trace import Trace
+from aseme_dsl.runtime.world.body import Body
+
+FOLLOWING = 900
+"""After so many steps in a row for which only variables ask, an agent's regions wake each other for ever."""
+PAID = 10
+"""So many such steps an input may cause. With inputs in quick succession there is never a step without one
+that follows, though nothing goes round."""
+
+
+class Agent:
+    """A running chart with its activities, its place on the bus and in conversations.
+
+    `post` and `errand` may be called from any thread; the driver sees to it that `process` is not called
+    twice at once, and that items are processed in the order in which they came.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        chart: Chart,
+        find: ActivityFinder,
+        driver: Driver[Execution],
+        bus: Bus,
+        conversations: Conversations,
+        trace: Trace,
+        seed: int = 1,
+        body: Body[Any, Any] | None = None,
+        behind: int = 0,
+        queue: int = QUEUE,
+    ) -> None:
+        """Identities of what comes from it begin `behind` a number; `queue` signals may wait in a region."""
+        self.name = name
+        self.chart = chart
+        self.plan = chart.PLAN
+        self.driver = driver
+        self.bus = bus
+        self.conversations = conversations
+        self.trace = trace
+        self.seed = seed
+        chart.seed = seed
+        self.body = body
+        self.messages: Messages = {}
+        """The message classes of the agent's plan, from when messages of other versions may come."""
+        self.kinds: Messages = {}
+        """The message classes of the agent's plan, as far as they are known."""
+        self.chosen: Callable[[Agent, str, str], None] = _not_here
+        """Is told of a message that says which plan is to run, and by whom it is."""
+        self.executions = Executions(self, find)
+        self.modules = Modules(self, self.executions, find)
+        self.intake = Intake(_queued(self.plan), not driver.clock.virtual, queue)
+        self.overload = Overload(self, queue)
+        self._queue = chart.queue = queue
+        self.steps: int = 0
+        self.recent: deque[tuple[int, ...]] = deque(maxlen=8)
+        """The transitions taken last, for messages about what does not end."""
+        self.stopped = False
+        self.down: bool = False
+        """Whether it has crashed and not started again (in a simulation with faults)."""
+        self.failed_at: str = ""
+        """The place in the source where the agent failed."""
+        self.since: dict[str, int] = {}
+        """When each state, by its label, was last entered by a transition to it, or its activity returned."""
+        self._sequence = itertools.count(behind + 1)
+        self._wanted = True  # the first step enters the root
+        self._following = 0
+        self._inputs: list[Posted] | None = None
+        self._due: Timer | None = None
+        self._prepared: dict[tuple[str | None, str], Any] = {}
+        self._configuration: tuple[str, ...] = ()
+        self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
+        self._info_of = {info.label: info for info in self.plan.branches}
+        self.shown: JadeLikeAgent | None = None
+        """The agent with its behaviours, if it is shown so; made before the first step."""
+        self._carried_out: dict[type[Any], Callable[[Any], None]] = {
+            Start: self.executions.start,
+            Cancel: self.executions.cancel,
+            Publication: self._publish,
+            Sending: self._send,
+            MailTaken: lambda effect: self.conversations.taken(self, effect.branch, effect.identity),
+            Joined: lambda effect: self.conversations.joined(self, effect.branch),
+            Left: lambda effect: self.conversations.left(self, effect.branch),
+            FunctionResult: _nothing,
+            Fault: self._count_fault,
+            LeftOut: lambda effect: self.overload.inside(effect.region, effect.channel),
+        }
+        if not driver.clock.virtual:
+            chart.pending = self._pending
+
+    @property
+    def role(self) -> str:
+        """The name of the plan that the agent follows."""
+        return self.plan.name
+
+    @property
+    def over(self) -> bool:
+        """Whether the agent has finished, failed or been stopped."""
+        return self.stopped or self.chart.finished or self.chart.failure is not None
+
+    # ---- the intake --------------------------------------------------------------------------
+
+    def identity(self) -> Identity:
+        """A new identity for something that comes from this agent."""
+        return self.name, next(self._sequence)
+
+    def post(
+        self,
+        identity: Identity,
+        item: Input,
+        execution: Writer | None = None,
+        conversation: str | None = None,
+    ) -> None:
+        """Give the agent an input for its next step (for this one, from an errand that precedes it)."""
+        posted = Posted(identity, item, execution, conversation)
+        if self._inputs is not None and self.driver.owns(self):
+            self._inputs.append(posted)
+        else:
+            self.intake.append(posted)
+            self.driver.wake(self)
+
+    def errand(self, call: Errand) -> None:
+        """Have something done while the agent is guarded, in its turn among the inputs."""
+        self.intake.append(call)
+        self.driver.wake(self)
+
+    def take(self) -> list[Posted | Errand]:
+        """Everything that has come in so far."""
+        return self.intake.take()
+
+    def begin(self) -> None:
+        """Ask for the first step."""
+        self.errand(self._want)
+
+    def _want(self) -> None:
+        self._wanted = True
+
+    def _pending(self) -> Iterable[Arrived]:
+        """What has arrived since the step began."""
+        return self.intake.arrived()
+
+    # ---- the step ----------------------------------------------------------------------------
+
+    def process(self, items: Iterable[Posted | Errand]) -> None:
+        """Run the errands, and give the inputs to one step, if there is anything to step for."""
+        inputs = self._inputs = []
+        for item in items:
+            if not isinstance(item, Posted):
+                item()
+            elif self._counts(item):
+                renewed = self._renewed(item, None) if self.messages else item
+                if renewed is not None:
+                    inputs.append(renewed)
+        self._inputs = None
+        if self.intake.left_out or self.intake.refused:
+            self.overload.at_the_door(self.intake)
+        if self.down:
+            self._lose(inputs)
+            return
+        if self.over or not (inputs or self._wanted):
+            return
+        self._wanted = False
+        self._step(inputs)
+
+    def _counts(self, item: Posted) -> bool:
+        """Whether an input is still wanted."""
+        if item.execution is not None and item.execution.cancelled:
+            item.execution.dropped += 1
+            return False
+        if isinstance(item.input, Mail):
+            return self.conversations.arrives(self, item.input, item.conversation)
+        if isinstance(item.input, Arrived) and item.input.channel == SELECT:
+            self.chosen(self, item.input.message.plan, item.input.sender)
+            return SELECT in self.chart.READERS
+        return True
+
+    def _step(self, inputs: list[Posted]) -> None:
+        chart = self.chart
+        now = self.driver.clock.now()
+        self.steps += 1
+        if not chart.started:
+            self._show()
+        ahead: list[Arrived] = []
+        if not self.driver.clock.virtual:
+            chart.pending = lambda: self._ahead(ahead)
+        drained, chart.drains = chart.drains, False
+        try:
+            outcome = chart.step(now, [item.input for item in inputs])
+        except Exception as error:  # nothing in a document can do that; the other agents play on
+            self.trace.step(
+                now, self.name, self.plan, self.steps, _identities(inputs), ahead, Outcome(), None
+            )
+            self.fail(f"the step raised {reason_of(error)}", frames_of(error, own=True))
+            return
+        self.recent.extend(outcome.taken)
+        self._note_moments(now, inputs, outcome)
+        configuration = chart.configuration() if self.trace.active else ()
+        changed = configuration != self._configuration
+        self._configuration = configuration
+        self.trace.step(
+            now,
+            self.name,
+            self.plan,
+            self.steps,
+            _identities(inputs),
+            ahead,
+            outcome,
+            configuration if changed else None,
+        )
+        if self.shown is not None:
+            self.shown.follow(outcome)
+        stop = _stop(outcome) if outcome.failure is not None else -1
+        for place, effect in enumerate(outcome.effects):
+            if place == stop:
+                self.conversations.lost(self)
+            self._carried_out[type(effect)](effect)
+        if outcome.failure is not None:
+            self._note_failure(now, outcome)
+        if outcome.failure is not None or outcome.finished:
+            self._end()
+            return
+        if not self.modules.has_begun:
+            self.modules.begin()
+        if outcome.again:
+            self.errand(self._want)
+        if chart.woken or self._following:
+            self._follow(bool(inputs) or drained)
+            if self.over:
+                return
+        self._sleep(now)
+
+    def _note_moments(self, now: int, inputs: list[Posted], outcome: Outcome) -> None:
+        """Note what has just been entered, and which activities have returned."""
+        if self.steps == 1:
+            self.since[self.plan.states[0].label] = now
+        for item in inputs:
+            if isinstance(item.input, Completed):
+                self.since[item.input.label] = now
+        transitions = self.plan.transitions
+        for numbers in outcome.taken:
+            last = transitions[numbers[-1]]
+            if last.kind == "way":
+                self.since[last.target] = now
+
+    def _follow(self, has_inputs: bool) -> None:
+        """Count the steps in a row that only variables have asked for, and stop an agent that makes them for
+        ever: its regions wake each other. An input pays for some of them, and so does a queued signal."""
+        if not self.chart.woken:
+            self._following = 0
+        elif has_inputs:
+            self._following = max(1, self._following - PAID)
+        else:
+            self._following += 1
+        self.chart.woken = False
+        if self._following >= FOLLOWING:
+            self.fail(
+                f"{FOLLOWING} steps follow each other and no end, its regions wake each other: {self.cycle()}"
+            )
+
+    def _show(self, labels: Mapping[str, str] | None = None) -> None:
+        """Show the chart with its behaviours, if it is to be shown so. One that goes on where another stood,
+        by `labels`, is shown as it stands."""
+        before = self.shown
+        kind = agent_class(type(self.chart), self.executions.find)
+        self.shown = kind(self) if kind is not None else None
+        if self.shown is not None and labels is not None:
+            self.shown.go_on(before, labels)
+
+    def _ahead(self, seen: list[Arrived]) -> Iterable[Arrived]:
+        found = self._pending()
+        known = {item.identity for item in seen}
+        seen.extend(item for item in found if item.identity not in known)
+        return found
+
+    def _sleep(self, now: int) -> None:
+        """Have the agent woken when time alone may enable something."""
+        due = self.chart.due(now)
+        if self._due is not None:
+            if self._due.moment == due and self._due.call is not None:
+                return
+            self._due.cancel()
+            self._due = None
+        if due is not None:
+            self._due = self.driver.at(due, self._wake)
+
+    def _wake(self) -> None:
+        self.errand(self._come_due)
+
+    def _come_due(self) -> None:
+        self._due = None
+        self._wanted = True
+
+    # ---- the end -----------------------------------------------------------------------------
+
+    def _note_failure(self, now: int, outcome: Outcome) -> None:
+        reason = outcome.failure or ""
+        states = self.plan.states
+        at = next((state.at for state in states if f" of state {state.label} failed: " in reason), "")
+        if not at:
+            taken = [self.plan.transitions[numbers[0]] for numbers in outcome.taken]
+            at = next((way.at for way in reversed(taken) if way.kind != "exit"), "")
+        self.failed_at = at
+        self.trace.failure(now, self.name, reason, at)
+
+    def fail(self, reason: str, frames: list[dict[str, Any]] | None = None) -> None:
+        """Stop the agent for a reason that its chart does not know. Called while the agent is guarded."""
+        if self.over:
+            return
+        self.chart.failure = reason
+        if self.recent:
+            self.failed_at = self.plan.transitions[self.recent[-1][0]].at
+        now = self.driver.clock.now()
+        self.trace.failure(now, self.name, reason, self.failed_at, traceback=frames)
+        self.conversations.lost(self)
+        self._end()
+
+    def stop(self) -> None:
+        """Cancel what runs and do nothing more. Called while the agent is guarded."""
+        if not self.over:
+            self.stopped = True
+        self._end()
+
+    def _end(self) -> None:
+        if self._due is not None:
+            self._due.cancel()
+            self._due = None
+        if self.shown is not None:
+            self.shown.over(left=self.chart.finished or self.chart.failure is not None)
+        self.overload.end(self.intake)
+        self.executions.cancel_all()
+        self.modules.stop()
+        self.conversations.gone(self)
+
+    # ---- another plan ------------------------------------------------------------------------
+
+    def go_on(self, carried: Carried, find: ActivityFinder, messages: Messages, changed: bool) -> None:
+        """Take over a chart that stands where the present one stands. Called while the agent is guarded.
+
+        `changed` says whether the plan differs: then something may be enabled that was not.
+        """
+        # What has just become due is not due later once more: it is looked at now.
+        is_due = self._due is not None and self._due.moment <= self.driver.clock.now()
+        self._adopt(carried.chart)
+        self.messages = messages
+        labels = carried.labels
+        self.since = {labels[label]: moment for label, moment in self.since.items() if label in labels}
+        self.executions.carry(labels, find)
+        if carried.chart.started:
+            self._show(labels)
+        self._prepared = {
+            (branch if branch is None else labels.get(branch, ""), name): self.understood(content)
+            for (branch, name), content in self._prepared.items()
+        }
+        with self.conversations.still():  # nobody posts mail for a branch by its old name
+            self.conversations.carry(self, labels, messages)
+            renewed = (
+                self._renewed(item, labels) if isinstance(item, Posted) else item for item in self.take()
+            )
+            self.intake.put_back([item for item in renewed if item is not None])
+        for effect in carried.effects:
+            self._carried_out[type(effect)](effect)
+        if changed or is_due:
+            self.errand(self._want)
+        self.modules.renew(find)
+        if carried.chart.started:
+            self._sleep(self.driver.clock.now())
+
+    def begin_as(self, chart: Chart, find: ActivityFinder, messages: Messages, *, dead: bool = False) -> None:
+        """Leave the present plan, and enter another. Called while the agent is guarded, between two steps.
+
+        One that is `dead` says nothing any more when it leaves.
+        """
+        old = self.chart
+        if old.started:
+            old.effects.clear()
+            old.leave()
+            effects = old.effects if not dead else [item for item in old.effects if not _is_said(item)]
+            self.conversations.lost(self)
+            for effect in effects:
+                self._carried_out[type(effect)](effect)
+            if self.shown is not None and not dead:
+                self.shown.over(left=True)
+            self.shown = None
+        with self.conversations.still():
+            self.conversations.gone(self, f"{self.name} has left its plan")
+            items = [item for item in self.take() if _is_for_any_plan(item)]
+            chart.tokens = old.tokens
+            self._adopt(chart)
+            self.messages = messages
+            self.executions.forget(find)
+            self.modules.forget(find)
+            self._prepared.clear()
+            self.intake.put_back(items)
+        if self._inputs is not None:  # it chose this itself, in a message that came with others
+            self._inputs[:] = [item for item in self._inputs if _is_for_any_plan(item)]
+        self.begin()
+
+    def crash(self) -> None:
+        """Stop dead, as a robot does that is switched off; what it knew is gone. Between two steps."""
+        if not self.over:
+            self.begin_as(type(self.chart)(self.name), self.executions.find, self.messages, dead=True)
+            self.down = True
+            self.conversations.directory.disappeared(self.name)
+
+    def restart(self) -> None:
+        """Start afresh after a crash."""
+        if self.down:
+            self.down = False
+            self.conversations.directory.appeared(self.name, self.plan)
+            self.begin()
+
+    def _lose(self, inputs: Iterable[Posted]) -> None:
+        """What comes for an agent that is down is lost."""
+        for item in inputs:
+            if isinstance(item.input, Arrived | Mail):
+                name = item.input.channel if isinstance(item.input, Arrived) else item.input.message
+                text = f"{name} from {item.input.sender} is lost: {self.name} is down"
+                now = self.driver.clock.now()
+                self.trace.fault(now, self.name, text, input=list(item.identity))
+
+    def _adopt(self, chart: Chart) -> None:
+        chart.seed = self.seed
+        chart.chance = chart.chance or self.chart.chance
+        self.chart = chart
+        self.chart.queue = self._queue
+        self.plan = chart.PLAN
+        self.intake.queued = _queued(self.plan)
+        self._branches = sorted(self.plan.branches, key=lambda info: -len(info.label))
+        self._info_of = {info.label: info for info in self.plan.branches}
+        self.recent.clear()
+        self._configuration = chart.configuration() if chart.started and self.trace.active else ()
+        if not self.driver.clock.virtual:
+            chart.pending = self._pending
+        if self._due is not None:
+            self._due.cancel()
+            self._due = None
+
+    def _renewed(self, item: Posted, labels: Mapping[str, str] | None) -> Posted | None:
+        """An input with its message and, by `labels`, its labels as the agent's plan has them, or None."""
+        found = item.input
+        try:
+            match found:
+                case Arrived(channel):
+                    if channel in self.chart.READERS:
+                        found = arrived(found, self.messages)
+                    if labels is not None and found.written_by is not None:
+                        found = replace(found, written_by=labels.get(found.written_by, ""))
+                case Mail():
+                    found = mailed(found, self.messages)
+                    if labels is not None:
+                        found = replace(found, branch=labels[found.branch])
+                case Completed(label) | Crashed(label):
+                    if labels is not None:
+                        found = replace(found, label=labels[label])
+                case Written(variable):
+                    name, _, scope = variable.partition("@")
+                    key = f"{name}@{labels[scope]}" if scope and labels is not None else variable
+                    example = self.chart.variable(key)
+                    found = Written(key, like(found.value, example, self.messages))
+        except LookupError as error:
+            text = f"an input of {item.identity[0]} is left out: {error.args[0]}"
+            self.trace.fault(self.driver.clock.now(), self.name, text)
+            return None
+        return item if found is item.input else replace(item, input=found)
+
+    def understood(self, content: Any) -> Any:
+        """The content of an agent message as the agent's plan has it; as it is, where it has none."""
+        if not self.messages:
+            return content
+        try:
+            return converted(content, self.messages)
+        except LookupError:
+            return content
+
+    def in_threads(self) -> int:
+        """How many of its activities and modules can run in threads at once."""
+        return self.executions.in_threads() + self.modules.in_threads()
+
+    def cycle(self) -> str:
+        """The transitions taken last, for messages about what does not end."""
+        transitions = self.plan.transitions
+        names = [self.plan.way(numbers) for numbers in self.recent]
+        activities = [
+            activity
+            for numbers in self.recent
+            if (activity := self.plan.by_label[transitions[numbers[-1]].target].activity)
+        ]
+        text = ", ".join(dict.fromkeys(names)) or "no transition"
+        return text + (f" (activities {', '.join(dict.fromkeys(activities))})" if activities else "")
+
+    # ---- effects -----------------------------------------------------------------------------
+
+    def _count_fault(self, effect: Fault) -> None:
+        at = self.plan.transitions[effect.transition].at
+        self.trace.count_fault(self.driver.clock.now(), self.name, effect.reason, at)
+
+    def _publish(self, effect: Publication) -> None:
+        self.bus.publish(self, effect.channel, effect.message, effect.host, region=effect.region)
+
+    def _send(self, effect: Sending) -> None:
+        content = effect.content
+        for key in ((effect.branch, effect.message), (None, effect.message)):
+            if not effect.filled and key in self._prepared:
+                content = self._prepared.pop(key)
+                break
+        performative, message = effect.performative, effect.message
+        if effect.to is not None:
+            self.conversations.send_to_agent(self, effect.branch, performative, message, content, effect.to)
+        else:
+            self.conversations.send(
+                self, effect.branch, performative, message, content, effect.participant, effect.excepts
+            )
+
+    # ---- what activities do ------------------------------------------------------------------
+
+    def perform(self, execution: Execution, doing: c.Doing) -> None:
+        """Do what an activity asks for. Called from the activity's thread."""
+        now = self.driver.clock.now()
+        activity = execution.activity
+        match doing:
+            case c.Publish(channel, message, host):
+                self.bus.publish(self, channel, message, host, activity=activity)
+            case c.SetVariable(name, value):
+                key = self.variable_of(name, execution.label).name
+                identity = self.identity()
+                self.trace.write(
+                    "variable",
+                    now,
+                    agent=self.name,
+                    sequence=identity[1],
+                    variable=key,
+                    value=to_json(value),
+                    activity=activity,
+                    label=execution.label,
+                )
+                self.post(identity, Written(key, value), execution)
+            case c.RaiseEvent(name):
+                identity = self.identity()
+                self.trace.write(
+                    "event",
+                    now,
+                    agent=self.name,
+                    sequence=identity[1],
+                    event=name,
+                    activity=activity,
+                    label=execution.label,
+                )
+                self.post(identity, Happened(name), execution)
+            case c.Prepare(message):
+                self._prepared[execution.branch, type(message).__name__] = message
+            case c.Send(performative, message, to, within):
+                branch, name = execution.branch, type(message).__name__
+                assert branch is not None  # checked before
+                by = None if within is None else now + within
+                self.conversations.send(self, branch, performative, name, message, to, reply_by=by)
+            case d.Offer(services, lease, anew):
+                entry = d.Entry(AgentIdentifier(self.name), services)
+                directory = self.conversations.directory
+                self._settle(lambda: (directory.modify if anew else directory.register)(entry, lease))
+            case d.Withdraw():
+                self._settle(lambda: self.conversations.directory.deregister(self.name))
+            case c.Log(text):
+                self.trace.write(
+                    "log", now, agent=self.name, activity=activity, label=execution.label, text=text
+                )
+
+    def _settle(self, change: Callable[[], object]) -> None:
+        """Change what is registered; tell if that cannot be any more."""
+        try:
+            change()
+        except d.DirectoryError as problem:
+            self.trace.fault(self.driver.clock.now(), self.name, f"the directory: {problem}")
+
+    def take_mail(
+        self,
+        execution: Execution,
+        performative: str | None,
+        message: str | None,
+        sender: str | None,
+        identity: Identity | None = None,
+    ) -> Mail | None:
+        """The oldest agent message that waits in the activity's branch. Called while the agent is guarded."""
+        branch = execution.branch
+        if branch is None or execution.cancelled:
+            return None
+        waiting = self.chart.mail[branch]
+        for item in waiting:
+            if c.matches(item, performative, message, sender) and identity in (None, item.identity):
+                waiting.remove(item)
+                self.trace.write(
+                    "taken",
+                    self.driver.clock.now(),
+                    agent=self.name,
+                    input=list(item.identity),
+                    label=execution.label,
+                    activity=execution.activity,
+                    token=execution.start.token,
+                )
+                self.conversations.taken(self, branch, item.identity)
+                return item
+        return None
+
+    # ---- questions ---------------------------------------------------------------------------
+
+    def branch_of(self, label: str) -> str | None:
+        """The label of the innermost protocol branch around a state, or None."""
+        return next((b.label for b in self._branches if (label + ".").startswith(b.label + ".")), None)
+
+    def branch_info(self, label: str) -> BranchInfo:
+        """What the plan says of a branch."""
+        return self._info_of[label]
+
+    def variable_of(self, name: str, label: str) -> Variable:
+        """The variable that a state's activity means by a name: the innermost. Raises LookupError."""
+        found = [
+            variable
+            for variable in self.plan.variables
+            if variable.name.partition("@")[0] == name
+            and (variable.scope is None or (label + ".").startswith(variable.scope + "."))
+        ]
+        if not found:
+            known = ", ".join(sorted({v.name.partition("@")[0] for v in self.plan.variables})) or "none"
+            raise LookupError(f"no variable {name} here; {self.role} has {known}")
+        return max(found, key=lambda variable: len(variable.scope or ""))
+
+    def check_registered(self, wanted: bool) -> None:
+        """Raises DirectoryError if the agent has registered what it offers, or (`wanted`) if it has not."""
+        if self.conversations.directory.has_registered(self.name) != wanted:
+            raise (d.not_registered if wanted else d.already_registered)(self.name)
+
+    def check_send(self, branch: str | None, performative: str, message: str, to: str) -> None:
+        """Raises LookupError if an activity of this branch cannot send such a message to `to`."""
+        if branch is None:
+            raise LookupError("only an activity of a protocol's participant sends agent messages")
+        info = self.branch_info(branch)
+        if (performative, message) not in info.sends:
+            known = ", ".join(" ".join(pair) for pair in info.sends) or "nothing"
+            raise LookupError(f"{info.participant} sends {known}, not {performative} {message}")
+        self.conversations.check_receiver(self, branch, to)
+
+
+def _stop(outcome: Outcome) -> int:
+    """Where among the effects of a step those begin that leave everything because the agent has failed."""
+    place = len(outcome.effects)
+    while place and isinstance(outcome.effects[place - 1], Cancel | Left):
+        place -= 1
+    return place
+
+
+def _identities(inputs: Iterable[Posted]) -> list[Identity]:
+    return [item.identity for item in inputs]
+
+
+def _is_for_any_plan(item: Posted | Errand) -> bool:
+    """Whether what has come in means something to another plan than the one that it came for."""
+    return not isinstance(item, Posted) or isinstance(item.input, Arrived | Happened)
+
+
+def _is_said(effect: Effect) -> bool:
+    """Whether somebody else would hear of an effect."""
+    return isinstance(effect, Publication | Sending)
+
+
+def _not_here(agent: Agent, plan: str, by: str) -> None:
+    """Nobody knows other plans."""
+
+
+def _queued(plan: Plan) -> frozenset[str]:
+    """The channels whose signals queue."""
+    return frozenset(info.name for info in plan.channels if info.queued)
+
+
+def _nothing(effect: object) -> None:
+    """Function results are in the record of the step."""

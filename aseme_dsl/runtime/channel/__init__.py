@@ -1,0 +1,1 @@
+"""Channel: what is published reaches whom it concerns, and some of it is kept."""

@@ -1,0 +1,211 @@
+"""Blackboards: what one region of a chart knows (P1, section 4.4): states, signals, data, timers, drafts."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, ClassVar
+
+from aseme_dsl.runtime.chart import history
+from aseme_dsl.runtime.chart.history import History
+from aseme_dsl.runtime.chart.inputs import Arrived, Identity
+
+NEVER = sys.maxsize
+"""A moment that does not come."""
+
+
+QUEUE = 10_000
+"""So many signals of a queued channel wait in a region at the most, if nothing else is said."""
+
+
+class Board:
+    """The blackboard of a region.
+
+    Generated subclasses have a typed slot for each message that the region's expressions read; it holds
+    the message that an expression sees now, or None. `SLOTS` gives the slots of a channel as
+    (slot, host or None), `TIMED` the slots that have a companion `…_time` with the time of measurement.
+    """
+
+    __slots__ = ("_data", "_seen", "_signals", "_states", "ahead", "asked", "drafts", "timers")
+
+    CHANNELS: ClassVar[frozenset[str]] = frozenset()
+    QUEUED: ClassVar[frozenset[str]] = frozenset()
+    RETENTION: ClassVar[Mapping[str, int]] = {}
+    SLOTS: ClassVar[Mapping[str, tuple[tuple[str, str | None], ...]]] = {}
+    TIMED: ClassVar[frozenset[str]] = frozenset()
+
+    def __init__(self) -> None:
+        self._states: dict[str, dict[str, Arrived]] = {}
+        self._data: dict[str, History] = {}
+        self._signals: dict[str, list[Arrived]] = {}
+        self._seen: dict[tuple[str, str | None], Arrived] = {}
+        self.ahead: set[Identity] = set()
+        """What `read_messages` has put here before it comes as an input."""
+        self.asked: list[Arrived] = []
+        self.timers: dict[str, int] = {}
+        self.drafts: dict[tuple[str, str | None], dict[tuple[str, ...], Any]] = {}
+        for slots in self.SLOTS.values():
+            for slot, _ in slots:
+                setattr(self, slot, None)
+                if slot in self.TIMED:
+                    setattr(self, slot + "_time", 0)
+
+    def inherit(self, outer: Board) -> None:
+        """Start with the states and histories of the surrounding region, without signals and timers."""
+        for channel in self.CHANNELS:
+            if channel in outer._states:
+                self._states[channel] = dict(outer._states[channel])
+            elif channel in outer._data:
+                self._data[channel] = outer._data[channel].copy()
+            else:
+                continue
+            self._refresh(channel)
+
+    # ---- writing ---------------------------------------------------------------------------
+
+    def put(self, item: Arrived, now: int) -> None:
+        """Take in a message of one of the board's channels."""
+        channel = item.channel
+        comm = channel.split(".", 2)[1]
+        if comm == "state":
+            senders = self._states.setdefault(channel, {})
+            senders.pop(item.sender, None)  # the newest sender is the last one
+            senders[item.sender] = item
+        elif comm == "signal":
+            waiting = self._signals.setdefault(channel, [])
+            if channel not in self.QUEUED:
+                for index, other in enumerate(waiting):
+                    if other.sender == item.sender:
+                        waiting[index] = item
+                        break
+                else:
+                    waiting.append(item)
+            else:
+                waiting.append(item)
+        else:
+            if channel not in self._data:
+                self._data[channel] = History()
+            self._data[channel].add(item, now - self.RETENTION.get(channel, 0))
+        self._refresh(channel)
+
+    def _refresh(self, channel: str) -> None:
+        for slot, host in self.SLOTS.get(channel, ()):
+            item = self.newest(channel, host)
+            setattr(self, slot, None if item is None else item.message)
+            if slot in self.TIMED:
+                setattr(self, slot + "_time", 0 if item is None else item.time)
+
+    # ---- reading ---------------------------------------------------------------------------
+
+    def newest(self, channel: str, host: str | None = None) -> Arrived | None:
+        """What an expression sees: a state's latest, a signal's oldest waiting, the newest data."""
+        if channel in self._signals:
+            return next((i for i in self._signals[channel] if host in (None, i.sender)), None)
+        if channel in self._states:
+            senders = self._states[channel]
+            if host is not None:
+                return senders.get(host)
+            return next(reversed(senders.values()), None)
+        data = self._data.get(channel)
+        return None if data is None else data.newest(host)
+
+    def history(self, channel: str, host: str | None = None) -> tuple[Arrived, ...]:
+        """The data messages that are kept, oldest first."""
+        data = self._data.get(channel)
+        return () if data is None else data.of(host)
+
+    def at(self, channel: str, host: str | None, moment: int) -> Any:
+        """The message as it was at `moment`: the newest measured by then, or None."""
+        items = self._data.get(channel, ()) if host is None else self.history(channel, host)
+        found = history.at(items, moment)
+        return None if found is None else found.message
+
+    def mean(self, channel: str, host: str | None, since: int, member: str) -> float | None:
+        """The mean of a member (`pose.x`) over what was measured since then, or None.
+
+        A message in which the member is absent does not count.
+        """
+        return history.mean(self.history(channel, host), since, member)
+
+    def expired(self, timer: str, now: int) -> bool:
+        """Whether a timer was started and has run out."""
+        return self.timers.get(timer, NEVER) <= now
+
+    def waits(self, channel: str) -> int:
+        """How many signals of a channel wait."""
+        return len(self._signals.get(channel, ()))
+
+    def waiting(self) -> int:
+        """How many signals wait, of all channels."""
+        return sum(map(len, self._signals.values()))
+
+    # ---- signals ---------------------------------------------------------------------------
+
+    def ask(self, channel: str, host: str | None = None) -> None:
+        """Note that a condition or action has looked at a signal."""
+        item = self.newest(channel, host)
+        if item is None:
+            self._seen.pop((channel, host), None)
+        else:
+            self._seen[channel, host] = item
+            self.asked.append(item)
+
+    def spend(self, channel: str, host: str | None, *around: Board) -> None:
+        """Consume the signal that was looked at last, here and on the boards of the regions around."""
+        item = self._seen.pop((channel, host), None)
+        if item is None:
+            return
+        self._drop(item)
+        for board in around:
+            if not board._drop(item) and item.identity in self.ahead:
+                board.ahead.add(item.identity)
+
+    def take(self, channel: str, host: str | None = None) -> Arrived | None:
+        """Read a signal as an activity does: it is gone afterwards."""
+        item = self.newest(channel, host)
+        if item is not None and channel in self._signals:
+            self._drop(item)
+        return item
+
+    def _drop(self, item: Arrived) -> bool:
+        waiting = self._signals.get(item.channel, [])
+        for index, other in enumerate(waiting):
+            if other is item:
+                del waiting[index]
+                self._refresh(item.channel)
+                return True
+        return False
+
+    def end_step(self) -> tuple[str, ...]:
+        """Drop the signals that were looked at; the channels of those that were still there."""
+        dropped = tuple(item.channel for item in self.asked if self._drop(item))
+        self.asked.clear()
+        self._seen.clear()
+        return dropped
+
+    # ---- drafts ----------------------------------------------------------------------------
+
+    def fill(self, channel: str, host: str | None, path: tuple[str, ...], value: Any) -> None:
+        """Set a member of the message that the next publication of the channel sends."""
+        self.drafts.setdefault((channel, host), {})[path] = value
+
+    def take_drafts(self, channel: str, kind: Any) -> list[tuple[str | None, Any]]:
+        """The drafts of a channel as (host, message); one of defaults for all where there is none."""
+        hosts = [host for other, host in self.drafts if other == channel]
+        if not hosts:
+            return [(None, kind())]
+        return [(host, built(kind(), self.drafts.pop((channel, host)))) for host in hosts]
+
+
+def built(message: Any, members: Mapping[tuple[str, ...], Any]) -> Any:
+    """A copy of `message` with the members at these paths replaced."""
+    for path, value in members.items():
+        message = _with(message, path, value)
+    return message
+
+
+def _with(message: Any, path: tuple[str, ...], value: Any) -> Any:
+    if len(path) > 1:
+        value = _with(getattr(message, path[0]), path[1:], value)
+    return replace(message, **{path[0]: value})

@@ -1,0 +1,427 @@
+"""Control: what an operator can ask of a running team, as JSON requests and replies.
+
+A request is an object with `version` (1), `request`, and what it needs; a reply has `version`, `ok`, and
+either what was asked for or `reasons`. How they travel is not known here.
+
+    {"version": 1, "request": "status"}
+        system, model, time (ns), agents: name, role, model, over, failure, steps, configuration, activities
+    {"version": 1, "request": "select", "agent": "robot2", "plan": "goalie"}
+    {"version": 1, "request": "stop"}
+    {"version": 1, "request": "swap", "phase": "ready", "hash": "9f2c…"}
+        `hash` names a version in the run's own folder of versions, by all that is in it. `agents` (names) may
+        be given, else it is all of them.
+        state: "ready", or "busy" with the reasons
+    {… "phase": "prepare", "within": 0.3, "hold": 2.0}
+        waits `within` s for a moment at which all agents here can change, and holds them there, `hold` s at
+        the most. state: "prepared", with an `id`; or "busy"
+    {… "phase": "commit", "id": 3}
+        it will be done: if nothing more is heard, when `hold` is over
+    {… "phase": "finish", "id": 3} · {… "phase": "rollback", "id": 3, "reason": "…"}
+        it is done; or everybody goes on as before, as also if nothing is heard before a commit
+    {… "phase": "refuse", "reasons": […]}
+        it could not be prepared everywhere: this is traced here
+
+So a team in several processes changes as one: prepare everywhere, commit everywhere, finish everywhere; and
+roll back everywhere if one of them does not confirm.
+"""
+
+from __future__ import annotations
+
+import itertools
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+from queue import Empty, SimpleQueue
+from typing import TYPE_CHECKING, Any
+
+from aseme_dsl.outside import loads
+from aseme_dsl.runtime.control.control_log import PROGRAM, ControlLog, Origin
+from aseme_dsl.runtime.team.swap import Swap, Version, version_of
+from aseme_dsl.runtime.version.loading import LoadError, activities_of, load_beside, package_like
+from aseme_dsl.runtime.version.versions import HASH, VersionError, read_version
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.team.team import Team
+
+FORMAT = 1
+"""The version of the requests and replies."""
+HOLD = 2.0
+"""How long, in seconds, agents are held for a commit or a finish, if the request does not say."""
+LONGEST = 60.0
+"""Agents are held so long, in seconds, at the most."""
+LARGEST = 1 << 16
+"""A request has at most so many bytes."""
+DEEPEST = 8
+"""So many lists and objects may stand in each other in a request."""
+LONGEST_TEXT = 4096
+"""A text in a request has at most so many characters."""
+MOST_NAMES = 10_000
+"""A list in a request has at most so many texts."""
+_LOOK_SECONDS = 0.002
+
+Reply = dict[str, Any]
+
+
+class Refused(Exception):
+    """A request cannot be fulfilled; the arguments are the reasons."""
+
+
+@dataclass(frozen=True, slots=True)
+class Changed:
+    """A swap that is done: to the version of which hash, and whether it was the whole team's."""
+
+    hash: str
+    whole_team: bool
+
+
+class Control:
+    """Answers the requests of operators for a team that runs in real time. May be used from any thread."""
+
+    def __init__(
+        self,
+        team: Team,
+        activities: Path | None = None,
+        changed: Callable[[Changed], None] | None = None,
+        store: Path | None = None,
+    ) -> None:
+        """`activities` is the folder of the team's activities; `store` the folder of the versions to which it
+        may be changed.
+
+        `changed` is told of each swap that is done.
+        """
+        self._team = team
+        self._activities = activities
+        self._changed = changed or (lambda what: None)
+        self.log = ControlLog(team)
+        team.at_end.append(self.log.flush)
+        self._lock = threading.Lock()
+        self._numbers = itertools.count(1)
+        self._held: _Held | None = None
+        self._store = store
+        self._versions: dict[str, Version] = {}
+
+    def read(self, data: bytes, origin: Origin) -> Reply:
+        """The reply to a request as it came from outside."""
+        try:
+            request = loads(data, LARGEST, DEEPEST)
+            if not isinstance(request, dict):
+                raise ValueError("it is not an object")
+        except (ValueError, RecursionError) as problem:
+            return self.refuse(origin, None, f"a request is a JSON object on a line: {problem}")
+        return self.handle(request, origin)
+
+    def refuse(self, origin: Origin, request: str | None, *reasons: str) -> Reply:
+        """The reply to a request that is not fulfilled."""
+        self.log.note(origin, request, reasons)
+        return {"version": FORMAT, "ok": False, "reasons": list(reasons)}
+
+    def not_over_the_bus(self, agent: str, data: bytes) -> Reply:
+        """The reply to whatever comes over the bus where operators' keys are not configured."""
+        return self.refuse(Origin("bus", agent=agent), None, "control over the bus is off")
+
+    def handle(self, request: dict[str, Any], origin: Origin = PROGRAM) -> Reply:
+        """The reply to a request. Never raises for what is in the request."""
+        kind = request.get("request")
+        known = kind if isinstance(kind, str) and kind in KINDS else None
+        try:
+            _check(request)
+            reply = self._fulfil(request)
+        except Refused as problem:
+            return self.refuse(origin, known, *map(str, problem.args))
+        except Exception as error:  # whoever asks must get an answer, and no traceback
+            return self.refuse(origin, known, f"internal error: {type(error).__name__}: {error}")
+        self.log.note(origin, known, ())
+        return reply
+
+    def _fulfil(self, request: dict[str, Any]) -> Reply:
+        answers: dict[str, Callable[[dict[str, Any]], Reply]] = {
+            "status": self._status,
+            "select": self._select,
+            "swap": self._swap,
+            "stop": self._stop,
+        }
+        if request.get("version") != FORMAT:
+            raise Refused(f"requests of version {request.get('version')!r} are not known, but {FORMAT}")
+        answer = answers.get(str(request.get("request")))
+        if answer is None:
+            known = ", ".join(answers)
+            raise Refused(f"there is no request {request.get('request')!r}; there are {known}")
+        if request["request"] != "status" and not self._team.trace.begun:
+            raise Refused("the run has not begun")
+        return {"version": FORMAT, "ok": True, **answer(request)}
+
+    # ---- asking ------------------------------------------------------------------------------
+
+    def _status(self, request: dict[str, Any]) -> Reply:
+        team = self._team
+        held = self._held
+        agents = []
+        for agent in team.agents:
+            chart = agent.chart
+            names = agent.plan.by_label
+            labels = chart.configuration() if chart.started else ()
+            agents.append(
+                {
+                    "name": agent.name,
+                    "role": agent.role,
+                    "system": agent.plan.system,
+                    "model": agent.plan.model,
+                    "over": agent.over,
+                    "failure": chart.failure,
+                    "steps": agent.steps,
+                    "configuration": list(labels),
+                    "activities": [names[x].activity for x in labels if x in names and names[x].activity],
+                }
+            )
+        return {
+            "system": team.system,
+            "model": team.version.model,
+            "activity_folder": None if self._activities is None else str(self._activities.absolute()),
+            "plans": list(team.version.charts),
+            "time": team.driver.clock.now(),
+            "agents": agents,
+            "elsewhere": sorted(team.elsewhere),
+            "swap": None if held is None or not held.is_alive() else {"id": held.number, "state": held.state},
+        }
+
+    # ---- changing ----------------------------------------------------------------------------
+
+    def _in_real_time(self) -> None:
+        if self._team.driver.clock.virtual:
+            raise Refused("the team plays in virtual time: changes are scheduled before the run")
+
+    def _select(self, request: dict[str, Any]) -> Reply:
+        self._in_real_time()
+        name, plan = str(request.get("agent")), str(request.get("plan"))
+        agent = next((item for item in self._team.agents if item.name == name), None)
+        if agent is None:
+            known = ", ".join(item.name for item in self._team.agents)
+            raise Refused(f"there is no agent {name} here; there are {known}")
+        with self._lock, agent.driver.guard(agent):
+            reason = self._team.choose(agent, plan, "operator")
+        if reason is not None:
+            raise Refused(reason)
+        return {"agent": name, "plan": f"{agent.plan.system}.{agent.plan.name}", "model": agent.plan.model}
+
+    def _stop(self, request: dict[str, Any]) -> Reply:
+        self._team.driver.stop("stopped")
+        return {}
+
+    def _swap(self, request: dict[str, Any]) -> Reply:
+        self._in_real_time()
+        phase = request.get("phase")
+        match phase:
+            case "ready" | "prepare":
+                with self._lock:
+                    return self._ready(request) if phase == "ready" else self._prepare(request)
+            case "refuse":
+                with self._lock:
+                    self._new_swap(request).refuse(map(str, request.get("reasons", ())))
+                return {"state": "refused"}
+            case "commit" | "finish" | "rollback":
+                held = self._held
+                if held is None or not held.is_alive() or held.number != request.get("id"):
+                    raise Refused(f"the swap {request.get('id')} is not held here any more")
+                return held.say(str(phase), str(request.get("reason", "the operator said so")))
+        raise Refused(f"there is no phase {phase!r} of a swap")
+
+    def _new_swap(self, request: dict[str, Any]) -> Swap:
+        if self._held is not None and self._held.is_alive():
+            raise Refused("another swap is under way")
+        name = str(request.get("hash"))
+        version = self._versions.get(name)
+        if version is None:
+            try:
+                running = self._team.version
+                project = [entry for entry in running.path if entry != _root(running)]
+                if self._store is None:
+                    raise LoadError("this run has no folder of versions")
+                code = read_version(self._store, name)
+                package = package_like(code, running.system, running.folder)
+                loaded = load_beside(package, running.modules, project, running.mixture, code)
+            except (LoadError, VersionError) as problem:
+                raise Refused(str(problem)) from problem
+            version = version_of(loaded, activities_of(code))
+            self._versions = {name: version}
+        agents = request.get("agents")
+        if agents is not None and not isinstance(agents, list):
+            raise Refused("agents is a list of names")
+        mine = [agent.name for agent in self._team.agents if agents is None or agent.name in agents]
+        return Swap(self._team, version, None if agents is None else mine)
+
+    def _checked(self, request: dict[str, Any]) -> Swap:
+        swap = self._new_swap(request)
+        if not swap.check():
+            raise Refused(*swap.reasons)
+        return swap
+
+    def _ready(self, request: dict[str, Any]) -> Reply:
+        swap = self._checked(request)
+        reasons = list(swap.busy())
+        return {"state": "busy" if reasons else "ready", "reasons": reasons, "notes": list(swap.notes)}
+
+    def _prepare(self, request: dict[str, Any]) -> Reply:
+        swap = self._checked(request)
+        within, hold = _seconds(request, "within", 0.0), _seconds(request, "hold", HOLD)
+        what = Changed(str(request["hash"]), request.get("agents") is None)
+        finished = partial(self._changed, what)
+        self._held = held = _Held(swap, next(self._numbers), within, hold, finished)
+        held.start()
+        held.prepared.wait()
+        if held.state == "refused":
+            raise Refused(*swap.reasons)
+        return {
+            "state": held.state,
+            "id": held.number,
+            "reasons": list(swap.reasons),
+            "notes": list(swap.notes),
+        }
+
+
+KINDS = ("status", "select", "swap", "stop")
+"""The requests that there are."""
+
+
+def _is_text(value: object) -> bool:
+    return isinstance(value, str) and 0 < len(value) <= LONGEST_TEXT and value.isprintable()
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _is_list(value: object) -> bool:
+    return isinstance(value, list) and len(value) <= MOST_NAMES and all(map(_is_text, value))
+
+
+_MEMBERS: dict[str, tuple[Callable[[object], bool], str]] = {
+    "version": (_is_number, "a number"),
+    "request": (_is_text, "a text"),
+    "phase": (_is_text, "a text"),
+    "agent": (_is_text, "a text"),
+    "plan": (_is_text, "a text"),
+    "hash": (lambda value: isinstance(value, str) and HASH.fullmatch(value) is not None, "a hash"),
+    "agents": (lambda value: value is None or _is_list(value), "a list of texts"),
+    "reasons": (_is_list, "a list of texts"),
+    "reason": (_is_text, "a text"),
+    "within": (_is_number, "a number"),
+    "hold": (_is_number, "a number"),
+    "id": (_is_number, "a number"),
+}
+"""What a request may have: whether a value fits, and what it should be."""
+
+
+def _check(request: dict[str, Any]) -> None:
+    """Raises Refused for a request whose members are not what they should be, before any is used."""
+    for name, value in request.items():
+        if name not in _MEMBERS:
+            raise Refused(f"a request has no member {name[:40]!r}")
+        fits, expected = _MEMBERS[name]
+        if not fits(value):
+            raise Refused(f"{name} is not {expected} that a request may have")
+
+
+def _seconds(request: dict[str, Any], name: str, usual: float) -> float:
+    value = request.get(name, usual)
+    if not isinstance(value, int | float) or not 0 <= value <= LONGEST:
+        raise Refused(f"{name} is a number of seconds up to {LONGEST:g}")
+    return float(value)
+
+
+def _root(version: Version) -> Path | None:
+    """Where the package of a version is imported from, which is not where its functions are."""
+    return version.path[0] if version.path else None
+
+
+@dataclass
+class _Said:
+    """Something that is said to who holds the agents, and the reply."""
+
+    phase: str
+    reason: str
+    reply: Reply = field(default_factory=dict)
+    refused: str = ""
+    done: threading.Event = field(default_factory=threading.Event)
+
+
+class _Held(threading.Thread):
+    """Holds the agents between prepare and finish: locks are for one thread."""
+
+    def __init__(
+        self, swap: Swap, number: int, within: float, hold: float, finished: Callable[[], None]
+    ) -> None:
+        super().__init__(name="aseme swap", daemon=True)
+        self.number = number
+        self.state = "waiting"
+        self.prepared = threading.Event()
+        self._swap = swap
+        self._within = within
+        self._hold = hold
+        self._finished = finished
+        self._said: SimpleQueue[_Said] = SimpleQueue()
+
+    def say(self, phase: str, reason: str) -> Reply:
+        """Say what comes next, and wait until it has been done."""
+        said = _Said(phase, reason)
+        self._said.put(said)
+        if not said.done.wait(self._hold + 5.0) or said.refused:
+            raise Refused(said.refused or "no answer")
+        return said.reply
+
+    def run(self) -> None:
+        try:
+            if self._prepare():
+                self._obey()
+        finally:
+            self.prepared.set()
+            while True:  # nobody waits for ever
+                try:
+                    late = self._said.get_nowait()
+                except Empty:
+                    return
+                late.refused = f"the swap {self.number} is {self.state}"
+                late.done.set()
+
+    def _prepare(self) -> bool:
+        swap = self._swap
+        deadline = time.monotonic() + self._within
+        while not swap.hold():
+            if swap.state != "waiting":
+                self.state = swap.state
+                return False
+            if time.monotonic() >= deadline:
+                self.state = "busy"
+                return False
+            time.sleep(_LOOK_SECONDS)
+        self.state = "prepared"
+        self.prepared.set()
+        return True
+
+    def _obey(self) -> None:
+        until = time.monotonic() + self._hold
+        while self.state in ("prepared", "committed"):
+            try:
+                said = self._said.get(timeout=max(0.0, until - time.monotonic()))
+            except Empty:
+                silence = f"nobody has confirmed it within {self._hold:g} s"
+                said = _Said("finish" if self.state == "committed" else "rollback", silence)
+            try:
+                if said.phase == "commit":
+                    self.state = "committed"
+                    until = time.monotonic() + self._hold
+                elif said.phase == "finish" and self.state == "committed":
+                    self.state = "done"
+                    self._swap.finish()
+                    self._finished()
+                elif said.phase == "finish":
+                    said.refused = "it has not been committed"
+                else:
+                    self.state = "rolled back"
+                    self._swap.roll_back(said.reason)
+            except Exception as error:  # of a new version's code, say: the operator must hear of it
+                said.refused = f"{type(error).__name__}: {error}"
+            said.reply = {"state": self.state}
+            said.done.set()

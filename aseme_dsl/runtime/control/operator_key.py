@@ -1,0 +1,110 @@
+"""Operators' keys: who has one may control robots over their network.
+
+A file of keys is TOML: a name for each key, and its 32 bytes in hexadecimal. A robot accepts each key in its
+file, and reads the file again for each request: a key is added or removed while the team runs.
+
+    k3f9a2c81 = "5d0c…"
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import secrets
+import stat
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from aseme_dsl.runtime.version.versions import VersionError, check_place
+
+SECRET_BYTES = 32
+LARGEST = 1 << 14
+"""A file of keys has at most so many bytes."""
+_NAME = re.compile("[A-Za-z0-9_-]{1,64}")
+_SECRET = re.compile(f"[0-9a-f]{{{2 * SECRET_BYTES}}}")
+
+
+class KeyFileError(Exception):
+    """A file of keys cannot be used; the text says why, and has nothing of what is in it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """A key, and the name under which robots know it."""
+
+    name: str
+    secret: bytes = field(repr=False)
+
+
+def read_keys(path: Path) -> Mapping[str, Key]:
+    """The keys of a file by name, in their order in it.
+
+    Raises:
+        KeyFileError: it cannot be read, is not such a file, or another user may read or replace it.
+    """
+    import tomllib
+
+    try:
+        check_place(path.absolute())
+        descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
+        with os.fdopen(descriptor, "rb") as file:
+            found = os.fstat(descriptor)
+            if not stat.S_ISREG(found.st_mode):
+                raise KeyFileError(f"{path} is not a regular file")
+            if found.st_uid != os.geteuid():
+                raise KeyFileError(f"{path} belongs to another user ({found.st_uid})")
+            if found.st_mode & 0o077:
+                raise KeyFileError(f"{path} is open to other users: run `chmod 600` on it")
+            content = file.read(LARGEST + 1)
+    except VersionError as problem:
+        raise KeyFileError(str(problem)) from problem
+    except OSError as problem:
+        raise KeyFileError(f"{path} cannot be read: {problem.strerror or problem}") from problem
+    if len(content) > LARGEST:
+        raise KeyFileError(f"{path} is larger than {LARGEST} bytes")
+    try:
+        document = tomllib.loads(content.decode("utf-8"))
+    except (ValueError, RecursionError):  # what tomllib says may quote a key
+        raise KeyFileError(f"{path} is not valid TOML") from None
+    keys: dict[str, Key] = {}
+    for name, secret in document.items():
+        if not _NAME.fullmatch(name):
+            raise KeyFileError(f"{path}: the name of a key has up to 64 letters, digits, `_` and `-`")
+        if not isinstance(secret, str) or not _SECRET.fullmatch(secret):
+            raise KeyFileError(f"{path}: the key {name} is not {2 * SECRET_BYTES} hexadecimal digits")
+        keys[name] = Key(name, bytes.fromhex(secret))
+    return keys
+
+
+def newest_key(path: Path) -> Key:
+    """The last key of a file. Raises KeyFileError."""
+    keys = list(read_keys(path).values())
+    if not keys:
+        raise KeyFileError(f"{path} has no key")
+    return keys[-1]
+
+
+def write_key(path: Path) -> Key:
+    """Make a key, and a file with it that only the user may read.
+
+    Raises:
+        KeyFileError: there is such a file already, or it cannot be written.
+    """
+    key = Key(f"k{secrets.token_hex(4)}", secrets.token_bytes(SECRET_BYTES))
+    part = path.with_name(f".{path.name}.{secrets.token_hex(4)}.part")
+    try:
+        descriptor = os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        try:
+            with os.fdopen(descriptor, "w", encoding="ascii") as file:
+                file.write(f'{key.name} = "{key.secret.hex()}"\n')
+            os.link(part, path)  # unlike a renaming, it replaces nothing
+        finally:
+            with contextlib.suppress(OSError):
+                part.unlink()
+    except FileExistsError as problem:
+        raise KeyFileError(f"{path} is there already") from problem
+    except OSError as problem:
+        raise KeyFileError(f"{path} cannot be written: {problem.strerror or problem}") from problem
+    return key

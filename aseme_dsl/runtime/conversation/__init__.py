@@ -1,0 +1,1 @@
+"""Conversation: protocols while they run, and the directory of agents."""

@@ -1,0 +1,51 @@
+"""Invitations: the agent messages that wait at an agent for one of its participants to be entered or free."""
+
+from __future__ import annotations
+
+from aseme_dsl.runtime.message.acl import AclMessage
+
+Part = tuple[str, str]
+"""A protocol and a participant of it."""
+
+
+class Invitations:
+    """What waits at one agent, by participant and conversation, in the order in which it came."""
+
+    __slots__ = ("_count", "_waiting", "size")
+
+    def __init__(self) -> None:
+        self.size = 0
+        """How many messages wait."""
+        self._count = 0
+        self._waiting: dict[Part, dict[str, list[tuple[int, AclMessage]]]] = {}
+
+    def has(self, part: Part, conversation: str) -> bool:
+        """Whether messages of a conversation wait for a participant."""
+        return conversation in self._waiting.get(part, ())
+
+    def add(self, part: Part, acl: AclMessage) -> None:
+        """A message waits for a participant."""
+        self._count += 1
+        self.size += 1
+        self._waiting.setdefault(part, {}).setdefault(acl.conversation, []).append((self._count, acl))
+
+    def take(self, part: Part) -> list[AclMessage]:
+        """What waits for a participant in the conversation that waits longest, which it then does no more."""
+        waiting = self._waiting.get(part)
+        if not waiting:
+            return []
+        found = waiting.pop(next(iter(waiting)))
+        self.size -= len(found)
+        return [acl for _, acl in found]
+
+    def waiting(self) -> list[AclMessage]:
+        """All that waits, in the order in which it came."""
+        found = [item for waiting in self._waiting.values() for items in waiting.values() for item in items]
+        return [acl for _, acl in sorted(found, key=lambda item: item[0])]
+
+    def clear(self) -> list[AclMessage]:
+        """All that waits, which it then does no more."""
+        found = self.waiting()
+        self._waiting.clear()
+        self.size = 0
+        return found

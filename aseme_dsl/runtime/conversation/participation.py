@@ -1,0 +1,73 @@
+"""Who takes part in what: participations of branches, conversations, and what stands at each agent's desk."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from aseme_dsl.runtime.chart.inputs import Identity, Mail
+from aseme_dsl.runtime.chart.plan import BranchInfo
+from aseme_dsl.runtime.conversation.invitations import Invitations, Part
+from aseme_dsl.runtime.message.acl import AgentIdentifier
+
+REMEMBERED = 4096
+"""So many messages from elsewhere are known again, and of so many conversations that are over it is known who
+has left them."""
+
+
+@dataclass(slots=True)
+class Participation:
+    """A protocol branch that is entered: in which conversation it takes part, and what it has not taken."""
+
+    info: BranchInfo
+    conversation: str | None = None
+    waiting: dict[Identity, Mail] = field(default_factory=dict)
+    taken: dict[tuple[str, str, str], Mail] = field(default_factory=dict)
+    """The last one taken of each kind and sender, the newest at the end."""
+    answered: dict[str, Mail] = field(default_factory=dict)
+    """The last one taken of each sender: what is sent to it next is an answer to that."""
+    was_full: bool = False
+
+    @property
+    def part(self) -> Part:
+        """The protocol and the participant."""
+        return self.info.protocol, self.info.participant
+
+
+@dataclass(slots=True)
+class Conversation:
+    """Who takes part, by participant; who is invited, and who has left."""
+
+    protocol: str
+    members: dict[str, list[str]] = field(default_factory=dict)
+    past: set[tuple[str, str]] = field(default_factory=set)
+    places: dict[tuple[str, str], Participation] = field(default_factory=dict)
+    """The branches here that take part, by agent and participant."""
+    invitations: int = 0
+    """How many of its messages wait here for a participant to be entered or free."""
+    outsiders: dict[str, tuple[AgentIdentifier, ...]] = field(default_factory=dict)
+    """Who is to get what is said to an agent that is not of the team."""
+
+
+@dataclass(slots=True)
+class Desk:
+    """An agent here: its branches that are entered, those of them that are free, and what waits for one."""
+
+    branches: dict[str, Participation] = field(default_factory=dict)
+    free: dict[Part, dict[str, Participation]] = field(default_factory=dict)
+    invitations: Invitations = field(default_factory=Invitations)
+    heard: dict[tuple[Any, ...], None] = field(default_factory=dict)
+    """The messages from elsewhere that came last."""
+
+    def first_free(self, part: Part) -> Participation | None:
+        """The branch of a participant that was free first."""
+        return next(iter(self.free.get(part, {}).values()), None)
+
+    def was_heard(self, message: tuple[Any, ...]) -> bool:
+        """Whether a message has come before; from now on it has."""
+        if message in self.heard:
+            return True
+        self.heard[message] = None
+        if len(self.heard) > REMEMBERED:
+            del self.heard[next(iter(self.heard))]
+        return False

@@ -1,0 +1,1 @@
+"""Message: messages as bytes, as JSON and as text of FIPA."""

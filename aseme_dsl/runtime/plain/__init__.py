@@ -1,0 +1,1 @@
+"""Plain: statecharts for programs without agents."""

@@ -1,0 +1,1 @@
+"""Platform: agent platforms that carry messages."""

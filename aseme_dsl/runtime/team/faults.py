@@ -1,0 +1,198 @@
+"""Faults: what may go wrong between the agents of a simulated team, by a seed, so that it can be repeated.
+
+The simulated links lose, double, delay and reorder what is sent and what acknowledges it; above them is the
+same bookkeeping as above real ones (`transport.stream`), with its promises:
+
+* signals, states and agent messages arrive once each and in order per sender; what is lost is sent again, and
+  what comes after it waits for it;
+* data is a sample, sent once: what is lost is lost, what is doubled counts once, and what comes late has its
+  own time.
+
+What the letters say is not encoded, and agents do not learn that another one is gone. An agent that crashes
+loses what it knew and what comes for it until it starts again; each such message is told in the trace, and so
+is each sample that is lost.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from aseme_dsl.runtime.chart.inputs import Identity
+from aseme_dsl.runtime.time.clock import MILLISECOND
+from aseme_dsl.runtime.time.timers import Scheduler
+from aseme_dsl.runtime.transport.stream import Incoming, Letter, Outgoing, Samples
+
+if TYPE_CHECKING:
+    from aseme_dsl.runtime.trace.trace import Trace
+
+_BEAT = 20 * MILLISECOND
+"""How often acknowledgements are sent and what is overdue is looked for, as by the real transport."""
+
+
+@dataclass(frozen=True, slots=True)
+class Crash:
+    """An agent stops dead at `at` (ns) and starts afresh after `down` ns."""
+
+    agent: str
+    at: int
+    down: int
+
+
+@dataclass(frozen=True, slots=True)
+class Partition:
+    """From `at` (ns), for `lasts` ns, nothing passes between these agents and the others."""
+
+    agents: frozenset[str]
+    at: int
+    lasts: int
+
+
+@dataclass(frozen=True, slots=True)
+class Faults:
+    """What goes wrong. `loss` and `doubling` are the chances of each transmission to be lost, and to be made
+    twice; one takes up to `delay` ns, by chance, which also puts them out of order.
+    """
+
+    seed: int = 1
+    loss: float = 0.0
+    doubling: float = 0.0
+    delay: int = 0
+    crashes: tuple[Crash, ...] = ()
+    partitions: tuple[Partition, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Letter:
+    what: str
+    identity: Identity
+    give: Callable[[], None]
+
+
+@dataclass(slots=True)
+class _Way:
+    """From one agent to another."""
+
+    sender: str
+    receiver: str
+    out: Outgoing[_Letter] = field(default_factory=Outgoing)
+    into: Incoming[_Letter] = field(default_factory=Incoming)
+    sample: int = 0
+    """The number of the last sample that was sent."""
+    samples: Samples = field(default_factory=Samples)
+    owes: bool = False
+    """Whether something has come since the last acknowledgement."""
+    beats: bool = False
+    """Whether a beat is to come."""
+
+
+class Links:
+    """The links between the agents of a team in virtual time."""
+
+    def __init__(self, faults: Faults, driver: Scheduler, trace: Trace) -> None:
+        self.faults = faults
+        self._driver = driver
+        self._trace = trace
+        self._chance = random.Random(f"links/{faults.seed}")
+        self._ways: dict[tuple[str, str], _Way] = {}
+
+    def carry(
+        self, sender: str, receiver: str, kind: str, what: str, identity: Identity, give: Callable[[], None]
+    ) -> None:
+        """Carry a message of a kind (signal, state, data, mail); `give` gives it to its receiver."""
+        way = self._ways.get((sender, receiver))
+        if way is None:
+            way = self._ways[sender, receiver] = _Way(sender, receiver)
+        letter = _Letter(what, identity, give)
+        if kind == "data":
+            self._send_sample(way, letter)
+            return
+        for lost in way.out.put(Letter(letter, 0, what if kind == "state" else None)):
+            if lost.replaces is None:
+                self._tell_lost(way, lost.item, f"{lost.item.what} from {sender} is lost: too many wait")
+        self._pump(way)
+
+    def _tell_lost(self, way: _Way, letter: _Letter, text: str) -> None:
+        self._trace.fault(self._driver.clock.now(), way.receiver, text, input=list(letter.identity))
+
+    # ---- samples -----------------------------------------------------------------------------
+
+    def _send_sample(self, way: _Way, letter: _Letter) -> None:
+        number = way.sample = way.sample + 1
+
+        def arrive() -> None:
+            if way.samples.take(number) is not None:
+                letter.give()
+
+        if not self._transmit(way.sender, way.receiver, arrive):
+            text = f"a sample of {letter.what} from {way.sender} is lost on the link"
+            self._tell_lost(way, letter, text)
+
+    # ---- the stream --------------------------------------------------------------------------
+
+    def _pump(self, way: _Way) -> None:
+        """Send what may be sent."""
+        for place, letter in way.out.ready(self._driver.clock.now()):
+            self._send(way, place, letter)
+        self._go_on(way)
+
+    def _send(self, way: _Way, place: int, letter: Letter[_Letter]) -> None:
+        self._transmit(way.sender, way.receiver, lambda: self._arrive(way, place, letter.item))
+
+    def _arrive(self, way: _Way, place: int, letter: _Letter) -> None:
+        """A letter has come to its receiver."""
+        had_gap = way.into.has_gap
+        for item in way.into.take(place, letter) or ():
+            item.give()
+        way.owes = True
+        if way.into.has_gap and not had_gap:
+            self._acknowledge(way)
+        self._go_on(way)
+
+    def _acknowledge(self, way: _Way) -> None:
+        way.owes = False
+        upto, missing = way.into.upto, way.into.missing()
+
+        def arrive() -> None:
+            for place, letter in way.out.acknowledge(upto, missing, self._driver.clock.now()):
+                self._send(way, place, letter)
+            self._pump(way)
+
+        self._transmit(way.receiver, way.sender, arrive)
+
+    def _go_on(self, way: _Way) -> None:
+        """Look after the stream again, as long as there is something on its way."""
+        if not way.beats and (way.owes or way.out.flying):
+            way.beats = True
+            self._driver.at(self._driver.clock.now() + _BEAT, lambda: self._beat(way))
+
+    def _beat(self, way: _Way) -> None:
+        way.beats = False
+        if way.owes:
+            self._acknowledge(way)
+        for place, letter in way.out.overdue(self._driver.clock.now()):
+            self._send(way, place, letter)
+        self._pump(way)
+
+    # ---- the link ----------------------------------------------------------------------------
+
+    def _transmit(self, sender: str, receiver: str, arrive: Callable[[], None]) -> bool:
+        """Try to bring something over; whether it will arrive, once or twice."""
+        now, faults, chance = self._driver.clock.now(), self.faults, self._chance
+        if self._is_cut(now, sender, receiver):
+            return False
+        came = False
+        for _ in range(2 if chance.random() < faults.doubling else 1):
+            if chance.random() >= faults.loss:
+                came = True
+                self._driver.at(now + (chance.randint(0, faults.delay) if faults.delay else 0), arrive)
+        return came
+
+    def _is_cut(self, moment: int, one: str, other: str) -> bool:
+        """Whether a partition is between two agents at a moment."""
+        return any(
+            cut.at <= moment < cut.at + cut.lasts and (one in cut.agents) != (other in cut.agents)
+            for cut in self.faults.partitions
+        )

@@ -1,0 +1,735 @@
+"""Teams: agents on one bus, run in virtual or real time until something ends the run."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from aseme_dsl.runtime.activity.activities import ActivityFinder
+from aseme_dsl.runtime.agent.agent import Agent
+from aseme_dsl.runtime.agent.carry import knowledge_of, variables_of
+from aseme_dsl.runtime.channel.bus import Bus
+from aseme_dsl.runtime.chart.board import QUEUE
+from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.conversation.conversation import Conversations
+from aseme_dsl.runtime.driver.real import RealDriver
+from aseme_dsl.runtime.driver.real_time import RealTime
+from aseme_dsl.runtime.driver.virtual import VirtualDriver
+from aseme_dsl.runtime.message.as_json import to_json
+from aseme_dsl.runtime.message.wire import Schema
+from aseme_dsl.runtime.team.ending import (
+    NOTHING,
+    OpenConversation,
+    Unread,
+    Waiting,
+    is_stuck,
+    picture,
+    waits_of,
+)
+from aseme_dsl.runtime.team.faults import Faults, Links
+from aseme_dsl.runtime.team.radio import Radio
+from aseme_dsl.runtime.team.scripted import Scripted
+from aseme_dsl.runtime.team.swap import WITHIN, Swap, Version, activity_errors, plan_record, version_of
+from aseme_dsl.runtime.time.clock import shown
+from aseme_dsl.runtime.trace.fault_counts import FaultCount
+from aseme_dsl.runtime.trace.trace import Listener, Trace
+from aseme_dsl.runtime.trace.trace_files import TraceError
+from aseme_dsl.runtime.transport import LOCAL, Peer, Transport, TransportError
+from aseme_dsl.runtime.version.loading import Loaded, importing, other_names, put_in_place, standing_in
+from aseme_dsl.runtime.world.body import World
+
+
+class TeamError(Exception):
+    """A team cannot run as it is asked to; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class AgentResult:
+    """How an agent ended. `failure` is the reason why it stopped by itself, `at` its place in the source."""
+
+    name: str
+    role: str
+    finished: bool
+    failure: str | None
+    at: str
+    configuration: tuple[str, ...]
+    steps: int
+    waits: tuple[Waiting, ...] = ()
+    """What it waited for when the run ended; nothing if it had ended before."""
+    stuck: bool = False
+    """Whether nothing pending could have woken it, though it does not wait for a conversation to begin."""
+
+
+@dataclass(frozen=True, slots=True)
+class RunResult:
+    """How a run ended.
+
+    `reason` is "finished" (all agents have ended), "time" (the duration is over), "idle" (nothing would ever
+    happen any more), "interrupted", or what the stop condition said. `trace_error` says why a trace ended
+    before the run. `conversations` were open at the end, `unread` are the agent messages that waited then,
+    `faults` those of the whole run by reason and place.
+    """
+
+    reason: str
+    time: int
+    agents: tuple[AgentResult, ...]
+    trace_error: str | None = None
+    left: tuple[str, ...] = ()
+    """What of the activities still runs, in spite of its cancellation: it ends with this process."""
+    idle_since: int | None = None
+    """The moment (ns) from which on nothing was pending: no input, timer or activity. None if something was,
+    with the real clock and in a world."""
+    conversations: tuple[OpenConversation, ...] = ()
+    unread: tuple[Unread, ...] = ()
+    faults: tuple[FaultCount, ...] = ()
+
+    @property
+    def failed(self) -> bool:
+        """Whether an agent has stopped by itself without having finished."""
+        return any(agent.failure is not None for agent in self.agents)
+
+    @property
+    def stuck(self) -> tuple[str, ...]:
+        """The agents that wait for ever: see `AgentResult.stuck`."""
+        return tuple(agent.name for agent in self.agents if agent.stuck)
+
+
+class Team:
+    """A team that is about to run, and runs once."""
+
+    def __init__(
+        self,
+        agents: Iterable[tuple[str, type[Chart]]],
+        activities: ActivityFinder | Mapping[str, type[Any]],
+        *,
+        system: str = "",
+        messages: Mapping[str, Any] | None = None,
+        schema: Schema | None = None,
+        clock: str = "virtual",
+        seed: int = 1,
+        world: World[Any, Any] | None = None,
+        bodies: Mapping[str, Any] | None = None,
+        until: int | None = None,
+        stop: Callable[[Team], str | None] | None = None,
+        script: Iterable[Scripted] = (),
+        trace: Path | None = None,
+        listeners: Iterable[Listener] = (),
+        state_directory: Path | None = None,
+        path: Sequence[Path] = (),
+        here: Iterable[str] | None = None,
+        transport: Transport = LOCAL,
+        origin: int | None = None,
+        real_time: RealTime | None = None,
+        version: Version | None = None,
+        carried: Callable[[], Sequence[Version]] = tuple,
+        faults: Faults | None = None,
+    ) -> None:
+        """Put the agents, given with their charts in the team's order, on a bus.
+
+        `until` is in ns; `stop` is asked at every instant at which nothing is left to do, and ends the run
+        with the reason that it gives. `bodies` are the agents' bodies where there is no world. `path` are
+        folders with modules that activities and functions import. `messages` are the message classes by name,
+        which scripts and kept states need; `schema` is how they become bytes, which radio needs. `real_time`
+        is what a run with the real clock asks of the machine.
+
+        `version` is the system that the agents are of, with all its plans; `carried` gives, when somebody
+        asks for a plan of another system, what the robots carry besides. `faults` is what goes wrong between
+        the agents in virtual time.
+
+        `here` names the agents that run in this process, if not all do; the others run elsewhere, and
+        `transport` carries messages to them. `origin` is when the run began, in ns of the machine's monotonic
+        clock, where it is older than this process.
+
+        Raises:
+            TeamError: two agents of one name, no agents, an activity whose code cannot be loaded, a world
+                that would never end, a script for an agent or channel that there is not; agents elsewhere
+                without a transport, or in virtual time.
+            OSError: the trace cannot be written.
+        """
+        members = list(agents)
+        names = [name for name, _ in members]
+        if not members:
+            raise TeamError("a team has at least one agent")
+        if len(set(names)) < len(names):
+            double = next(name for name in names if names.count(name) > 1)
+            raise TeamError(f"two agents are called {double}")
+        if clock not in ("virtual", "real"):
+            raise TeamError(f"the clock is virtual or real, not {clock!r}")
+        mine = names if here is None else [name for name in names if name in set(here)]
+        strangers = [name for name in here or () if name not in names]
+        if strangers:
+            raise TeamError(f"there is no agent {strangers[0]} in the team; there are {', '.join(names)}")
+        if not mine:
+            raise TeamError("no agent of the team is to run here")
+        if len(mine) < len(names) and not transport.networked:
+            raise TeamError(f"{', '.join(n for n in names if n not in mine)} cannot be reached: no transport")
+        if transport.networked and clock != "real":
+            raise TeamError("agents in several processes have no virtual time in common: play in real time")
+        if world is not None and until is None and stop is None:
+            raise TeamError("a world never ends by itself: say how long the run is, or what stops it")
+        self.seed = seed
+        self.world = world
+        self.system = system or members[0][1].PLAN.system
+        self._path = tuple(path)
+        self._until = until
+        self._stop = stop
+        self._has_run = False
+        self.at_end: list[Callable[[], None]] = []
+        """Called before the last line of the trace is written."""
+        self._open = NOTHING
+        self._messages = dict(messages or {})
+        find: ActivityFinder = activities if callable(activities) else dict(activities).get
+        plans = {chart.PLAN.name: chart for _, chart in members}
+        self.version = version or Version(self.system, plans, find, self._messages, schema)
+        self._others = carried
+        self._changes: list[Swap] = []
+        with importing(self._path):
+            charts = {chart.PLAN.name: chart for name, chart in members if name in mine}
+            self._check_activities(charts.values(), find)
+        self._script = self._checked(tuple(script), members)
+        there = world.bodies if world is not None else bodies or {}
+        with_radio = [
+            name
+            for name, chart in members
+            if name in mine and name in there and any(info.radio is not None for info in chart.PLAN.channels)
+        ]
+        if with_radio and schema is None:
+            raise TeamError(f"{with_radio[0]} has a radio, but the messages have no schema for it")
+        try:
+            self.trace = Trace(trace, listeners, background=clock == "real")
+        except TraceError as problem:
+            raise TeamError(str(problem)) from problem
+        self.driver = self._driver(clock, real_time, origin)
+        self.trace.now = self.driver.clock.now
+        self.transport = transport
+        self._queue = queue = (real_time or RealTime()).queue
+        self.bus = Bus(self.driver, self.trace, state_directory, transport, queue)
+        self.conversations = Conversations(self.driver, self.trace, transport, queue, self.system)
+        self.elsewhere: dict[str, Plan] = {name: chart.PLAN for name, chart in members if name not in mine}
+        """The plans of the agents that run in other processes."""
+        self.agents: tuple[Agent, ...] = tuple(
+            Agent(
+                name,
+                chart(name),
+                find,
+                self.driver,
+                self.bus,
+                self.conversations,
+                self.trace,
+                seed,
+                there.get(name),
+                transport.behind,
+                queue,
+            )
+            for name, chart in members
+            if name in mine
+        )
+        self._radios: dict[str, Radio] = {}
+        running = {agent.name: agent for agent in self.agents}
+        for name in names:
+            agent = running.get(name)
+            if agent is None:
+                self.bus.join_elsewhere(name, self.elsewhere[name])
+                self.conversations.join_elsewhere(name, self.elsewhere[name])
+                continue
+            radio = None
+            if schema is not None and agent.name in with_radio:
+                radio = self._radios[agent.name] = Radio(agent, self.bus, schema, names)
+            self.bus.join(agent, radio)
+            self.conversations.join(agent)
+            agent.chosen = self._chosen
+            agent.kinds = self.version.messages
+        self.driver.bring(self.agents)
+        if faults is not None:
+            self._make_faulty(faults)
+
+    # ---- making ------------------------------------------------------------------------------
+
+    def _driver(
+        self, clock: str, real_time: RealTime | None, origin: int | None
+    ) -> VirtualDriver | RealDriver:
+        if clock == "virtual":
+            driver: VirtualDriver | RealDriver = VirtualDriver()
+        else:
+            names = other_names(self.version.modules)
+            driver = RealDriver(self._path, real_time, origin, names, self.version.code)
+            driver.watch = self._stop is not None
+        driver.until = self._until
+        return driver
+
+    def _check_activities(self, charts: Iterable[type[Chart]], find: ActivityFinder) -> None:
+        errors = activity_errors(charts, find)
+        if errors:
+            raise TeamError("\n".join(errors))
+
+    def _checked(
+        self, script: tuple[Scripted, ...], members: Sequence[tuple[str, type[Chart]]]
+    ) -> tuple[Scripted, ...]:
+        names = [name for name, _ in members]
+        read = {channel for _, chart in members for region in chart.PLAN.regions for channel in region.reads}
+        for item in script:
+            if item.agent is not None and item.agent not in names:
+                raise TeamError(f"the script is for an agent {item.agent}; there are {', '.join(names)}")
+            if item.channel and item.channel not in read:
+                known = ", ".join(sorted(read)) or "none"
+                raise TeamError(f"nobody in the team reads {item.channel}; there are {known}")
+        return script
+
+    def _make_faulty(self, faults: Faults) -> None:
+        if not self.driver.clock.virtual:
+            raise TeamError("faults are simulated in virtual time; a real link has its own")
+        self.bus.links = self.conversations.links = Links(faults, self.driver, self.trace)
+        for crash in faults.crashes:
+            agent = self.agent(crash.agent)
+            self.driver.at(crash.at, agent.crash)
+            self.driver.at(crash.at + crash.down, agent.restart)
+
+    # ---- other plans -------------------------------------------------------------------------
+
+    def swap(
+        self, version: Version, *, at: int = 0, within: int = WITHIN, agents: Iterable[str] | None = None
+    ) -> Swap:
+        """Have the agents (all, or these) change to another version in virtual time: at the moment `at`, or
+        within `within` ns from then, as soon as no conversation is in the way.
+
+        Raises:
+            LookupError: there is no such agent.
+            TeamError: the clock is real; there, a `Swap` is prepared and finished by who asks for it.
+        """
+        if not self.driver.clock.virtual:
+            raise TeamError("in real time a swap is prepared and finished, not scheduled")
+        change = Swap(self, version, agents)
+        moment = max(at, self.driver.clock.now())
+
+        def begin() -> None:
+            if change.check() and not change.hold() and change.state == "waiting":
+                self._changes.append(change)
+                self.driver.at(moment + within, lambda: self._too_late(change, within))
+            elif change.state == "prepared":
+                change.finish()
+
+        self.driver.at(moment, begin)
+        return change
+
+    def _try_changes(self) -> None:
+        """The swaps that wait, now that nothing is left to do at this instant."""
+        for change in list(self._changes):
+            if change.hold():
+                change.finish()
+            if change.state != "waiting":
+                self._changes.remove(change)
+
+    def _too_late(self, change: Swap, within: int) -> None:
+        if change in self._changes:
+            self._changes.remove(change)
+            change.refuse(f"{reason} after {shown(within)}" for reason in change.reasons)
+
+    def select(self, agent: str, plan: str, *, at: int = 0) -> None:
+        """Have an agent leave its plan and enter another at a moment of virtual time; the trace tells how
+        that went. Raises KeyError for an agent that there is not.
+        """
+        chosen = self.agent(agent)
+
+        def choose() -> None:
+            self.choose(chosen, plan, "operator")
+
+        self.driver.at(max(at, self.driver.clock.now()), choose)
+
+    def choose(self, agent: Agent, plan: str, by: str, *, own: bool = False) -> str | None:
+        """Let an agent leave its plan and enter another: one of the team's system, or of another that the
+        robot carries (`player`, `Kouretes.player`). Called while the agent is guarded, between two steps.
+
+        `own` keeps it to the team's system: nothing is loaded. Gives the reason if it was refused. An agent
+        that follows the plan already goes on with it.
+        """
+        found = self._carried_plan(plan, own)
+        if isinstance(found, str):
+            return self._refuse(agent, plan, by, found)
+        version, kind = found
+        if agent.over:
+            return self._refuse(agent, plan, by, f"{agent.name} has ended")
+        if kind.PLAN.model == agent.plan.model:
+            return None
+        with importing(version.path), standing_in(version.modules):
+            errors = activity_errors((kind,), version.find)
+        if errors:
+            return self._refuse(agent, plan, by, "; ".join(errors))
+        if version is not self.version:
+            put_in_place(version.modules)
+            self.tell_apart()
+        chart = kind(agent.name)
+        messages = version.messages if agent.messages else {}
+        variables_of(agent.chart, chart, version.messages)
+        knowledge_of(agent.chart, chart, version.messages)
+        before = agent.plan
+        now = self.driver.clock.now()
+        self.trace.write(
+            "select",
+            now,
+            agent=agent.name,
+            plan=f"{kind.PLAN.system}.{kind.PLAN.name}",
+            by=by,
+            before=before.model,
+            model=kind.PLAN.model,
+            source=kind.PLAN.source,
+            states=plan_record(kind.PLAN),
+        )
+        agent.begin_as(chart, version.find, messages)
+        self.renew(agent, version)
+        return None
+
+    def _carried_plan(self, plan: str, own: bool) -> tuple[Version, type[Chart]] | str:
+        """The chart of a plan's name, or why there is none."""
+        try:
+            versions = [self.version]
+            if not own and plan not in self.version.charts:
+                versions += [item for item in self._others() if item.system != self.version.system]
+        except Exception as error:  # another package in the folder, of anybody
+            return f"what the robot carries cannot be loaded: {error}"
+        found = [
+            (item, chart)
+            for item in versions
+            for name, chart in item.charts.items()
+            if plan in (name, f"{item.system}.{name}")
+        ]
+        known = ", ".join(f"{item.system}.{name}" for item in versions for name in item.charts)
+        if len(found) > 1:
+            return f"several plans are called {plan}; there are {known}"
+        return found[0] if found else f"there is no plan {plan}; there are {known}"
+
+    def _refuse(self, agent: Agent, plan: str, by: str, reason: str) -> str:
+        now = self.driver.clock.now()
+        self.trace.write("select", now, agent=agent.name, plan=plan, by=by, reason=reason)
+        return reason
+
+    def _chosen(self, agent: Agent, plan: str, by: str) -> None:
+        """A message says which plan an agent is to run: it does so before its next step.
+
+        To load what the robot carries besides is control, which other robots do not have.
+        """
+        of_another = by != agent.name and (by in self.elsewhere or any(by == x.name for x in self.agents))
+
+        def choose() -> None:
+            self.choose(agent, plan, by, own=of_another)
+
+        agent.errand(choose)
+
+    def tell_apart(self) -> None:
+        """From now on agents of several versions may meet: each takes messages as its own plan has them."""
+        for agent in self.agents:
+            agent.messages = agent.messages or self.version.messages
+
+    def adopt(self, version: Version) -> None:
+        """The whole team, here and elsewhere, is of this version now."""
+        same = version.messages.items() == self.version.messages.items() and version.code == self.version.code
+        if isinstance(self.driver, RealDriver) and not same:
+            self.driver.renew(version.path, other_names(version.modules), version.code)
+        self.version = version
+        for name, plan in self.elsewhere.items():
+            if plan.name in version.charts:
+                self.elsewhere[name] = version.charts[plan.name].PLAN
+        if version.schema is not None:
+            self.transport.renew(version.schema, version.model)
+        self.bus.renew(self.elsewhere)
+        self.conversations.renew(self.elsewhere)
+
+    def renew(self, agent: Agent, version: Version) -> None:
+        """An agent follows another plan: the bus and its radio go by that."""
+        agent.kinds = version.messages
+        plans = {agent.name: agent.plan}
+        self.bus.renew(plans)
+        self.conversations.renew(plans)
+        if isinstance(self.driver, RealDriver):
+            self.driver.have_threads()
+        radio = self._radios.get(agent.name)
+        has_radio = any(info.radio is not None for info in agent.plan.channels)
+        if version.schema is None or not has_radio or agent.body is None:
+            return
+        if radio is not None:
+            radio.renew(version.schema)
+            return
+        names = [item.name for item in self.agents]
+        radio = self._radios[agent.name] = Radio(agent, self.bus, version.schema, names)
+        self.bus.join(agent, radio)
+        radio.begin(self.world.step_ns if self.world is not None else None)
+
+    # ---- running -----------------------------------------------------------------------------
+
+    def agent(self, name: str) -> Agent:
+        """The agent of that name. Raises KeyError if there is none."""
+        return next((agent for agent in self.agents if agent.name == name), None) or _unknown(name)
+
+    def peers(self) -> dict[str, Peer]:
+        """The agents that run in other processes: who is there, and what came from whom."""
+        return self.transport.peers()
+
+    def history(self, agent: str, channel: str, since: int, until: int) -> list[tuple[int, Any]]:
+        """The data that an agent in another process has published in a span of time, as (time, message).
+
+        It is asked for it, and has what it published lately. Times are in ns of this run.
+
+        Raises:
+            TransportError: there is no such agent or channel, or no answer.
+        """
+        return self.transport.history(agent, channel, since, until)
+
+    def run(self) -> RunResult:
+        """Run to the end; activities that still run then are cancelled, and the trace is closed.
+
+        Ctrl-C and SIGTERM end the run cleanly where this is the main thread; a second one at once.
+
+        Raises:
+            TeamError: the team has run already; the network cannot be used.
+        """
+        if self._has_run:
+            raise TeamError("a team runs once; make another one")
+        self._has_run = True
+        driver = self.driver
+        plans = {agent.name: agent.plan for agent in self.agents}
+        schema = self.version.schema
+        queue = None if self._queue == QUEUE else self._queue
+        self.trace.header(self.system, plans, self.seed, driver.clock.virtual, self.elsewhere, schema, queue)
+        self.trace.begun = True
+        try:
+            with importing(self._path), _interruptible(driver.stop):
+                try:
+                    self.transport.begin(self)
+                except TransportError as problem:
+                    raise TeamError(str(problem)) from problem
+                if isinstance(driver, RealDriver):
+                    driver.know_threads()  # the transport's
+                try:
+                    self._prepare()
+                    self.bus.keep()
+                    self.transport.go()
+                    driver.run()
+                finally:
+                    self.transport.close()
+            self._end(driver.reason)
+        except BaseException:
+            self._end("error")
+            raise
+        return RunResult(
+            driver.reason,
+            driver.clock.now(),
+            tuple(self._result(agent) for agent in self.agents),
+            self.trace.error,
+            driver.left,
+            self._idle_since(),
+            self._open.conversations,
+            self._open.unread,
+            self.trace.faults.counts(),
+        )
+
+    def _note_open(self) -> None:
+        """What is open, before everything is stopped."""
+        waits: dict[str, tuple[Waiting, ...]] = {}
+
+        def note(agent: Agent) -> None:
+            waits[agent.name] = waits_of(agent)
+
+        for agent in self.agents:
+            self.driver.look(agent, partial(note, agent))
+        self._open = picture(waits, self.conversations)
+
+    def _idle_since(self) -> int | None:
+        return self.driver.idle_since if self.world is None else None
+
+    def _end(self, reason: str) -> None:
+        """Keep what is to be kept, write the last line, close the trace."""
+        try:
+            self.bus.end()
+            for call in self.at_end:
+                call()
+            results = [self._result(agent) for agent in self.agents]
+            self.trace.write(
+                "finish",
+                self.driver.clock.now(),
+                reason=reason,
+                agents=[
+                    {
+                        "name": result.name,
+                        "finished": result.finished,
+                        "failure": result.failure,
+                        "configuration": list(result.configuration),
+                        **({"waits": to_json(result.waits)} if result.waits else {}),
+                        **({"stuck": True} if result.stuck else {}),
+                    }
+                    for result in results
+                ],
+                idle_since=self._idle_since(),
+                conversations=to_json(self._open.conversations) or None,
+                unread=to_json(self._open.unread) or None,
+                faults=to_json(self.trace.faults.counts()) or None,
+            )
+        finally:
+            self.trace.close()
+
+    def _prepare(self) -> None:
+        driver = self.driver
+        driver.settled = self._settled
+        driver.advance = self._advance
+        driver.complain = self._complain
+        driver.ending = self._note_open
+        if isinstance(driver, RealDriver):
+            driver.have_threads()
+        with driver.holding():  # what is there from the beginning is part of the first step
+            self.bus.restore(self._messages)
+            for item in self._script:
+                if item.at > 0:
+                    driver.at(item.at, self._giving(item))
+                else:
+                    self._giving(item)()
+            for agent in self.agents:
+                agent.begin()
+        for radio in self._radios.values():
+            radio.begin(self.world.step_ns if self.world is not None else None)
+        if self.world is not None and (self._stop is not None or not driver.clock.virtual):
+            self._move_world()
+
+    def _giving(self, item: Scripted) -> Callable[[], None]:
+        def give() -> None:
+            for agent in self.agents:
+                if item.agent not in (None, agent.name) or agent.over:
+                    continue
+                if item.event:
+                    self.bus.give_event(agent, item.event)
+                elif any(item.channel in region.reads for region in agent.plan.regions):
+                    self.bus.give(agent, item.channel, item.message, item.sender)
+
+        return give
+
+    def _settled(self) -> str | None:
+        if self._changes:
+            self._try_changes()
+        if all(agent.over for agent in self.agents):
+            return "finished"
+        return self._stop(self) if self._stop is not None else None
+
+    def _advance(self, moment: int) -> None:
+        if self.world is not None and self.driver.clock.virtual:
+            self.world.advance(moment)
+        self.bus.save()
+
+    def _move_world(self) -> None:
+        """Let a simulated world go on step by step: with real time, or because it may end the run."""
+        assert self.world is not None
+        now = self.driver.clock.now()
+        self.world.advance(now)
+        following = self.world.now_ns + self.world.step_ns
+        if following <= now:
+            raise TeamError(
+                f"the world stands still: after advance({now}) its now_ns is {self.world.now_ns},"
+                f" and its step {self.world.step_ns} ns"
+            )
+        self.driver.at(following, self._move_world)
+
+    def _complain(self, text: str, agent: str = "", activity: str | None = None) -> None:
+        self.trace.fault(self.driver.clock.now(), agent, text, activity=activity)
+
+    def _result(self, agent: Agent) -> AgentResult:
+        chart = agent.chart
+        waits = self._open.waits.get(agent.name, ())
+        return AgentResult(
+            agent.name,
+            agent.role,
+            chart.finished,
+            chart.failure,
+            agent.failed_at,
+            chart.configuration() if chart.started else (),
+            agent.steps,
+            waits,
+            self._idle_since() is not None and is_stuck(waits),
+        )
+
+
+def run(
+    loaded: Loaded,
+    activities: ActivityFinder | Mapping[str, type[Any]],
+    *,
+    plan: str | None = None,
+    agent: str | None = None,
+    **options: Any,
+) -> RunResult:
+    """Run a system's team or, with `plan`, one agent (of that name, or called `agent`) with that plan.
+
+    The options are those of `Team`.
+
+    Raises:
+        TeamError: the system has no team or no such plan, and what `Team` raises.
+    """
+    return make_team(loaded, activities, plan=plan, agent=agent, **options).run()
+
+
+def make_team(
+    loaded: Loaded,
+    activities: ActivityFinder | Mapping[str, type[Any]],
+    *,
+    plan: str | None = None,
+    agent: str | None = None,
+    **options: Any,
+) -> Team:
+    """The team of a generated system, ready to run; see `run`."""
+    charts = loaded.charts
+    known = ", ".join(charts) or "none"
+    if plan is not None:
+        if plan not in charts:
+            raise TeamError(f"{loaded.name} has no plan {plan}; it has {known}")
+        members = [(agent or plan, charts[plan])]
+    elif loaded.team:
+        members = [(name, charts[role]) for name, role in loaded.team]
+    elif len(charts) == 1:
+        name, chart = next(iter(charts.items()))
+        members = [(agent or name, chart)]
+    else:
+        raise TeamError(f"{loaded.name} declares no team: say which plan to run; it has {known}")
+    path = (*loaded.path, *options.pop("path", ()))
+    find: ActivityFinder = activities if callable(activities) else dict(activities).get
+    return Team(
+        members,
+        find,
+        version=version_of(loaded, find),
+        system=loaded.name,
+        messages=loaded.messages,
+        schema=loaded.schema,
+        path=path,
+        **options,
+    )
+
+
+@contextmanager
+def _interruptible(stop: Callable[[str], None]) -> Iterator[None]:
+    """Inside, Ctrl-C and SIGTERM end the run; a second signal acts as if there were no run.
+
+    Only a run in the main thread does so, since Python lets no other set handlers; they are put back.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before: dict[int, Any] = {}
+
+    def handle(number: int, frame: FrameType | None) -> None:
+        for each, handler in before.items():
+            signal.signal(each, handler)
+        stop("interrupted")
+
+    for number in (int(signal.SIGINT), int(signal.SIGTERM)):
+        if signal.getsignal(number) is not None:  # None: somebody set it who is not Python
+            before[number] = signal.signal(number, handle)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _unknown(name: str) -> Agent:
+    raise KeyError(name)

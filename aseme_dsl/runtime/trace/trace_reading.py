@@ -1,0 +1,111 @@
+"""Reading traces: the lines of a trace file of either kind, complete or torn, one at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from aseme_dsl import outside
+from aseme_dsl.runtime.trace.trace_files import PART, TraceError, part_of
+from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC, Torn, lines_in
+
+Record = dict[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line of a trace: its number from 1, its text without the end, and what it says."""
+
+    number: int
+    text: str
+    record: Record
+
+
+class TraceReader:
+    """The lines of a trace, for one walk through it.
+
+    A run that was killed leaves `NAME.part`, whose last line may be torn: what is whole is read, and
+    `problem` says afterwards what is not. `NAME` stands for `NAME.part` where there is no `NAME`.
+    """
+
+    def __init__(self, path: Path) -> None:
+        """Raises TraceError if there is no such file."""
+        self.path = path
+        if not path.exists() and part_of(path).exists():
+            self.path = part_of(path)
+        self.problem: str | None = None
+        self.finished = False
+        """Whether the run came to its end: the last line says so."""
+        try:
+            self._file = outside.open_file(self.path)
+            self._is_mcap = self._file.peek(len(MAGIC)).startswith(MAGIC)
+        except OSError as problem:
+            raise TraceError(f"{self.path} cannot be read: {problem.strerror or problem}") from problem
+
+    def __iter__(self) -> Iterator[Line]:
+        """The lines in their order.
+
+        Raises:
+            TraceError: a line that is not the last is none of a trace, or the first is no header.
+        """
+        number = 0
+        with self._file:
+            texts = lines_in(self._file, self.path) if self._is_mcap else self._texts()
+            try:
+                for number, text in enumerate(texts, 1):
+                    record = record_of(text)
+                    if record is None or (number == 1 and record["kind"] != "header"):
+                        what = "the header of a trace" if number == 1 else "a line of a trace"
+                        raise TraceError(f"{self.path}:{number}: {what} is wanted, not {_short(text)}")
+                    self.finished = record["kind"] == "finish"
+                    yield Line(number, text, record)
+            except Torn as torn:
+                self.problem = f"{self.path}:{torn.lines + 1}: the trace breaks off here: {torn.reason}"
+            except OSError as problem:
+                raise TraceError(f"{self.path} cannot be read: {problem.strerror or problem}") from problem
+        if number == 0 and self.problem is None:
+            raise TraceError(f"{self.path} is empty")
+        if self.problem is None and not self.finished:
+            self.problem = f"{self.path}: the run did not come to its end: there is no line `finish`"
+
+    def _texts(self) -> Iterator[str]:
+        number = 0
+        before: bytes | None = None
+        for data in outside.lines(self._file, LONGEST):
+            if before is not None:
+                number += 1
+                yield _decoded(before)
+            before = data
+        if before is not None:
+            text = _decoded(before)
+            if not before.endswith(b"\n") and record_of(text) is None:
+                raise Torn(number, f"{_short(text)} is not a whole line")
+            yield text
+
+
+def is_part(path: Path) -> bool:
+    """Whether a path names a trace that is not complete."""
+    return path.name.endswith(PART)
+
+
+def _decoded(data: bytes) -> str:
+    return data.decode("utf-8", "replace").rstrip("\n")
+
+
+def record_of(text: str) -> Record | None:
+    """What a line says, or None if it is none."""
+    try:
+        found = outside.loads(text)
+    except ValueError:
+        return None
+    if not isinstance(found, dict) or not isinstance(found.get("kind"), str):
+        return None
+    moment = found.get("time")
+    return found if isinstance(moment, int) and not isinstance(moment, bool) else None
+
+
+def _short(text: str) -> str:
+    text = text if len(text) <= 40 else f"{text[:40]}…"
+    return repr(text) if text else "an empty line"

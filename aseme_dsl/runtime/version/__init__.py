@@ -1,0 +1,1 @@
+"""Version: generated packages on disk, and how they are imported."""

@@ -1,0 +1,1 @@
+"""Workers: the threads and processes in which activities run."""

@@ -1,0 +1,1 @@
+"""World: the bodies of agents, and the simulated world that moves them."""
