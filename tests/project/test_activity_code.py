@@ -298,6 +298,11 @@ MODULES = SYSTEM.replace(
 
 
 class TestModules:
+    def test_an_execute_is_given_the_context_only(self, tmp_path: Path) -> None:
+        code = "class Vision:\n    def execute(self, context, speed):\n        context.wait(1)\n"
+        found = say(tmp_path, "vision.py", code, text=MODULES)
+        assert shown(found) == [("E546", "execute", "leave it out: a module is given nothing")]
+
     def test_what_is_right_is_not_reported(self, tmp_path: Path) -> None:
         for code in (
             'context.publish("vision.data.Ball", context.read("vision.state.Ball"))',
@@ -429,6 +434,8 @@ GIVEN = SYSTEM.replace("Search . Walk .", "Search . Walk(3, 1.5) .").replace(
         "self, context, *, steps, far=1.0",
         "self, context, **given",
         "self, context, steps, far, more=None",
+        "self, context, /, steps, far",
+        "self, context, far=1.0, /, **given",
     ],
 )
 def test_an_execute_that_takes_what_the_activity_is_given(tmp_path: Path, signature: str) -> None:
@@ -445,12 +452,32 @@ def test_an_execute_that_takes_what_the_activity_is_given(tmp_path: Path, signat
             "self, context, steps, far, mood",
             ["say so among the activities, `Walk(mood : …)`, or leave it out"],
         ),
+        (
+            "self, context, steps, /, far",
+            ["write `def execute(self, context, steps, far)`, without `/`"],
+        ),
+        (
+            "self, context, steps, far=1.0, /",
+            ["write `def execute(self, context, steps, far)`, without `/`"] * 2,
+        ),
+        ("self, context, steps, /, **given", ["write `def execute(self, context, steps, far)`, without `/`"]),
+        ("self, *rest", ["write `def execute(self, context, steps, far)`"] * 2),
     ],
 )
 def test_an_execute_that_does_not(tmp_path: Path, signature: str, hints: list[str]) -> None:
     code = f"class Walk:\n    def execute({signature}):\n        context.wait(1)\n"
     found = say(tmp_path, "walk.py", code, text=GIVEN)
+    assert shown(found) == [("E546", "execute", hint) for hint in hints]
+    decorated = code.replace("    def", "    @timed\n    def")
+    found = say(tmp_path, "walk.py", f"from timing import timed\n\n\n{decorated}", text=GIVEN)
     assert shown(found) == [("W530", "execute", hint) for hint in hints]
+
+
+def test_a_static_execute_takes_no_self(tmp_path: Path) -> None:
+    code = "class Walk:\n    @staticmethod\n    def execute({}):\n        return 1\n"
+    assert say(tmp_path, "walk.py", code.format("context, steps, far"), text=GIVEN) == []
+    found = say(tmp_path, "walk.py", code.format("context, steps"), text=GIVEN)
+    assert shown(found) == [("E546", "execute", "write `def execute(context, steps, far)`")]
 
 
 @pytest.mark.parametrize(

@@ -583,7 +583,7 @@ def _of_piece(
         execute = next((item for item in methods if item.name == "execute"), None)
         if node.name == wanted and execute is not None:
             yield from wrong_outcomes(execute, activity, module.span, lambda item: _text(module, item))
-            yield from wrong_parameters(execute, activity, module.span)
+            yield from wrong_parameters(execute, activity, what, module.span)
     accesses: list[Access] = []
     surely = used_by(module.tree, wanted)
     for call in calls:

@@ -16,38 +16,51 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
 def wrong_parameters(
-    execute: Function, activity: Activity, place: Callable[[ast.expr | ast.stmt], Span]
+    execute: Function, activity: Activity, what: str, place: Callable[[ast.expr | ast.stmt], Span]
 ) -> Iterator[Diagnostic]:
-    """E546 if `execute` takes no context; W530 for what the activity is given and `execute` does not take,
-    and the other way round."""
+    """E546 for an `execute` that cannot be called with the context and what the activity is given.
+
+    What a decorator makes of an `execute` is not known: then what does not fit is W530.
+    """
     taken = execute.args
+    decorators = [item for item in execute.decorator_list if not _is_static(item)]
+    before = 1 if len(decorators) < len(execute.decorator_list) else 2
+    code = "W530" if decorators else "E546"
     positional = [*taken.posonlyargs, *taken.args]
-    after_context = positional[2:]
-    without_default = positional[: len(positional) - len(taken.defaults)][2:]
-    wanted = [item.arg for item in without_default]
+    without_default = positional[: len(positional) - len(taken.defaults)]
+    wanted = [item.arg for item in without_default[before:]]
     wanted += [
         item.arg for item, default in zip(taken.kwonlyargs, taken.kw_defaults, strict=True) if default is None
     ]
-    accepted = [item.arg for item in (*after_context, *taken.kwonlyargs)]
+    by_name = taken.args[max(before - len(taken.posonlyargs), 0) :]
+    accepted = [item.arg for item in (*by_name, *taken.kwonlyargs)]
     given = [item.name for item in activity.parameters]
-    related = (Related(activity.span, "the activity"),)
+    related = (Related(activity.span, f"the {what}"),)
     where = place(execute)
     start = where.source.text.find("execute", where.start)
     name = Span(where.source, start, start + len("execute"))
-    if len(positional) < 2 and taken.vararg is None and not execute.decorator_list:
-        shown = ", ".join(["self", "context", *(item.name for item in activity.parameters)])
+    signature = ", ".join([*["self", "context"][2 - before :], *given])
+    if len(positional) < before and taken.vararg is None and not decorators:
         message = "`execute` takes no context, and is called with one"
-        yield Diagnostic("E546", message, name, related, hint=f"write `def execute({shown})`")
+        yield Diagnostic("E546", message, name, related, hint=f"write `def execute({signature})`")
         return
+    by_place = [
+        item.arg
+        for item in taken.posonlyargs[before:]
+        if item.arg in given and (item.arg in wanted or taken.kwarg is None)
+    ]
+    for parameter in by_place:
+        message = f"`execute` takes `{parameter}` by its place only, and is called with it by its name"
+        yield Diagnostic(code, message, name, related, hint=f"write `def execute({signature})`, without `/`")
     missing = [] if taken.kwarg is not None else [item for item in given if item not in accepted]
+    missing = [item for item in missing if item not in by_place]
     extra = [item for item in wanted if item not in given]
-    signature = ", ".join(["self", "context", *given])
     for parameter in missing:
         near = closest(parameter, extra)
         if near is not None:
             extra.remove(near)
         yield Diagnostic(
-            "W530",
+            code,
             f"`{activity.name}` is given `{parameter}`, which its `execute` does not take",
             name,
             related,
@@ -57,12 +70,18 @@ def wrong_parameters(
         )
     for parameter in extra:
         yield Diagnostic(
-            "W530",
+            code,
             f"`execute` takes `{parameter}`, which `{activity.name}` is not given",
             name,
             related,
-            hint=f"say so among the activities, `{activity.name}({parameter} : …)`, or leave it out",
+            hint=f"say so among the activities, `{activity.name}({parameter} : …)`, or leave it out"
+            if what == "activity"
+            else f"leave it out: a {what} is given nothing",
         )
+
+
+def _is_static(decorator: ast.expr) -> bool:
+    return isinstance(decorator, ast.Name) and decorator.id == "staticmethod"
 
 
 __all__ = ["wrong_parameters"]
