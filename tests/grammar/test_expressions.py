@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from aseme_dsl.diagnostics.changes import apply
 from aseme_dsl.grammar.text import tree
 from tests.grammar.reading import condition, declared, mistakes, short, transition
 
@@ -105,6 +106,31 @@ def test_a_verb_that_is_right_is_not_mended() -> None:
     assert (mistake.code, mistake.hint, mistake.fix) == ("E102", None, None)
     mistake = mistakes("srm a { control f { enter A : [b]\n entre C : else } }")[0]
     assert mistake.fix == "enter"
+
+
+@pytest.mark.parametrize(
+    ("written", "place", "fix"),
+    [
+        ("when stop", "when stop", "stop"),
+        ("on stop", "on stop", "stop"),
+        ("after(2s) or when stop", "when stop", "stop"),
+        ("when stop > 3", "stop > 3", "[stop > 3]"),
+        ("when t.state.M", "t.state.M", "[t.state.M]"),
+        ("when stop / x = 1", "stop", "[stop]"),
+    ],
+)
+def test_an_event_is_written_without_a_word_before_it(written: str, place: str, fix: str) -> None:
+    text = f"srm a {{ control f {{ enter A : {written}\n enter B : goal }} }}"
+    [mistake] = mistakes(text)
+    assert (mistake.code, mistake.span and mistake.span.text, mistake.fix) == ("E102", place, fix)
+    assert mistake.hint is not None and fix in mistake.hint
+    assert not mistakes(apply(text, mistake.changes))
+
+
+@pytest.mark.parametrize("declared", ["var tired : bool = false", "let tired = 1 < 2"])
+def test_a_value_behind_a_word_is_no_event(declared: str) -> None:
+    [mistake] = mistakes(f"srm a {{ {declared} control f {{ enter A : when tired }} }}")
+    assert (mistake.code, mistake.fix) == ("E102", "[tired]")
 
 
 # ---- transition expressions --------------------------------------------------------------------

@@ -733,6 +733,9 @@ class _Reader:
 
     def _no_colon(self, verb: Token) -> Malformed:
         """`on work [c]`: a control line of its own, if it had a colon."""
+        line = self.source.text[self.source.text.rfind("\n", 0, verb.start) + 1 : verb.start]
+        if verb == "on" and line.rstrip().endswith(":") and self._is_last_event(self.index):
+            return self._event_after(verb, self.tokens[self.index])
         complete = False
         while self.index < len(self.tokens):
             begins_operand = self.next == "(" or _is_name(self.next)
@@ -771,6 +774,8 @@ class _Reader:
 
     def _bare_condition(self, start: int) -> Malformed:
         first = self.tokens[start]
+        if start > 0 and self.tokens[start - 1] == "when" and self._is_last_event(start):
+            return self._event_after(self.tokens[start - 1], first)
         for offset, word in enumerate(self.tokens[start:]):
             if word in ("/", "["):
                 condition = self.tokens[start : start + offset]
@@ -793,6 +798,20 @@ class _Reader:
                 )
             )
         return self.error("E102", f"expected an event, '[' or '/', found {shown(first)}", first)
+
+    def _is_last_event(self, index: int) -> bool:
+        """Whether a plain name ends the expression that the file declares as no value."""
+        word = self.tokens[index]
+        if index < len(self.tokens) - 1 or not _is_name(word) or "." in word or word in RESERVED:
+            return False
+        return re.search(rf"\b(?:var|let)\s+{re.escape(word)}\b", self.source.text) is None
+
+    def _event_after(self, word: Token, event: Token) -> Malformed:
+        """`when stop` or `on stop`, as other languages write the event `stop`."""
+        span = Span(self.source, word.start, event.end)
+        hint = f"write {event}; a condition stands in '[' and ']'"
+        message = f"an event is written without {shown(word)}"
+        return Malformed(Diagnostic("E102", message, span, hint=hint, fix=str(event)))
 
     def _after_transition(self, has_actions: bool, has_condition: bool) -> Malformed:
         found = self._after_parts(has_actions, has_condition)
