@@ -90,3 +90,21 @@ def test_a_protocol_of_the_library_is_told_where_it_is_played() -> None:
     assert "`succeeded`" in items[0].message and "`willing`" in items[0].message
     said = [item for item in analysis(LIBRARY % "writes willing").diagnostics if item.code == "N437"]
     assert "`willing`" not in said[0].message
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "codes"),
+    [
+        ("tries > 3", "tries < 3", ["N437"]),
+        ("t.state.M.n > 0 && tries > 0", "tries < 0", ["N437"]),
+        ("tries > 3", "t.state.M.n < 3", ["N437", "W411"]),
+        ("t.state.M.n > 3", "t.state.M.n < 3", ["W411"]),
+    ],
+)
+def test_a_gap_between_conditions_that_never_change_is_no_problem_of_its_own(
+    first: str, second: str, codes: list[str]
+) -> None:
+    pytest.importorskip("z3")
+    text = TEXT % ("", f"repeat Search : [{first}]  leave Search : [{second}]", "")
+    said = sorted(item.code for item in analysis(text).diagnostics if item.code in ("N437", "W411"))
+    assert said == codes

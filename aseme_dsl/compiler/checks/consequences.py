@@ -264,7 +264,8 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     that is none (W420) always hold, or never (N712, W412); with a timer that is never started (W501), they
     overlap or leave gaps. A protocol that is misspelt where it is played (E205) is played by nobody (N702),
     a functionality that is misspelt where it is used (W230) is not used (N727). Of an activity that is given
-    something which it does not take (E523) it is said there what it may be misspelt for (W200).
+    something which it does not take (E523) it is said there what it may be misspelt for (W200). Where all
+    branches of a choice ask for variables that nothing sets (N437), there is a gap between them (W411).
     """
     unstarted = [place for item in found if item.code == "W501" for place in _places(item)]
     almost = {place.span for item in found if item.code == "W230" for place in item.related}
@@ -278,6 +279,8 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
     loops = [item.span for item in found if item.code == "E303" and item.span is not None]
     misspelt = {place.span for item in found if item.code == "W200" for place in item.related}
     numbers = [item.span for item in found if item.code == "E108" and item.span is not None]
+    unset = [place for item in found if item.code == "N437" for place in _places(item)]
+    never_set = {place.text for place in unset}
 
     def follows(item: Diagnostic) -> bool:
         span = item.span
@@ -295,6 +298,8 @@ def _without_followers(found: list[Diagnostic]) -> list[Diagnostic]:
             _is_in(timer, place) for timer in unstarted for place in _places(item)
         ):
             return True
+        if item.code == "W411" and any(_is_in(place, asked) for place in unset for asked in _places(item)):
+            return all(never_set.intersection(_WORD.findall(asked.text)) for asked in _places(item))
         if item.code == "N727":
             return span in almost
         if item.code in ("N712", "W412"):
