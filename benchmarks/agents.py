@@ -21,7 +21,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from aseme_dsl.runtime.team.team import Team
+from aseme_dsl.runtime.team.team import Setup, Team
 from tests.support.generated import Generated, generate
 
 PASSES = 2000
@@ -114,10 +114,12 @@ def start(generated: Generated) -> float:
     team = Team(
         [(f"r{n}", generated.charts["returner"]) for n in range(AGENTS)],
         {},
-        messages=messages(generated),
-        clock="real",
-        stop=lambda team: "begun" if all(agent.steps for agent in team.agents) else None,
-        until=60 * SECOND,
+        Setup(
+            messages=messages(generated),
+            clock="real",
+            stop=lambda team: "begun" if all(agent.steps for agent in team.agents) else None,
+            until=60 * SECOND,
+        ),
     )
     result = team.run()
     assert result.reason == "begun", result
@@ -130,11 +132,13 @@ def rally(generated: Generated) -> list[int]:
     team = Team(
         [("ann", generated.charts["server"]), ("bob", generated.charts["returner"])],
         {},
-        messages=messages(generated),
-        clock="real",
-        stop=lambda team: "enough" if len(delays) >= PASSES else None,
-        until=60 * SECOND,
-        path=[Path(__file__).parent],
+        Setup(
+            messages=messages(generated),
+            clock="real",
+            stop=lambda team: "enough" if len(delays) >= PASSES else None,
+            until=60 * SECOND,
+            path=[Path(__file__).parent],
+        ),
     )
     result = team.run()
     assert result.reason == "enough", result

@@ -34,7 +34,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from aseme_dsl.runtime.chart.inputs import Happened
 from aseme_dsl.runtime.driver.real import RealDriver
 from aseme_dsl.runtime.driver.real_time import RealTime
-from aseme_dsl.runtime.team.team import Team
+from aseme_dsl.runtime.team.team import Setup, Team
 from aseme_dsl.runtime.time.timekeeper import may_raise_priority
 from tests.support.generated import generate
 
@@ -259,9 +259,11 @@ def post(events: int, priority: int | None) -> list[int]:
     team = Team(
         [("echo", generated.charts["echo"])],
         {},
-        clock="real",
-        real_time=RealTime(priority=priority),
-        path=[generated.folder, Path(__file__).parent],
+        Setup(
+            clock="real",
+            real_time=RealTime(priority=priority),
+            path=[generated.folder, Path(__file__).parent],
+        ),
     )
     (agent,) = team.agents
     late: list[int] = []

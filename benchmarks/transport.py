@@ -56,7 +56,7 @@ class Robot:
 
     def __init__(self, name: str, hear: Callable[[str, Any], None], mail: Callable[[Any], None]) -> None:
         from aseme_dsl.runtime.chart.inputs import Arrived, Mail
-        from aseme_dsl.runtime.team.team import Team
+        from aseme_dsl.runtime.team.team import Setup, Team
         from aseme_dsl.runtime.transport import Network
         from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
         from aseme_dsl.runtime.transport.post import Post
@@ -73,11 +73,13 @@ class Robot:
         self.team = Team(
             [(agent, generated.charts[role]) for agent, role in generated.package.TEAM],
             {"Speak": Idle, "Listen": Idle, "Ask": Idle, "Tell": Idle},
-            clock="real",
-            here=[name],
-            transport=post,
-            path=[generated.folder],
-            schema=generated.messages.SCHEMA,
+            Setup(
+                clock="real",
+                here=[name],
+                transport=post,
+                path=[generated.folder],
+                schema=generated.messages.SCHEMA,
+            ),
         )
         self.agent = self.team.agent(name)
         take = self.agent.post

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
         register,
     )
     from aseme_dsl.runtime.team.scripted import Scripted, ScriptError, read_script
-    from aseme_dsl.runtime.team.team import AgentResult, RunResult, Team, TeamError, make_team, run
+    from aseme_dsl.runtime.team.team import AgentResult, RunResult, Setup, Team, TeamError, make_team, run
     from aseme_dsl.runtime.version.loading import Loaded, LoadError, activities_in, load_system
     from aseme_dsl.runtime.world.body import Body, BodyLost, Heard, World
 
@@ -56,7 +56,7 @@ _MODULES = {
         "register",
     ),
     "team.scripted": ("Scripted", "ScriptError", "read_script"),
-    "team.team": ("AgentResult", "RunResult", "Team", "TeamError", "make_team", "run"),
+    "team.team": ("AgentResult", "RunResult", "Setup", "Team", "TeamError", "make_team", "run"),
 }
 """Where each name is: its module is imported when it is asked for, since most commands need none."""
 
@@ -93,6 +93,7 @@ __all__ = [
     "RunResult",
     "ScriptError",
     "Scripted",
+    "Setup",
     "State",
     "Team",
     "TeamError",

@@ -21,7 +21,7 @@ from typing import Any
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.platform.over_platform import PlatformLink
 from aseme_dsl.runtime.platform.over_spade import SpadePlatform
-from aseme_dsl.runtime.team.team import Team
+from aseme_dsl.runtime.team.team import Setup, Team
 from aseme_dsl.runtime.transport.post import Post
 from aseme_dsl.runtime.transport.settings import Xmpp
 from tests.support.generated import generate
@@ -109,13 +109,15 @@ def main() -> None:
     team = Team(
         [(name, crowd.charts["peer"]) for name in names],
         {"Ask": Ask},
-        messages={name: getattr(crowd.messages, name) for name in ("Question", "Answer", "Thanks")},
-        schema=crowd.messages.SCHEMA,
-        path=[crowd.folder],
-        here=tuple(mine),
-        transport=post,
-        clock="real",
-        listeners=() if "untraced" in sys.argv else (keep,),
+        Setup(
+            messages={name: getattr(crowd.messages, name) for name in ("Question", "Answer", "Thanks")},
+            schema=crowd.messages.SCHEMA,
+            path=[crowd.folder],
+            here=tuple(mine),
+            transport=post,
+            clock="real",
+            listeners=() if "untraced" in sys.argv else (keep,),
+        ),
     )
     leave = team.conversations.left
 

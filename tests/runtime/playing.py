@@ -13,7 +13,7 @@ from jsonschema import Draft202012Validator
 
 from aseme_dsl.runtime.activity.activities import ActivityFinder
 from aseme_dsl.runtime.team.scripted import read_script
-from aseme_dsl.runtime.team.team import RunResult, Team
+from aseme_dsl.runtime.team.team import RunResult, Setup, Team
 from aseme_dsl.runtime.trace.trace import Record
 from aseme_dsl.runtime.trace.trace_schema import schema
 from tests.support.generated import Generated, generate
@@ -91,12 +91,14 @@ def make(
     team = Team(
         [(name, generated.charts[role]) for name, role in members],
         activities or {},
-        messages=messages,
-        schema=getattr(generated.messages, "SCHEMA", None),
-        script=read_script([json.dumps(line) for line in script], messages),
-        listeners=[records.append, *options.pop("listeners", ())],
-        path=[generated.folder, *options.pop("path", ())],
-        **options,
+        Setup(
+            messages=messages,
+            schema=getattr(generated.messages, "SCHEMA", None),
+            script=read_script([json.dumps(line) for line in script], messages),
+            listeners=[records.append, *options.pop("listeners", ())],
+            path=[generated.folder, *options.pop("path", ())],
+            **options,
+        ),
     )
     return team, records
 

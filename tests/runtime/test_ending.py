@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.runtime import Context
-from aseme_dsl.runtime.team.team import Team
+from aseme_dsl.runtime.team.team import Setup, Team
 from tests.runtime.playing import MS, SECOND, Played, play
 from tests.support.generated import generate
 from tests.support.waiting import long_enough
@@ -323,7 +323,7 @@ def test_a_guard_beside_the_time_is_not_a_wait_for_a_time() -> None:
 def test_faults_are_counted_by_reason_and_place_also_where_nobody_reads_the_trace() -> None:
     generated = generate(TRADE.format(tell="", s="seller"))
     members = [("bob", generated.charts["b"]), ("sue", generated.charts["s"])]
-    team = Team(members, {}, path=[generated.folder])
+    team = Team(members, {}, Setup(path=[generated.folder]))
     team.trace.fault(5, "me", "no battery", "x.aseme:1:1")
     team.trace.fault(7, "you", "no battery", "x.aseme:1:1")
     team.trace.fault(8, "me", "no light", activity="See")

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from aseme_dsl.runtime import Team, read_script
+from aseme_dsl.runtime import Setup, Team, read_script
 from tests.runtime.playing import check_line
 from tests.support.generated import generate
 
@@ -54,12 +54,14 @@ def run(path: Path | None, *listeners: Any) -> None:
     Team(
         [(name, generated.charts[role]) for name, role in generated.package.TEAM],
         {},
-        messages=messages,
-        script=read_script([json.dumps(line) for line in SCRIPT], messages),
-        trace=path,
-        listeners=listeners,
-        until=1_000_000_000,
-        path=[generated.folder],
+        Setup(
+            messages=messages,
+            script=read_script([json.dumps(line) for line in SCRIPT], messages),
+            trace=path,
+            listeners=listeners,
+            until=1_000_000_000,
+            path=[generated.folder],
+        ),
     ).run()
 
 

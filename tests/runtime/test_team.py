@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from aseme_dsl.field.match import Match
-from aseme_dsl.runtime import Context, Team, TeamError
+from aseme_dsl.runtime import Context, Setup, Team, TeamError
 from aseme_dsl.runtime.chart.chart import Chart
 from tests.runtime.playing import MS, SECOND, make, play
 from tests.support.generated import generate
@@ -26,7 +26,7 @@ def test_what_cannot_run_is_said_before_it_does() -> None:
     ]
     for agents, options, reason in cases:
         with pytest.raises(TeamError, match=reason):
-            Team(agents, {}, **options)
+            Team(agents, {}, Setup(**options))
 
 
 def test_a_team_runs_once() -> None:

@@ -6,7 +6,7 @@ import signal
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from types import FrameType
@@ -102,6 +102,46 @@ class RunResult:
         return tuple(agent.name for agent in self.agents if agent.stuck)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Setup:
+    """How a team is to run; by itself in virtual time, in one process, until all agents have ended."""
+
+    system: str = ""
+    """Its name; without it, the one that the first agent's plan says."""
+    messages: Mapping[str, Any] = field(default_factory=dict)
+    """The message classes by name, which scripts and kept states need."""
+    schema: Schema | None = None
+    """How messages become bytes, which radio needs."""
+    clock: str = "virtual"
+    seed: int = 1
+    world: World[Any, Any] | None = None
+    bodies: Mapping[str, Any] = field(default_factory=dict)
+    """The agents' bodies where there is no world."""
+    until: int | None = None
+    """When the run ends, in ns."""
+    stop: Callable[[Team], str | None] | None = None
+    """Asked at every instant at which nothing is left to do; the reason that it gives ends the run."""
+    script: Iterable[Scripted] = ()
+    trace: Path | None = None
+    listeners: Iterable[Listener] = ()
+    state_directory: Path | None = None
+    path: Sequence[Path] = ()
+    """Folders with modules that activities and functions import."""
+    here: Iterable[str] | None = None
+    """The agents that run in this process, if not all do; `transport` carries messages to the others."""
+    transport: Transport = LOCAL
+    origin: int | None = None
+    """When the run began, in ns of the machine's monotonic clock, where it is older than this process."""
+    real_time: RealTime | None = None
+    """What a run with the real clock asks of the machine."""
+    version: Version | None = None
+    """The system that the agents are of, with all its plans."""
+    carried: Callable[[], Sequence[Version]] = tuple
+    """What the robots carry besides; asked when somebody asks for a plan of another system."""
+    faults: Faults | None = None
+    """What goes wrong between the agents in virtual time."""
+
+
 class Team:
     """A team that is about to run, and runs once."""
 
@@ -109,44 +149,9 @@ class Team:
         self,
         agents: Iterable[tuple[str, type[Chart]]],
         activities: ActivityFinder | Mapping[str, type[Any]],
-        *,
-        system: str = "",
-        messages: Mapping[str, Any] | None = None,
-        schema: Schema | None = None,
-        clock: str = "virtual",
-        seed: int = 1,
-        world: World[Any, Any] | None = None,
-        bodies: Mapping[str, Any] | None = None,
-        until: int | None = None,
-        stop: Callable[[Team], str | None] | None = None,
-        script: Iterable[Scripted] = (),
-        trace: Path | None = None,
-        listeners: Iterable[Listener] = (),
-        state_directory: Path | None = None,
-        path: Sequence[Path] = (),
-        here: Iterable[str] | None = None,
-        transport: Transport = LOCAL,
-        origin: int | None = None,
-        real_time: RealTime | None = None,
-        version: Version | None = None,
-        carried: Callable[[], Sequence[Version]] = tuple,
-        faults: Faults | None = None,
+        setup: Setup = Setup(),
     ) -> None:
         """Put the agents, given with their charts in the team's order, on a bus.
-
-        `until` is in ns; `stop` is asked at every instant at which nothing is left to do, and ends the run
-        with the reason that it gives. `bodies` are the agents' bodies where there is no world. `path` are
-        folders with modules that activities and functions import. `messages` are the message classes by name,
-        which scripts and kept states need; `schema` is how they become bytes, which radio needs. `real_time`
-        is what a run with the real clock asks of the machine.
-
-        `version` is the system that the agents are of, with all its plans; `carried` gives, when somebody
-        asks for a plan of another system, what the robots carry besides. `faults` is what goes wrong between
-        the agents in virtual time.
-
-        `here` names the agents that run in this process, if not all do; the others run elsewhere, and
-        `transport` carries messages to them. `origin` is when the run began, in ns of the machine's monotonic
-        clock, where it is older than this process.
 
         Raises:
             TeamError: two agents of one name, no agents, an activity whose code cannot be loaded, a world
@@ -156,63 +161,45 @@ class Team:
         """
         members = list(agents)
         names = [name for name, _ in members]
-        if not members:
-            raise TeamError("a team has at least one agent")
-        if len(set(names)) < len(names):
-            double = next(name for name in names if names.count(name) > 1)
-            raise TeamError(f"two agents are called {double}")
-        if clock not in ("virtual", "real"):
-            raise TeamError(f"the clock is virtual or real, not {clock!r}")
-        mine = names if here is None else [name for name in names if name in set(here)]
-        strangers = [name for name in here or () if name not in names]
-        if strangers:
-            raise TeamError(f"there is no agent {strangers[0]} in the team; there are {', '.join(names)}")
-        if not mine:
-            raise TeamError("no agent of the team is to run here")
-        if len(mine) < len(names) and not transport.networked:
-            raise TeamError(f"{', '.join(n for n in names if n not in mine)} cannot be reached: no transport")
-        if transport.networked and clock != "real":
-            raise TeamError("agents in several processes have no virtual time in common: play in real time")
-        if world is not None and until is None and stop is None:
-            raise TeamError("a world never ends by itself: say how long the run is, or what stops it")
-        self.seed = seed
-        self.world = world
-        self.system = system or members[0][1].PLAN.system
-        self._path = tuple(path)
-        self._until = until
-        self._stop = stop
+        mine = _here(names, setup)
+        self.seed = setup.seed
+        self.world = setup.world
+        self.system = setup.system or members[0][1].PLAN.system
+        self._path = tuple(setup.path)
+        self._until = setup.until
+        self._stop = setup.stop
         self._has_run = False
         self.at_end: list[Callable[[], None]] = []
         """Called before the last line of the trace is written."""
         self._open = NOTHING
-        self._messages = dict(messages or {})
+        self._messages = dict(setup.messages)
         find: ActivityFinder = activities if callable(activities) else dict(activities).get
         plans = {chart.PLAN.name: chart for _, chart in members}
-        self.version = version or Version(self.system, plans, find, self._messages, schema)
-        self._others = carried
+        self.version = setup.version or Version(self.system, plans, find, self._messages, setup.schema)
+        self._others = setup.carried
         self._changes: list[Swap] = []
         with importing(self._path):
             charts = {chart.PLAN.name: chart for name, chart in members if name in mine}
             self._check_activities(charts.values(), find)
-        self._script = self._checked(tuple(script), members)
-        there = world.bodies if world is not None else bodies or {}
+        self._script = self._checked(tuple(setup.script), members)
+        there = setup.world.bodies if setup.world is not None else setup.bodies
         with_radio = [
             name
             for name, chart in members
             if name in mine and name in there and any(info.radio is not None for info in chart.PLAN.channels)
         ]
-        if with_radio and schema is None:
+        if with_radio and setup.schema is None:
             raise TeamError(f"{with_radio[0]} has a radio, but the messages have no schema for it")
         try:
-            self.trace = Trace(trace, listeners, background=clock == "real")
+            self.trace = Trace(setup.trace, setup.listeners, background=setup.clock == "real")
         except TraceError as problem:
             raise TeamError(str(problem)) from problem
-        self.driver = self._driver(clock, real_time, origin)
+        self.driver = self._driver(setup)
         self.trace.now = self.driver.clock.now
-        self.transport = transport
-        self._queue = queue = (real_time or RealTime()).queue
-        self.bus = Bus(self.driver, self.trace, state_directory, transport, queue)
-        self.conversations = Conversations(self.driver, self.trace, transport, queue, self.system)
+        self.transport = setup.transport
+        self._queue = queue = (setup.real_time or RealTime()).queue
+        self.bus = Bus(self.driver, self.trace, setup.state_directory, setup.transport, queue)
+        self.conversations = Conversations(self.driver, self.trace, setup.transport, queue, self.system)
         self.elsewhere: dict[str, Plan] = {name: chart.PLAN for name, chart in members if name not in mine}
         """The plans of the agents that run in other processes."""
         self.agents: tuple[Agent, ...] = tuple(
@@ -224,9 +211,9 @@ class Team:
                 self.bus,
                 self.conversations,
                 self.trace,
-                seed,
+                setup.seed,
                 there.get(name),
-                transport.behind,
+                setup.transport.behind,
                 queue,
             )
             for name, chart in members
@@ -241,26 +228,24 @@ class Team:
                 self.conversations.join_elsewhere(name, self.elsewhere[name])
                 continue
             radio = None
-            if schema is not None and agent.name in with_radio:
-                radio = self._radios[agent.name] = Radio(agent, self.bus, schema, names)
+            if setup.schema is not None and agent.name in with_radio:
+                radio = self._radios[agent.name] = Radio(agent, self.bus, setup.schema, names)
             self.bus.join(agent, radio)
             self.conversations.join(agent)
             agent.chosen = self._chosen
             agent.kinds = self.version.messages
         self.driver.bring(self.agents)
-        if faults is not None:
-            self._make_faulty(faults)
+        if setup.faults is not None:
+            self._make_faulty(setup.faults)
 
     # ---- making ------------------------------------------------------------------------------
 
-    def _driver(
-        self, clock: str, real_time: RealTime | None, origin: int | None
-    ) -> VirtualDriver | RealDriver:
-        if clock == "virtual":
+    def _driver(self, setup: Setup) -> VirtualDriver | RealDriver:
+        if setup.clock == "virtual":
             driver: VirtualDriver | RealDriver = VirtualDriver()
         else:
             names = other_names(self.version.modules)
-            driver = RealDriver(self._path, real_time, origin, names, self.version.code)
+            driver = RealDriver(self._path, setup.real_time, setup.origin, names, self.version.code)
             driver.watch = self._stop is not None
         driver.until = self._until
         return driver
@@ -651,6 +636,35 @@ class Team:
         )
 
 
+def _here(names: Sequence[str], setup: Setup) -> Sequence[str]:
+    """The agents of this process.
+
+    Raises:
+        TeamError: the team cannot be set up like this.
+    """
+    if not names:
+        raise TeamError("a team has at least one agent")
+    if len(set(names)) < len(names):
+        double = next(name for name in names if names.count(name) > 1)
+        raise TeamError(f"two agents are called {double}")
+    if setup.clock not in ("virtual", "real"):
+        raise TeamError(f"the clock is virtual or real, not {setup.clock!r}")
+    chosen = names if setup.here is None else tuple(setup.here)
+    strangers = [name for name in chosen if name not in names]
+    if strangers:
+        raise TeamError(f"there is no agent {strangers[0]} in the team; there are {', '.join(names)}")
+    here = [name for name in names if name in chosen]
+    if not here:
+        raise TeamError("no agent of the team is to run here")
+    if len(here) < len(names) and not setup.transport.networked:
+        raise TeamError(f"{', '.join(n for n in names if n not in here)} cannot be reached: no transport")
+    if setup.transport.networked and setup.clock != "real":
+        raise TeamError("agents in several processes have no virtual time in common: play in real time")
+    if setup.world is not None and setup.until is None and setup.stop is None:
+        raise TeamError("a world never ends by itself: say how long the run is, or what stops it")
+    return here
+
+
 def run(
     loaded: Loaded,
     activities: ActivityFinder | Mapping[str, type[Any]],
@@ -661,7 +675,7 @@ def run(
 ) -> RunResult:
     """Run a system's team or, with `plan`, one agent (of that name, or called `agent`) with that plan.
 
-    The options are those of `Team`.
+    The options are those of `Setup`.
 
     Raises:
         TeamError: the system has no team or no such plan, and what `Team` raises.
@@ -693,9 +707,7 @@ def make_team(
         raise TeamError(f"{loaded.name} declares no team: say which plan to run; it has {known}")
     path = (*loaded.path, *options.pop("path", ()))
     find: ActivityFinder = activities if callable(activities) else dict(activities).get
-    return Team(
-        members,
-        find,
+    setup = Setup(
         version=version_of(loaded, find),
         system=loaded.name,
         messages=loaded.messages,
@@ -703,6 +715,7 @@ def make_team(
         path=path,
         **options,
     )
+    return Team(members, find, setup)
 
 
 @contextmanager
