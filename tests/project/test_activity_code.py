@@ -538,3 +538,67 @@ def test_an_import_from_a_system_that_was_renamed(tmp_path: Path, line: str) -> 
     assert say(tmp_path, "search.py", f"{line}\n" + activity("return 1"), alone=False) == []
     tried = f"try:\n    {line}\nexcept ImportError:\n    pass\n"
     assert say(tmp_path, "search.py", tried + activity("return 1")) == []
+
+
+@pytest.mark.parametrize(
+    ("line", "place", "hint"),
+    [
+        ("from monas.Team.mesages import Ball, Other", "mesages", "did you mean `messages`?"),
+        ("import monas.Team.mesages as m", "mesages", "did you mean `messages`?"),
+        ("from monas.Team import mesages", "mesages", "did you mean `messages`?"),
+        ("from jade_like.Team.playr import step", "playr", "did you mean `player`?"),
+        ("from jade_like.Team.player import behaviour", "behaviour", "did you mean `behaviours`?"),
+        ("import monas.Team.player.stp", "stp", "did you mean `step`?"),
+        ("import monas.Team.player.agent", "agent", "there is `plan`, `step`"),
+        ("from monas.Team.zz import Ball", "zz", "there is `messages`, `player`, `other`"),
+    ],
+)
+def test_an_import_of_a_module_that_is_not_generated(
+    tmp_path: Path, line: str, place: str, hint: str
+) -> None:
+    assert shown(say(tmp_path, "search.py", f"{line}\n" + activity("return 1"))) == [("E546", place, hint)]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "from monas.Team import TEAM, messages as m, player, PlayerStep",
+        "from monas.Team import *",
+        "from monas.Team.messages import *",
+        "import monas.Team.other.plan",
+        "from monas.Team.player import PLAYER",
+        "from jade_like.Team.player.behaviours import Search",
+        "import monas",
+        "try:\n    import monas.Team.mesages\nexcept ImportError:\n    pass",
+    ],
+)
+def test_an_import_of_what_is_generated(tmp_path: Path, line: str) -> None:
+    assert say(tmp_path, "search.py", f"{line}\n" + activity("return 1")) == []
+
+
+BROKEN = "def far(:\n    return 1\n"
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["from .helper import far", "from . import helper", "import acts.helper", "from acts import helper"],
+)
+def test_a_file_that_an_activity_imports_and_that_is_no_python(tmp_path: Path, line: str) -> None:
+    folder = tmp_path / "acts"
+    folder.mkdir()
+    (folder / "helper.py").write_text(BROKEN)
+
+    def found(code: str) -> list[Diagnostic]:
+        (folder / "search.py").write_text(code + activity("return 1"))
+        return list(check_code(system(SYSTEM), folder, project=tmp_path)[0])
+
+    (problem,) = found(f"{line}\n")
+    assert problem.code == "E546" and problem.message.endswith("; `search.py` imports it")
+    assert problem.span is not None
+    assert (problem.span.source.path, problem.span.line) == (str(folder / "helper.py"), 1)
+    assert found("") == []  # nobody imports it
+    assert found(f"try:\n    {line}\nexcept Exception:\n    pass\n") == []
+    assert found(f"from typing import TYPE_CHECKING\n\nif TYPE_CHECKING:\n    {line}\n") == []
+    (folder / "between.py").write_text(f"{line}\n")
+    (problem,) = found("from .between import far\n")
+    assert problem.message.endswith("; `between.py` imports it")

@@ -39,6 +39,7 @@ from aseme_dsl.project.code.activity_files import (
     check_files,
     empty_classes,
     missing_folder,
+    needed_by,
 )
 from aseme_dsl.project.code.activity_given import wrong_parameters
 from aseme_dsl.project.code.activity_imports import systems_beside, wrong_imports
@@ -117,6 +118,9 @@ def check_code(
         described.append((code, piece.said, piece.wanted, piece.what))
         worded.append((code, types if code.module.imports_messages else no_types))
     known = {piece.path for piece in pieces}
+    if any(code.problems for path, code in codes.items() if path not in known):
+        needed = needed_by((code.read.source.path for code, *_ in described), folder, project, look)
+        found += _unreadable(codes, needed)
     helpers = [code for path, code in codes.items() if path not in known and code.module is not None]
     read = {id(code): code for code in (*(code for code, *_ in described), *helpers)}
     systems = systems_beside(system, required.neighbours if required is not None else ())
@@ -128,7 +132,7 @@ def check_code(
     )
     if alone or required is not None:
         for code in read.values():
-            found += wrong_imports(code.read.tree, system.name, systems, code.read.span)
+            found += wrong_imports(code.read.tree, system, systems, code.read.span)
     found += (problem for results in checked for problems in results for problem in problems)
     if alone and system.aips:
         parts = parts_of(system, memory)
@@ -139,6 +143,15 @@ def check_code(
     memory.end()
     kept = [item for item in found if _allowed(item) is None]
     return tuple(kept), tuple(allowed for item in found if (allowed := _allowed(item)) is not None)
+
+
+def _unreadable(codes: Mapping[str, _Code], needed: Mapping[str, str]) -> Iterator[Diagnostic]:
+    """What is no Python of the files beside the activities that they import."""
+    for path, code in codes.items():
+        user = needed.get(os.path.realpath(path))
+        if user is not None:
+            for problem in code.problems:
+                yield replace(problem, message=f"{problem.message}; `{Path(user).name}` imports it")
 
 
 def variables_read(

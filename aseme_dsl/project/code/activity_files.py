@@ -8,11 +8,11 @@ from __future__ import annotations
 import ast
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeGuard
 
 from aseme_dsl import outside
 from aseme_dsl.amola.expression import duration_text
@@ -270,7 +270,7 @@ def _imported(roots: Iterable[str], folder: Path, project: Path | None, look: Lo
         modules, is_open = said
         if is_open and Path(path).parent == real:
             return None
-        for level, module in modules:
+        for level, module, _ in modules:
             for other in _files_of(Path(path).parent, level, module, project):
                 path_of_other = os.path.realpath(other)
                 found.add(path_of_other)
@@ -296,28 +296,70 @@ def _files_of(here: Path, level: int, module: str, project: Path | None) -> Iter
 
 
 @lru_cache(maxsize=512)
-def _imports(path: str, stamp: Stamp) -> tuple[tuple[tuple[int, str], ...], bool] | None:
-    """The modules that a file imports, with the dots before each; whether it may import others, too."""
+def _imports(path: str, stamp: Stamp) -> tuple[tuple[tuple[int, str, bool], ...], bool] | None:
+    """The modules that a file imports, with the dots before each; whether it may import others, too.
+
+    Third is whether the import has to succeed: inside `try` it may fail, what is for types is not imported.
+    """
     try:
         tree = ast.parse(_text(path))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return None
-    found: list[tuple[int, str]] = []
+    found: list[tuple[int, str, bool]] = []
     is_open = False
+    spared = {
+        id(inner)
+        for node in ast.walk(tree)
+        if _may_fail(node)
+        for part in node.body
+        for inner in ast.walk(part)
+    }
     for node in ast.walk(tree):
         match node:
             case ast.Import(names=names):
-                found += ((0, item.name) for item in names)
+                found += ((0, item.name, id(node) not in spared) for item in names)
                 is_open = is_open or any(item.name.split(".")[0] in _WAYS for item in names)
             case ast.ImportFrom(module=module, names=names, level=level):
                 inside = f"{module}." if module else ""
-                found += ((level, f"{inside}{item.name}") for item in names)
+                found += ((level, f"{inside}{item.name}", id(node) not in spared) for item in names)
                 is_open = is_open or (level == 0 and inside.split(".")[0] in _WAYS)
             case ast.Name(id="__import__"):
                 is_open = True
             case _:
                 pass
     return tuple(found), is_open
+
+
+def _may_fail(node: ast.AST) -> TypeGuard[ast.Try | ast.If]:
+    """Whether an import in the body of a statement need not succeed."""
+    if isinstance(node, ast.If):
+        test = node.test
+        return "TYPE_CHECKING" in (getattr(test, "id", None), getattr(test, "attr", None))
+    return isinstance(node, ast.Try)
+
+
+def needed_by(
+    roots: Iterable[str], folder: Path, project: Path | None, look: Look = stamp_of
+) -> Mapping[str, str]:
+    """The real paths of the files that the roots cannot do without, each with that of one that imports it."""
+    first = [path for path in roots if look(path) is not None]
+    waiting = [os.path.realpath(path) for path in first]
+    if first:
+        waiting.append(os.path.realpath(folder / "__init__.py"))
+    found: dict[str, str] = {}
+    begun = set(waiting)
+    while waiting:
+        path = waiting.pop()
+        stamp = look(path)
+        said = None if stamp is None else _imports(path, stamp)
+        for level, module, is_needed in said[0] if said is not None else ():
+            for name in _files_of(Path(path).parent, level, module, project) if is_needed else ():
+                other = os.path.realpath(name)
+                if other not in begun and look(other) is not None:
+                    begun.add(other)
+                    found[other] = path
+                    waiting.append(other)
+    return found
 
 
 _WAYS = ("importlib", "pkgutil", "runpy")
@@ -391,6 +433,7 @@ __all__ = [
     "check_files",
     "empty_classes",
     "missing_folder",
+    "needed_by",
     "stubs",
     "wanted_files",
     "without_code",
