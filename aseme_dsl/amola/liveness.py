@@ -8,30 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from enum import StrEnum
+from typing import assert_never
 
+from aseme_dsl.amola.operators import Fixity, Operator, with_number
 from aseme_dsl.source import Span
-
-
-class Operator(StrEnum):
-    """What a formula's node is; the value is how it is written."""
-
-    NAME = "name"
-    GROUP = "( )"
-    OPTION = "[ ]"
-    SEQUENCE = "."
-    CHOICE = "|"
-    PARALLEL = "||"
-    ZERO_OR_MORE = "*"
-    ONE_OR_MORE = "+"
-    FOREVER = "~"
-    INSTANCES = "[n]"
-    DISABLING = "[>"
-    HOLE = "?"
-
-
-INFIX = (Operator.SEQUENCE, Operator.HOLE, Operator.CHOICE, Operator.PARALLEL, Operator.DISABLING)
-LOOPS = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER)
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +25,7 @@ class Argument:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Formula:
-    """An operator over operands; a NAME has `name` and may have `arguments`, INSTANCES has `count`.
+    """An operator over operands; a NAME has `name` and may have `arguments`, a counted one has `count`.
 
     Infix operators have two or more operands, all others but NAME have exactly one. DISABLING has two, and
     `A [> B [> C` is `(A [> B) [> C` without its parentheses. HOLE is an operator that nobody has chosen yet;
@@ -106,22 +86,22 @@ def canonical(formula: Formula, longest: int | None = None) -> str:
             parts.append(item)
             length += len(item)
             continue
-        match item.operator:
-            case Operator.NAME:
+        sign, row = item.operator.value, item.operator.row
+        match row.fixity:
+            case Fixity.OPERAND:
                 stack.append(called(item.name, (argument.text for argument in item.arguments)))
-            case Operator.GROUP:
-                stack += [")", item.operands[0], "("]
-            case Operator.OPTION:
-                stack += ["]", item.operands[0], "["]
-            case Operator.INSTANCES:
-                stack += [f"[{item.count}]", item.operands[0]]
-            case Operator.ZERO_OR_MORE | Operator.ONE_OR_MORE | Operator.FOREVER:
-                stack += [item.operator.value, item.operands[0]]
-            case _:
+            case Fixity.BRACKET:
+                opening, closing = sign.split()
+                stack += [closing, item.operands[0], opening]
+            case Fixity.POSTFIX:
+                stack += [with_number(sign, item.count) if row.counted else sign, item.operands[0]]
+            case Fixity.INFIX:
                 for index in range(len(item.operands) - 1, -1, -1):
                     stack.append(item.operands[index])
                     if index:
-                        stack.append(f" {item.operator.value} ")
+                        stack.append(f" {sign} ")
+            case _:
+                assert_never(row.fixity)
     return "".join(parts)
 
 

@@ -8,22 +8,18 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from aseme_dsl.amola.operators import Operator
 from aseme_dsl.amola.statechart import NodeType, Statechart
 
-_SPELLINGS = (
-    ("[>", "_disabledby_"),
-    ("||", "_parallel_"),
-    ("~", "_forever_"),
-    (".", "_sequence_"),
-    ("|", "_or_"),
-    ("*", "_zero_or_more_times_"),
-    ("+", "_one_or_more_times_"),
-    ("(", "_open_group_"),
-    (")", "_close_group_"),
-    ("[", "_open_option_"),
-    ("]", "_close_option_"),
+_SPELLINGS = sorted(
+    (
+        pair
+        for operator in Operator
+        for pair in zip(operator.value.split(), operator.row.originals, strict=False)
+    ),
+    key=lambda pair: -len(pair[0]),
 )
-"""In this order: `||` before `|`."""
+"""The longest signs first: `||` before `|`."""
 
 
 def original_name(term: str) -> str:

@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from typing import Any
 
-from aseme_dsl.amola.liveness import Operator
 from aseme_dsl.amola.messages import BUILT_IN
+from aseme_dsl.amola.operators import Operator
 from aseme_dsl.compiler.read.builtins import ACTIONS, FORMS, FUNCTIONS
 from aseme_dsl.grammar import parse
 from aseme_dsl.grammar.parsing.expected import words_of

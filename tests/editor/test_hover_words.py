@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from aseme_dsl.amola.liveness import Operator
+from aseme_dsl.amola.operators import Operator
 from aseme_dsl.editor.answers.constructs import constructs, meanings, words
 from aseme_dsl.editor.answers.hover import hover
 from aseme_dsl.grammar.formulas.expression import _BINDING

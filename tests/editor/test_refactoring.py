@@ -6,7 +6,8 @@ import re
 
 import pytest
 
-from aseme_dsl.amola.liveness import Operator, ungrouped, walk
+from aseme_dsl.amola.liveness import ungrouped, walk
+from aseme_dsl.amola.operators import Operator
 from aseme_dsl.editor.changes.extract import extract
 from aseme_dsl.editor.changes.inline import inline
 from aseme_dsl.editor.changes.rewriting import Refused, after, piece_at

@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from aseme_dsl.amola.liveness import Formula, Operator, canonical, walk
+from aseme_dsl.amola.liveness import Formula, canonical, walk
+from aseme_dsl.amola.operators import Operator
 from tests.grammar.reading import declared, formula, mistakes, nodes
 
 

@@ -13,7 +13,8 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from aseme_dsl.amola.liveness import Formula, Operator
+from aseme_dsl.amola.liveness import Formula
+from aseme_dsl.amola.operators import Operator
 
 Language = tuple[Any, ...]
 

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from aseme_dsl.amola.expression import Expired, Not, TransitionExpression, operands
-from aseme_dsl.amola.liveness import Formula, Operator, ungrouped
+from aseme_dsl.amola.liveness import Formula, ungrouped
+from aseme_dsl.amola.operators import Template
 from aseme_dsl.compiler.control.control import Line, Lines
 from aseme_dsl.compiler.control.waits import check_waits
 from aseme_dsl.compiler.formula.formula_to_statechart import Way
@@ -141,13 +142,12 @@ def _alternatives(
         return Alternative(f"{verb} {spelling(terms, term)}", lines.of((verb, term)), operand.span)
 
     for term in terms.parents:
-        operands = term.operands
-        match term.operator:
-            case Operator.CHOICE:
-                choices.append([alternative("enter", operand) for operand in operands])
-            case Operator.OPTION | Operator.ZERO_OR_MORE:
-                choices.append([alternative(verb, operands[0]) for verb in ("enter", "skip")])
-        if term.operator in (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE):
+        operands, row = term.operands, term.operator.row
+        if row.template is Template.BRANCHES:
+            choices.append([alternative("enter", operand) for operand in operands])
+        if row.skips:
+            choices.append([alternative(verb, operands[0]) for verb in ("enter", "skip")])
+        if row.repeats and row.leaves:
             loops.append([alternative(verb, operands[0]) for verb in ("repeat", "leave")])
     others = [
         [Alternative(f"{verb} {spelling(terms, term)}", own, term.span)]
@@ -170,7 +170,7 @@ def _interruptions(terms: Terms, lines: Lines) -> list[Interruption]:
     """Every `A [> B` of a formula."""
     found = []
     for term in terms.parents:
-        if term.operator is Operator.DISABLING:
+        if term.operator.row.template is Template.CUT:
             first, second = (ungrouped(operand) for operand in term.operands)
             name = spelling(terms, second)
             way = Alternative(f"enter {name}", lines.of(("enter", second)), term.operands[1].span)
@@ -307,7 +307,7 @@ def check_loop(alternatives: Sequence[Alternative]) -> Iterator[Diagnostic]:
 def _endless_once(terms: Terms, lines: Lines) -> Iterator[Diagnostic]:
     """W420 for a loop without an end (`A~`) whose `repeat` has a condition that never holds."""
     for term in terms.parents:
-        if term.operator is Operator.FOREVER:
+        if term.operator.row.repeats and not term.operator.row.leaves:
             body = ungrouped(term.operands[0])
             own = lines.of(("repeat", body))
             if own and all(_fixed(line) is False for line in own):

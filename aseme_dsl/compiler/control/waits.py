@@ -7,7 +7,8 @@ from itertools import pairwise
 from typing import assert_never
 
 from aseme_dsl.amola.expression import Failed, Raised
-from aseme_dsl.amola.liveness import Formula, Operator, ungrouped
+from aseme_dsl.amola.liveness import Formula, ungrouped
+from aseme_dsl.amola.operators import Template
 from aseme_dsl.compiler.control.control import Lines
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.formula.terms import Terms, spelling, terms_of
@@ -26,7 +27,7 @@ def check_waits(
     its control block has.
     """
     for sequence in terms.parents:
-        if sequence.operator is not Operator.SEQUENCE:
+        if sequence.operator.row.template is not Template.CHAIN:
             continue
         operands = [ungrouped(operand) for operand in sequence.operands]
         for before, term in pairwise(operands):
@@ -43,7 +44,7 @@ def _waits(
     terms: Terms, before: Formula, term: Formula, inside: Terms, lines: Lines, choice: Formula
 ) -> Iterator[Diagnostic]:
     """The first branch of a choice whose event waits for `before`; `inside` are the terms of its formula."""
-    verbs = ("enter",) if choice.operator is Operator.CHOICE else ("enter", "skip")
+    verbs = ("enter", "skip") if choice.operator.row.skips else ("enter",)
     own = [
         (verb, branch, line)
         for branch in map(ungrouped, choice.operands)
@@ -80,32 +81,37 @@ def _first_choices(
     named: set[str] = set()
     while stack:
         owner, term = stack.pop()
-        match term.operator:
-            case Operator.NAME:
+        row = term.operator.row
+        match row.template:
+            case Template.ACTIVITY:
                 formula = formulas.formula(term.name)
                 if formula is not None and term.name not in named:
                     named.add(term.name)
                     stack.append((term.name, ungrouped(formula)))
-            case Operator.GROUP:
+            case Template.INSIDE:
                 stack.append((owner, ungrouped(term)))
-            case Operator.CHOICE | Operator.OPTION | Operator.ZERO_OR_MORE:
+            case Template.BRANCHES:
                 if not lines.of(("start", term)):
                     yield owner, term
-            case Operator.SEQUENCE | Operator.DISABLING:
+            case Template.CHAIN | Template.CUT:
                 first = ungrouped(term.operands[0])
                 if not lines.of(("enter", first)):
                     stack.append((owner, first))
-            case Operator.ONE_OR_MORE | Operator.FOREVER:
-                if not lines.of(("start", term)):
+            case Template.BODY:
+                if lines.of(("start", term)):
+                    continue
+                if row.skips:
+                    yield owner, term
+                else:
                     stack.append((owner, ungrouped(term.operands[0])))
-            case Operator.PARALLEL | Operator.INSTANCES:
+            case Template.REGIONS:
                 if not lines.of(("start", term)):
                     parts = [ungrouped(operand) for operand in reversed(term.operands)]
                     stack += [(owner, part) for part in parts if not lines.of(("enter", part))]
-            case Operator.HOLE:
+            case Template.UNDECIDED:
                 pass
             case _:
-                assert_never(term.operator)
+                assert_never(row.template)
 
 
 __all__ = ["check_waits"]

@@ -9,10 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
+from typing import assert_never
 
 from aseme_dsl.amola.expression import INSTANCE, Literal, Value, substituted, value_text
-from aseme_dsl.amola.liveness import Formula, Operator, called, canonical, names, ungrouped, walk
+from aseme_dsl.amola.liveness import Formula, called, canonical, names, ungrouped, walk
 from aseme_dsl.amola.messages import INT
+from aseme_dsl.amola.operators import Operator, Template
 from aseme_dsl.amola.statechart import Argument, Node, NodeType, Origin, OriginKind
 from aseme_dsl.compiler.formula.formulas import Formulas, dependencies_first, fold
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -274,7 +276,7 @@ class _Builder:
             if inside is None:
                 break
             context, formula = context.inside(formula), ungrouped(inside)
-        operator, operands = formula.operator, formula.operands
+        row, operands = formula.operator.row, formula.operands
         origin, span, branch = context.origin, formula.span, context.branch
         children: list[Node | _Place] = []
 
@@ -304,15 +306,15 @@ class _Builder:
             self.arrow(*source, *target, way, branch, origin, of.span, first, inside.values)
 
         start = point(1, NodeType.START)
-        match operator:
-            case Operator.SEQUENCE:
+        match row.template:
+            case Template.CHAIN:
                 before = start
                 for number, operand in enumerate(operands, 2):
                     after = term(number, operand)
                     arrow(before, after, "enter", operand)
                     before = after
                 arrow(before, point(len(operands) + 2, NodeType.END), "leave", operands[-1])
-            case Operator.CHOICE:
+            case Template.BRANCHES:
                 choice = point(2, NodeType.CONDITION)
                 terms = [term(number, operand) for number, operand in enumerate(operands, 3)]
                 end = point(len(operands) + 3, NodeType.END)
@@ -321,25 +323,25 @@ class _Builder:
                     arrow(choice, target, "enter", operand)
                 for operand, source in zip(reversed(operands), reversed(terms), strict=True):
                     arrow(source, end, "leave", operand)
-            case Operator.DISABLING:
+            case Template.CUT:
                 body, other = term(2, operands[0]), term(3, operands[1])
                 end = point(4, NodeType.END)
                 arrow(start, body, "enter", operands[0])
                 arrow(body, other, "enter", operands[1], first=True)
                 arrow(body, end, "leave", operands[0])
                 arrow(other, end, "leave", operands[1])
-            case Operator.PARALLEL | Operator.INSTANCES:
+            case Template.REGIONS:
                 parallel = f"{label}.2", self.name_of(formula, context)
                 end = f"{label}.3", f"{label}.3"
                 arrow(start, parallel, "start", formula)
                 arrow(parallel, end, "finish", formula)
                 node(*parallel, NodeType.AND)
-                parts = operands if operator is Operator.PARALLEL else operands * formula.count
+                parts = operands * formula.count if row.counted else operands
                 for number, operand in enumerate(parts, 1):
                     region = f"{parallel[0]}.{number}"
                     first, last = (f"{region}.1", f"{region}.1"), (f"{region}.3", f"{region}.3")
                     inner = context
-                    if operator is Operator.INSTANCES:
+                    if row.counted:
                         inner = context.numbered(number, formula.span)
                     body = f"{region}.2", self.name_of(operand, inner)
                     node(region, region, NodeType.OR, parallel[0])
@@ -349,30 +351,29 @@ class _Builder:
                     arrow(first, body, "enter", operand, inside=inner)
                     arrow(body, last, "leave", operand, inside=inner)
                 node(*end, NodeType.END)
-            case Operator.ZERO_OR_MORE | Operator.OPTION:
-                choice = point(2, NodeType.CONDITION)
-                body = term(3, operands[0])
-                end = point(4, NodeType.END)
-                arrow(start, choice, "start", formula)
-                arrow(choice, body, "enter", operands[0])
-                if operator is Operator.ZERO_OR_MORE:
+            case Template.BODY:
+                choice = point(2, NodeType.CONDITION) if row.skips else start
+                body = term(len(children) + 1, operands[0])
+                end = point(len(children) + 1, NodeType.END) if row.skips or row.leaves else start
+                if row.skips:
+                    arrow(start, choice, "start", formula)
+                    arrow(choice, body, "enter", operands[0])
+                else:
+                    arrow(start, body, "start", formula)
+                if row.repeats:
                     arrow(body, body, "repeat", operands[0])
-                arrow(choice, end, "skip", operands[0])
-                arrow(body, end, "leave", operands[0])
-            case Operator.ONE_OR_MORE:
-                body = term(2, operands[0])
-                end = point(3, NodeType.END)
-                arrow(start, body, "start", formula)
-                arrow(body, body, "repeat", operands[0])
-                arrow(body, end, "leave", operands[0])
-            case Operator.FOREVER:
-                body = term(2, operands[0])
-                arrow(start, body, "start", formula)
-                arrow(body, body, "repeat", operands[0])
-            case _:  # the whole is one activity, or one participant that is played
+                if row.skips:
+                    arrow(choice, end, "skip", operands[0])
+                if row.leaves:
+                    arrow(body, end, "leave", operands[0])
+            case Template.ACTIVITY:  # the whole is one activity, or one participant that is played
                 body = term(2, formula)
                 arrow(start, body, "enter", formula)
                 arrow(body, point(3, NodeType.END), "leave", formula)
+            case Template.INSIDE | Template.UNDECIDED:
+                raise AssertionError("neither parentheses nor holes are expanded")
+            case _:
+                assert_never(row.template)
         return children
 
 
@@ -401,25 +402,17 @@ def sizes(formulas: Formulas, branch_sizes: Mapping[str, int]) -> dict[str, int]
 
     def of(node: Formula, operands: Sequence[tuple[int, int]]) -> tuple[int, int]:
         """(states of the term as an operand, states in a node that holds it)"""
-        total = sum(states for states, _ in operands)
-        match node.operator:
-            case Operator.GROUP:
-                return operands[0]
-            case Operator.NAME if node.name in inside:
-                within = inside[node.name]
-            case Operator.NAME:
+        if node.operator is Operator.GROUP:
+            return operands[0]
+        if node.operator is Operator.NAME:
+            if node.name not in inside:
                 own = branch_sizes.get(node.name, 1)
                 return own, own + 2
-            case Operator.SEQUENCE | Operator.ONE_OR_MORE | Operator.DISABLING:
-                within = total + 2
-            case Operator.PARALLEL:
-                within = total + 3 * len(operands) + 3
-            case Operator.INSTANCES:
-                within = (total + 3) * node.count + 3
-            case Operator.FOREVER:
-                within = total + 1
-            case _:
-                within = total + 3
+            within = inside[node.name]
+        else:
+            row = node.operator.row
+            times = node.count if row.counted else 1
+            within = times * sum(states + row.states_each for states, _ in operands) + row.states
         return within + 1, within
 
     for name in dependencies_first(formulas):
@@ -470,7 +463,7 @@ def too_large(
 
 def _occurrences(formula: Formula) -> Iterable[tuple[Formula, int]]:
     """The names in a formula, each with how often it is expanded (instances count)."""
-    if all(node.operator is not Operator.INSTANCES for node in walk(formula)):
+    if not any(node.operator.row.counted for node in walk(formula)):
         return ((node, 1) for node in names(formula))
     found: list[tuple[Formula, int]] = []
     stack = [(formula, 1)]
@@ -478,7 +471,7 @@ def _occurrences(formula: Formula) -> Iterable[tuple[Formula, int]]:
         node, times = stack.pop()
         if node.operator is Operator.NAME:
             found.append((node, times))
-        elif node.operator is Operator.INSTANCES:
+        elif node.operator.row.counted:
             times *= node.count
         stack += [(operand, times) for operand in reversed(node.operands)]
     return found

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeVar
+from typing import TypeVar, assert_never
 
 from aseme_dsl.amola.aip import NamedFormula
-from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, names, ungrouped, walk
+from aseme_dsl.amola.liveness import Formula, canonical, names, ungrouped, walk
 from aseme_dsl.amola.messages import Parameter
+from aseme_dsl.amola.operators import INFIX, Operator, Template
 from aseme_dsl.amola.statechart import Argument
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar.text import tree
@@ -279,24 +280,25 @@ def _emptiness(
         return not stops((verb, ungrouped(operand)))
 
     def combine(node: Formula, operands: Sequence[bool]) -> bool:
-        parts = node.operands
-        match node.operator:
-            case Operator.NAME:
+        parts, row = node.operands, node.operator.row
+        match row.template:
+            case Template.ACTIVITY:
                 return node.name in empty_names
-            case Operator.OPTION:
-                return at_once("skip", parts[0]) or (operands[0] and at_once("enter", parts[0]))
-            case Operator.CHOICE:
+            case Template.BRANCHES:
                 return any(empty and at_once("enter", p) for p, empty in zip(parts, operands, strict=True))
-            case Operator.DISABLING:
+            case Template.CUT:
                 return operands[0]
-            case Operator.ZERO_OR_MORE | Operator.ONE_OR_MORE | Operator.FOREVER:
-                paced = not at_once("repeat", parts[0])
+            case Template.BODY:
+                paced = not (row.repeats and at_once("repeat", parts[0]))
                 if operands[0] and not paced:
                     found.append(_empty_loop(formulas, node))
-                if node.operator is Operator.ZERO_OR_MORE:
+                if row.skips:
                     return at_once("skip", parts[0]) or (operands[0] and at_once("enter", parts[0]))
-                return node.operator is Operator.ONE_OR_MORE and operands[0] and paced
-        return all(operands)
+                return row.leaves and operands[0] and paced
+            case Template.INSIDE | Template.CHAIN | Template.REGIONS | Template.UNDECIDED:
+                return all(operands)
+            case _:
+                assert_never(row.template)
 
     return combine
 
@@ -308,11 +310,11 @@ def _empty_loop(formulas: Formulas, loop: Formula) -> Diagnostic:
         named = formulas.named[body.name]
         related = (Related(named.formula.span, f"`{body.name}` may be empty"),)
     hint = "let the body take at least one activity, or give `repeat` a pace: `every 200ms`"
-    if body.operator in (Operator.OPTION, Operator.ZERO_OR_MORE):
+    if body.operator.row.skips:
         operand = body.operands[0]
         inside = canonical(operand, QUOTED)
         inside = f"({inside})" if operand.operator in INFIX else inside
-        simpler = inside + ("~" if loop.operator is Operator.FOREVER else "*")
+        simpler = inside + (Operator.ZERO_OR_MORE if loop.operator.row.leaves else Operator.FOREVER)
         hint = f"write `{simpler}`" if len(simpler) <= QUOTED else hint
     return Diagnostic(
         "E303",

@@ -10,7 +10,8 @@ from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from aseme_dsl.amola.expression import Holds, Logic, Not, TransitionExpression, Value
-from aseme_dsl.amola.liveness import Formula, Operator, ungrouped
+from aseme_dsl.amola.liveness import Formula, ungrouped
+from aseme_dsl.amola.operators import is_choice
 from aseme_dsl.amola.statechart import Node, NodeType, Transition
 from aseme_dsl.compiler.formula.terms import Terms
 from aseme_dsl.diagnostics import Diagnostic, Related
@@ -20,9 +21,8 @@ from aseme_dsl.source import Span
 
 def choices_in(terms: Terms) -> frozenset[Formula]:
     """The branches of all choices, options and `T*` of a formula."""
-    chosen = (Operator.CHOICE, Operator.OPTION, Operator.ZERO_OR_MORE)
     return frozenset(
-        ungrouped(operand) for term in terms.parents if term.operator in chosen for operand in term.operands
+        ungrouped(operand) for term in terms.parents if is_choice(term.operator) for operand in term.operands
     )
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from aseme_dsl.amola.liveness import Operator, ungrouped
+from aseme_dsl.amola.liveness import ungrouped
+from aseme_dsl.amola.operators import Operator
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar.text import tree

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from typing import assert_never
 
-from aseme_dsl.amola.liveness import INFIX, Formula, Operator, canonical, term_key, ungrouped
+from aseme_dsl.amola.liveness import Formula, canonical, term_key, ungrouped
+from aseme_dsl.amola.operators import INFIX, Operator, Template
 from aseme_dsl.compiler.formula.formula_to_statechart import Way
 from aseme_dsl.compiler.formula.formulas import QUOTED, VERBS, Formulas, cut
 from aseme_dsl.compiler.formula.resuming import RESUME
@@ -83,29 +85,30 @@ def ways(terms: Terms, term: Formula) -> dict[str, Way]:
     """The verbs that a term has, each with the arrow that it means. The order is that of the template."""
     found: dict[str, Way] = {}
     parent = terms.parents[term]
+    template = term.operator.row.template
     if parent is not None:
-        match parent.operator:
-            case Operator.SEQUENCE:
+        row = parent.operator.row
+        match row.template:
+            case Template.CHAIN:
                 found["enter"] = ("enter", term)
                 if ungrouped(parent.operands[-1]) is term:
                     found["leave"] = ("leave", term)
-            case Operator.CHOICE | Operator.PARALLEL | Operator.INSTANCES | Operator.DISABLING:
+            case Template.BRANCHES | Template.REGIONS | Template.CUT:
                 found = {"enter": ("enter", term), "leave": ("leave", term)}
-            case Operator.HOLE:
+            case Template.UNDECIDED:
                 found = {verb: (verb, term) for verb in VERBS}  # the operator decides which of them
-            case Operator.OPTION:
-                found = {verb: (verb, term) for verb in ("enter", "skip", "leave")}
-            case Operator.ZERO_OR_MORE:
-                found = {verb: (verb, term) for verb in ("enter", "repeat", "skip", "leave")}
-            case Operator.ONE_OR_MORE:
-                found = {"enter": _into_loop(terms, parent), "repeat": ("repeat", term)}
-                found["leave"] = ("leave", term)
-            case Operator.FOREVER:
-                found = {"enter": _into_loop(terms, parent), "repeat": ("repeat", term)}
+            case Template.BODY:
+                found["enter"] = ("enter", term) if row.skips else _into_loop(terms, parent)
+                has = {"repeat": row.repeats, "skip": row.skips, "leave": row.leaves}
+                found |= {verb: (verb, term) for verb, there in has.items() if there}
+            case Template.ACTIVITY | Template.INSIDE:
+                raise AssertionError("a name has no operands, and terms are without parentheses")
+            case _:
+                assert_never(row.template)
     elif term.operator is Operator.NAME:
         if terms.formulas.formula(term.name) is None:
             found = {"enter": ("enter", term), "leave": ("leave", term)}
-    elif term.operator in _WITH_BODY:
+    elif template is Template.BODY:
         found["enter"] = ("start", term)
     elif term.operator is Operator.HOLE:
         found = {verb: (verb, term) for verb in VERBS}
@@ -114,9 +117,9 @@ def ways(terms: Terms, term: Formula) -> dict[str, Way]:
         found[RESUME] = again
     if parent is not None or "leave" in found:  # there is a state of it
         found |= {verb: (verb, term) for verb in STAYING}
-    if term.operator in _WITH_BODY or term.operator is Operator.CHOICE:
+    if template in (Template.BODY, Template.BRANCHES):
         found["start"] = ("start", term)
-    elif term.operator in (Operator.PARALLEL, Operator.INSTANCES):
+    elif template is Template.REGIONS:
         found["start"] = ("start", term)
         found["finish"] = ("finish", term)
     return found
@@ -134,13 +137,15 @@ def _named(term: Formula) -> str:
     return cut(f"({spelled})" if term.operator in INFIX else spelled)
 
 
-_WITH_BODY = (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE, Operator.FOREVER, Operator.OPTION)
+def _is_plain_loop(operator: Operator) -> bool:
+    """Whether its START leads to its body."""
+    return operator.row.template is Template.BODY and not operator.row.skips
 
 
 def _into_loop(terms: Terms, loop: Formula) -> Way:
     """The way into the node of a loop; where the loop is the whole formula, into its body."""
     parent = terms.parents[loop]
-    while parent is not None and parent.operator in (Operator.ONE_OR_MORE, Operator.FOREVER):
+    while parent is not None and _is_plain_loop(parent.operator):
         loop, parent = parent, terms.parents[parent]
     return ("start", loop) if parent is None else ("enter", loop)
 
@@ -232,6 +237,7 @@ def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Ter
     text = _named(term)
     has = [name for name in ways(terms, term) if name not in (*STAYING, RESUME)]
     parent = terms.parents[term]
+    template = term.operator.row.template
     if verb.text in STAYING:
         hint = f"say it where `{terms.title}` stands in another formula, or of the terms of this one"
     elif (
@@ -244,9 +250,9 @@ def _no_such_way(terms: Terms, term: Formula, verb: tree.Name, written: tree.Ter
         inside = _named(ungrouped(term.operands[0]))
         does = {"skip": "goes past it", "repeat": "repeats it", "leave": "leaves it"}[verb.text]
         hint = f"its body is `{inside}`: `{verb} {inside}` {does}"
-    elif verb.text == "start" and term.operator in (Operator.SEQUENCE, Operator.DISABLING):
+    elif verb.text == "start" and template in (Template.CHAIN, Template.CUT):
         hint = f"its START leads to its first term: `enter {_named(ungrouped(term.operands[0]))}`"
-    elif verb.text == "leave" and parent is not None and parent.operator is Operator.SEQUENCE:
+    elif verb.text == "leave" and parent is not None and parent.operator.row.template is Template.CHAIN:
         index = next(i for i, operand in enumerate(parent.operands) if ungrouped(operand) is term)
         following = _named(ungrouped(parent.operands[index + 1]))
         hint = f"what follows `{text}` is `{following}`: `enter {following}`"

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from aseme_dsl.amola.liveness import Operator
+from aseme_dsl.amola.operators import Operator
 from aseme_dsl.amola.suc import RoleType, Suc, UseCase
 
 _BUILT = (RoleType.SYSTEM, RoleType.ABSTRACT)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from aseme_dsl.amola.liveness import Formula, Operator, names
+from aseme_dsl.amola.liveness import Formula, names
+from aseme_dsl.amola.operators import Fixity, Operator
 from aseme_dsl.amola.srm import Capability, Functionality, Module, Srm
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.suc import RoleType, UseCase
@@ -214,7 +215,8 @@ def _joined_to(formula: Formula, term: str) -> tuple[Edit, ...]:
         return Edit(Span(formula.span.source, offset, offset), text)
 
     start, end = formula.span.start, formula.span.end
-    loose = formula.operator in (Operator.CHOICE, Operator.PARALLEL, Operator.DISABLING)
+    row = formula.operator.row
+    loose = row.fixity is Fixity.INFIX and row.precedence < Operator.HOLE.row.precedence
     brackets = (at(start, "("), at(end, ")")) if loose else ()
     return (*brackets, at(end, f" {Operator.HOLE} {term}"))
 

@@ -13,6 +13,7 @@ from functools import cache
 from pathlib import Path
 
 from aseme_dsl import outside
+from aseme_dsl.amola.operators import OTHER_SPELLINGS
 from aseme_dsl.compiler.read.builtins import ACTIONS, FORMS
 from aseme_dsl.grammar.formulas.words import RESERVED
 from aseme_dsl.grammar.parsing.expected import words_of
@@ -92,7 +93,7 @@ def meanings(token: str, sections: Sequence[str]) -> tuple[Construct, ...]:
 
     Nothing of names, numbers and punctuation.
     """
-    token = "~" if token == "ω" else token
+    token = OTHER_SPELLINGS.get(token, token)
     if token[:1] in _PUNCTUATION and token not in ("==",):
         return ()
     if (token[:1].isalnum() or token[:1] in '_"') and token not in words():

@@ -11,7 +11,8 @@ from contextlib import suppress
 from dataclasses import dataclass
 from enum import StrEnum
 
-from aseme_dsl.amola.liveness import Operator, ungrouped
+from aseme_dsl.amola.liveness import ungrouped
+from aseme_dsl.amola.operators import Operator
 from aseme_dsl.diagnostics import Diagnostic, Edit
 from aseme_dsl.diagnostics.changes import UNSURE, apply, choose
 from aseme_dsl.editor.answers.navigation import PythonFolders

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
 
-from aseme_dsl.amola.liveness import Operator, ungrouped
+from aseme_dsl.amola.liveness import ungrouped
+from aseme_dsl.amola.operators import Template
 from aseme_dsl.compiler.formula.formula_to_statechart import Way
 from aseme_dsl.compiler.formula.holes import HOLE
 from aseme_dsl.compiler.formula.staying import STAYING
@@ -76,11 +77,12 @@ def _groups(terms: Terms) -> Iterator[list[Way]]:
     """The ways that compete: the branches of a choice, going on with a loop or leaving it."""
     for term in terms.parents:
         operands = [ungrouped(operand) for operand in term.operands]
-        if term.operator is Operator.CHOICE:
+        row = term.operator.row
+        if row.template is Template.BRANCHES:
             yield [("enter", operand) for operand in operands]
-        if term.operator in (Operator.OPTION, Operator.ZERO_OR_MORE):
+        if row.skips:
             yield [("enter", operands[0]), ("skip", operands[0])]
-        if term.operator in (Operator.ZERO_OR_MORE, Operator.ONE_OR_MORE):
+        if row.repeats and row.leaves:
             yield [("repeat", operands[0]), ("leave", operands[0])]
 
 

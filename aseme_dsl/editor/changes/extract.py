@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from aseme_dsl.amola.liveness import INFIX, Formula, Operator, names, ungrouped, walk
+from aseme_dsl.amola.liveness import Formula, names, ungrouped, walk
+from aseme_dsl.amola.operators import INFIX, Operator
 from aseme_dsl.compiler.formula.formula_to_statechart import Way
 from aseme_dsl.compiler.formula.terms import way
 from aseme_dsl.diagnostics import Edit

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from aseme_dsl.amola.liveness import INFIX, Formula, Operator, names, ungrouped
+from aseme_dsl.amola.liveness import Formula, names, ungrouped
+from aseme_dsl.amola.operators import INFIX, Operator
 from aseme_dsl.compiler.formula.formula_to_statechart import Way
 from aseme_dsl.diagnostics import Edit
 from aseme_dsl.editor.changes.extract import ALLOWED

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from aseme_dsl.amola.operators import INFIX, Operator
 from aseme_dsl.compiler.formula.holes import HOLE
 from aseme_dsl.compiler.read.allow import OWN
 from aseme_dsl.compiler.read.missing import Missing, insertions
@@ -57,14 +58,10 @@ def _operators(item: Diagnostic) -> Iterator[Fix]:
     start, end = item.span.start, item.span.end
     if item.span.source.text[start - 1 : start] == "[":  # a condition
         return
-    for operator, meaning in (
-        (".", "one after the other"),
-        ("|", "one of both"),
-        ("||", "both at once"),
-        ("[>", "the second may interrupt the first"),
-    ):
-        edit = Edit(Span(item.span.source, start, end), operator)
-        yield Fix(f"Write `{operator}`: {meaning}", (edit,))
+    for operator in INFIX:
+        if operator is not Operator.HOLE:
+            edit = Edit(Span(item.span.source, start, end), operator.value)
+            yield Fix(f"Write `{operator}`: {operator.row.meaning}", (edit,))
 
 
 def _title(item: Diagnostic) -> str:

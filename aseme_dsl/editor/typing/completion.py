@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
 
-from aseme_dsl.amola.liveness import INFIX, Formula, canonical
+from aseme_dsl.amola.liveness import Formula, canonical
+from aseme_dsl.amola.operators import INFIX
 from aseme_dsl.compiler.chart.aip_to_eac import PROCESS
 from aseme_dsl.compiler.formula.terms import Terms, ways
 from aseme_dsl.compiler.names.scope import Party

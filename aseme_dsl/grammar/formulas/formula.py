@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from aseme_dsl.amola.liveness import Formula, Operator
+from aseme_dsl.amola.liveness import Formula
+from aseme_dsl.amola.operators import BRACKETS, INFIX, INFIX_SIGNS, MISTAKEN, NUMBER, POSTFIX, Operator, parts
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar.formulas.expression import read_arguments
 from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES, RESERVED, Malformed, is_hyphen, is_name
@@ -16,52 +17,42 @@ from aseme_dsl.source import Source, Span
 DEEPEST = 1000
 """How many brackets and postfix operators may stand one in the other."""
 
-_POSTFIX = {
-    "*": Operator.ZERO_OR_MORE,
-    "+": Operator.ONE_OR_MORE,
-    "~": Operator.FOREVER,
-    "ω": Operator.FOREVER,
-    "^ω": Operator.FOREVER,
-}
-_INFIX = {
-    ".": Operator.SEQUENCE,
-    "?": Operator.HOLE,
-    "|": Operator.CHOICE,
-    "||": Operator.PARALLEL,
-    "[>": Operator.DISABLING,
-}
-_CLOSES = {"(": ")", "[": "]", "|": "|"}
+_POSTFIX = {parts(sign)[0]: (parts(sign), operator) for sign, operator in POSTFIX.items()}
+"""The postfix operators by the first token of their signs, with all tokens."""
 
-_OPERATORS = "'.' is one after the other, '|' one of both, '||' both at once"
-_MEANT = {
-    "&&": "write '||' for both at once",
-    "&": "write '||' for both at once",
-    ",": "write '.' for one after the other",
-    ";": "write '.' for one after the other",
-    "->": "write '.' for one after the other",
-    ">": "write '[>' for one that cuts the other short, '.' for one after the other",
-    "/": "write '|' for one of both",
+_CLOSES = {opening: closing[0] for opening, (_, closing) in BRACKETS.items()}
+
+_OPERATORS = (
+    f"'.' is {Operator.SEQUENCE.row.meaning}, '|' {Operator.CHOICE.row.meaning}, "
+    f"'||' {Operator.PARALLEL.row.meaning}"
+)
+_MEANT = {sign: f"write '{meant}' for {meant.row.meaning}" for sign, meant in MISTAKEN.items()} | {
+    ">": f"write '[>' for one that cuts the other short, '.' for {Operator.SEQUENCE.row.meaning}",
     "=": "is a name missing before '='?",
 }
 
-
-_FORMULA_ONLY = ("|", "||", "~", "ω", "^ω", "[", "]", "[>", ";", "->")
+_IN_EXPRESSIONS = ("*", "+", ".", "?")
+_FORMULA_ONLY = frozenset((*INFIX_SIGNS, *_POSTFIX, "]", ";", "->")) - {*_IN_EXPRESSIONS}
 """What does not stand in the arguments of an activity."""
 
-_WRITTEN = {"&&": "||", "&": "||", ",": ".", ";": ".", "->": ".", "/": "|"}
-"""What the operators of other languages are here."""
+
+_NO_POSTFIX: tuple[tuple[str, ...], None] = ((), None)
 
 
 @dataclass
 class _Group:
-    """What has been read in one pair of brackets: a list a level of infix operators, with heights."""
+    """What has been read in one pair of brackets.
+
+    `levels` are the operands, with their heights, of each infix operator, the tightest first.
+    """
 
     opener: Token | None
-    disabling: list[tuple[Formula, int]] = field(default_factory=list)
-    parallel: list[tuple[Formula, int]] = field(default_factory=list)
-    choice: list[tuple[Formula, int]] = field(default_factory=list)
-    hole: list[tuple[Formula, int]] = field(default_factory=list)
-    sequence: list[tuple[Formula, int]] = field(default_factory=list)
+    levels: list[list[tuple[Formula, int]]] = field(default_factory=lambda: [[] for _ in INFIX])
+
+    @property
+    def operands(self) -> list[tuple[Formula, int]]:
+        """Those of the tightest operator."""
+        return self.levels[0]
 
 
 def read_formula(source: Source, tokens: Sequence[Token], deepest: int = DEEPEST) -> Formula:
@@ -89,7 +80,7 @@ class _Reader:
         while index < count:
             token = tokens[index]
             if operand_expected:
-                if token in ("(", "[", "|"):
+                if token in _CLOSES:
                     if len(self.groups) > self.deepest:
                         raise self._too_deep(token)
                     group = _Group(token)
@@ -98,20 +89,19 @@ class _Reader:
                     if token in RESERVED or token in BUILT_IN_TYPES:
                         raise self._error("E106", f"{shown(token)} cannot be an activity or formula", token)
                     closing_at = self._end_of_arguments(index)
-                    group.sequence.append((self._named(index, closing_at), 1))
+                    group.operands.append((self._named(index, closing_at), 1))
                     operand_expected = False
                     index = closing_at
                 else:
                     raise self._no_operand(index)
                 index += 1
                 continue
-            postfix = _POSTFIX.get(token)
-            if postfix is not None:
-                self._wrap(group, postfix, token)
-                index += 1
-            elif token == "[" and self._is_count(index):
-                self._wrap(group, Operator.INSTANCES, tokens[index + 2], tokens[index + 1])
-                index += 3
+            signs, postfix = _POSTFIX.get(token, _NO_POSTFIX)
+            if postfix is not None and (len(signs) == 1 or self._stand_at(index, signs)):
+                last = index + len(signs) - 1
+                number = tokens[index + signs.index(NUMBER)] if postfix.row.counted else None
+                self._wrap(group, postfix, tokens[last], number)
+                index = last + 1
             elif (
                 token == ")" or token == "]" or self._closes_bar(index, group)
             ) and group.opener is not None:
@@ -125,10 +115,10 @@ class _Reader:
                     closing = tokens[index]
                     index += 1
                 group_around = self.groups[-1]
-                group_around.sequence.append(self._bracketed(group.opener, formula, closing))
+                group_around.operands.append(self._bracketed(group.opener, formula, closing))
                 group = group_around
-            elif token in _INFIX:
-                self._infix(group, _INFIX[token])
+            elif token in INFIX_SIGNS:
+                self._infix(group, INFIX_SIGNS[token])
                 operand_expected = True
                 index += 1
             else:
@@ -192,43 +182,36 @@ class _Reader:
         return height
 
     def _wrap(self, group: _Group, operator: Operator, last: Token, count: Token | None = None) -> None:
-        operand, height = group.sequence[-1]
+        operand, height = group.operands[-1]
         span = self._to(operand.span.start, last)
         number = int(count) if count is not None else 0
         formula = Formula(operator, (operand,), span, count=number)
-        group.sequence[-1] = (formula, self._height(height + 1, last))
+        group.operands[-1] = (formula, self._height(height + 1, last))
 
     def _infix(self, group: _Group, operator: Operator) -> None:
-        if operator is Operator.SEQUENCE:
-            return
-        group.hole.append(self._joined(Operator.SEQUENCE, group.sequence))
-        group.sequence = []
-        if operator is Operator.HOLE:
-            return
-        group.choice.append(self._joined(Operator.HOLE, group.hole))
-        group.hole = []
-        if operator is Operator.CHOICE:
-            return
-        group.parallel.append(self._joined(Operator.CHOICE, group.choice))
-        group.choice = []
-        if operator is Operator.DISABLING:
-            group.disabling.append(self._joined(Operator.PARALLEL, group.parallel))
-            group.parallel = []
+        """Join the operands of all that binds more tightly than `operator`."""
+        for level, tighter in enumerate(INFIX):
+            if tighter is operator:
+                return
+            group.levels[level + 1].append(self._joined(tighter, group.levels[level]))
+            group.levels[level] = []
 
     def _joined(self, operator: Operator, parts: list[tuple[Formula, int]]) -> tuple[Formula, int]:
         if len(parts) == 1:
             return parts[0]
+        if operator.row.pairs:
+            found, height = parts[0]
+            for other, other_height in parts[1:]:
+                found = Formula(operator, (found, other), found.span.to(other.span))
+                height = max(height + 1, other_height)
+            return found, height
         operands = tuple(formula for formula, _ in parts)
         formula = Formula(operator, operands, operands[0].span.to(operands[-1].span))
         return formula, max(height for _, height in parts)
 
     def _fold(self, group: _Group) -> tuple[Formula, int]:
-        self._infix(group, Operator.DISABLING)
-        found, height = group.disabling[0]
-        for other, other_height in group.disabling[1:]:
-            span = found.span.to(other.span)
-            found = Formula(Operator.DISABLING, (found, other), span)
-            height = max(height + 1, other_height)
+        self._infix(group, INFIX[-1])
+        found, height = self._joined(INFIX[-1], group.levels[-1])
         if height > self.deepest:
             raise self._too_deep(self.tokens[0])
         return found, height
@@ -236,24 +219,22 @@ class _Reader:
     def _bracketed(self, opener: Token, inner: tuple[Formula, int], closing: Token) -> tuple[Formula, int]:
         formula, height = inner
         span = self._to(opener.start, closing)
-        if opener == "[":
-            return Formula(Operator.OPTION, (formula,), span), self._height(height + 1, opener)
-        if opener == "|":
-            return (
-                Formula(Operator.INSTANCES, (formula,), span, count=int(closing)),
-                self._height(height + 1, opener),
-            )
-        if formula.operator is Operator.GROUP:  # several parentheses around one thing count as one
-            return Formula(Operator.GROUP, formula.operands, span), height
-        return Formula(Operator.GROUP, (formula,), span), self._height(height + 1, opener)
+        operator, _ = BRACKETS[opener]
+        if operator is Operator.GROUP is formula.operator:  # several around one thing count as one
+            return Formula(operator, formula.operands, span), height
+        count = int(closing) if operator.row.counted else 0
+        return Formula(operator, (formula,), span, count=count), self._height(height + 1, opener)
 
-    def _is_count(self, index: int) -> bool:
-        tokens = self.tokens
+    def _stand_at(self, index: int, signs: Sequence[str]) -> bool:
+        """Whether the tokens of a postfix operator stand at `index`, with a number that fits."""
+        found = self.tokens[index : index + len(signs)]
         return (
-            index + 2 < len(tokens)
-            and tokens[index + 1].isdigit()
-            and tokens[index + 2] == "]"
-            and self._fits(tokens[index + 1])
+            len(found) == len(signs)
+            and all(
+                (token.isdigit() if sign == NUMBER else token == sign)
+                for token, sign in zip(found, signs, strict=True)
+            )
+            and self._fits(found[signs.index(NUMBER)])
         )
 
     def _closes_bar(self, index: int, group: _Group) -> bool:
@@ -310,7 +291,7 @@ class _Reader:
         hint = None
         if previous == "?":
             hint = "write [A] for an option; '?' stands between two terms for an operator still to be chosen"
-        elif token in _INFIX and previous is not None and previous in _INFIX:
+        elif token in INFIX_SIGNS and previous is not None and previous in INFIX_SIGNS:
             hint = "one of the two operators is too much, or a name is missing between them"
         elif token in (")", "]") and previous in ("(", "["):
             hint = "put an activity between the brackets"
@@ -349,7 +330,8 @@ class _Reader:
                 "E101", f"an operator is missing between {shown(previous)} and {shown(token)}", token, hint
             )
         hint = _MEANT.get(token, _OPERATORS)
-        fix = _WRITTEN.get(token)
+        meant = MISTAKEN.get(token)
+        fix = meant.value if meant is not None else None
         if fix == "." and token != "->" and self._is_among_others(index):
             hint, fix = _OPERATORS, None
         following = self.tokens[index + 1] if index + 1 < len(self.tokens) else None
@@ -365,7 +347,7 @@ class _Reader:
             while 0 <= place < len(self.tokens) and depth >= 0:
                 token = self.tokens[place]
                 depth += step * ((token in ("(", "[")) - (token in (")", "]")))
-                if depth == 0 and token in ("|", "||", "[>"):
+                if depth == 0 and INFIX_SIGNS.get(token) not in (None, Operator.SEQUENCE, Operator.HOLE):
                     return True
                 place += step
         return False

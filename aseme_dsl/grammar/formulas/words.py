@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from aseme_dsl.amola.operators import OTHER_SPELLINGS
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar.text.token import Token
 
@@ -25,4 +26,4 @@ def is_hyphen(before: Token, hyphen: Token, after: Token) -> bool:
 
 def is_name(token: str) -> bool:
     """Whether a token may be a name: it begins with a letter or `_`."""
-    return (token[0].isalpha() and token != "ω") or token[0] == "_"
+    return (token[0].isalpha() and token not in OTHER_SPELLINGS) or token[0] == "_"

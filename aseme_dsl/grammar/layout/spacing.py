@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
+from aseme_dsl.amola.operators import BRACKETS, INFIX_SIGNS, OTHER_SPELLINGS, POSTFIX, Operator, parts
 from aseme_dsl.grammar.layout.pieces import GLUED, Piece
 
 LEVELS = 16
 """How many levels there are to a depth."""
 
-_POSTFIX = ("*", "+", "~", "ω", "^ω")
-_FORMULA = {"[>": 0, "||": 1, "|": 2, "?": 3, ".": 4}
+_POSTFIX = {parts(sign)[0]: len(parts(sign)) for sign in POSTFIX}
+"""How many tokens a postfix operator has, by its first."""
 
 _SLASH, _CONDITION, _EVENT, _COMMA = 0, 1, 2, 0
 _INFIX = (
@@ -37,7 +38,7 @@ def formula(tokens: Sequence[str], depth: int) -> list[Piece]:
     index = 0
     while index < len(tokens):
         token = tokens[index]
-        if operand_expected and token in ("(", "[", "|"):
+        if operand_expected and token in BRACKETS:
             touches = glued and not (token == "|" and index > 0 and tokens[index - 1] == "|")
             pieces.append(Piece(token, 0 if touches else 1, GLUED, depth))
             brackets.append(token)
@@ -51,10 +52,10 @@ def formula(tokens: Sequence[str], depth: int) -> list[Piece]:
                 pieces += _given(tokens[index + 1 : inside], depth)
                 index = inside - 1
         elif token in _POSTFIX:
-            pieces.append(Piece("~" if "ω" in token else token, 0, GLUED, depth))
-        elif token == "[":  # instances
-            pieces += [Piece(text, 0, GLUED, depth) for text in tokens[index : index + 3]]
-            index += 2
+            after = index + _POSTFIX[token]
+            written = (OTHER_SPELLINGS.get(text, text) for text in tokens[index:after])
+            pieces += [Piece(text, 0, GLUED, depth) for text in written]
+            index = after - 1
         elif brackets and (token in (")", "]") or (token == "|" and _closes_bar(tokens, index, brackets))):
             brackets.pop()
             depth -= 1
@@ -63,7 +64,11 @@ def formula(tokens: Sequence[str], depth: int) -> list[Piece]:
                 index += 1
                 pieces.append(Piece(tokens[index], 0, GLUED, depth))
         else:
-            pieces.append(Piece(token, 1, level_of(depth, _FORMULA.get(token, 4)), depth))
+            pieces.append(
+                Piece(
+                    token, 1, level_of(depth, INFIX_SIGNS.get(token, Operator.SEQUENCE).row.precedence), depth
+                )
+            )
             operand_expected = True
             glued = False
         index += 1

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from aseme_dsl.amola.messages import BUILT_IN
+from aseme_dsl.amola.operators import BRACKETS, INFIX_SIGNS
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.grammar.parsing.terminals import Mistake
 from aseme_dsl.grammar.text.lexer import UNITS, Lexed, shown
@@ -244,7 +245,7 @@ class _Explanation:
             if complete and begins_operand and not counts:
                 place = index
                 break
-            complete = word not in (".", "|", "||", "[>", "[", "(")
+            complete = word not in INFIX_SIGNS and word not in BRACKETS
         before = tokens.word(place - 1)
         message = f"expected ':' after {shown(before)}, found {shown(tokens.word(place))}"
         if place == len(tokens):

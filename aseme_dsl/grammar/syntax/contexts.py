@@ -17,6 +17,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum, auto
 
+from aseme_dsl.amola.operators import INFIX, NUMBER, POSTFIX, Operator, parts
 from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES
 from aseme_dsl.grammar.layout.rules import EXPRESSIONS, FORMULAS
 from aseme_dsl.grammar.syntax.shape import (
@@ -188,6 +189,25 @@ _WITH_CONTENT = tuple(
 )
 """What brings the content of a message in braces: `send inform Done { by = 1 }`."""
 
+
+def _formula_operators() -> str:
+    """The operators of formulas, and those of other languages that the parser explains.
+
+    Brackets, and holes, are not coloured as operators.
+    """
+    infix = (operator.value for operator in Operator if operator in INFIX and operator is not Operator.HOLE)
+    postfix = (part for sign in POSTFIX for part in parts(sign) if part not in ("[", NUMBER, "]"))
+    signs = (*infix, *postfix, "&&", "->", "&")
+    several = [sign for sign in signs if len(sign) > 1 and sign.isascii()]
+    characters = dict.fromkeys("".join(sign for sign in signs if sign not in several))
+    return "|".join(
+        (
+            *(re.escape(sign) for sign in sorted(several, key=lambda sign: sign[0] == "[")),
+            f"[{''.join(re.escape(one) for one in sorted(characters, key=str.isascii, reverse=True))}]",
+        )
+    )
+
+
 TOKENS: dict[Tokens, tuple[tuple[str, Kind], ...]] = {
     Tokens.EXPRESSION: (
         *_COMMON,
@@ -203,7 +223,7 @@ TOKENS: dict[Tokens, tuple[tuple[str, Kind], ...]] = {
         *_COMMON,
         (_NAME, Kind.REFERENCE),
         (r"[0-9]\w*", Kind.NUMBER),
-        (r"\|\||&&|->|\[>|[.|*+~^&ω]", Kind.OPERATOR),
+        (_formula_operators(), Kind.OPERATOR),
         (r"[^\s\w{}]", Kind.PUNCTUATION),
     ),
     Tokens.WORDS: (

@@ -8,11 +8,12 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
+from aseme_dsl.amola.operators import INFIX_SIGNS, Operator
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.grammar.text.tree import Comment
 from aseme_dsl.source import Source, Span
 
-HOLE = "?"
+HOLE = Operator.HOLE.value
 """What stands for an operator, or a condition, that is still to be chosen."""
 
 UNITS = {"ms": 1_000_000, "s": 1_000_000_000, "min": 60_000_000_000}
@@ -92,7 +93,10 @@ class Tokens:
     """Where the tokens of a text are."""
 
     _TOKEN = re.compile(
-        r'"(?:[^"\\\n]|\\.)*"|[0-9]+(?:\.[0-9]+)*[A-Za-z_0-9]*|\w+|\|\||&&|[<>=!]=|->|\[>|\.\.|\S', re.ASCII
+        r'"(?:[^"\\\n]|\\.)*"|[0-9]+(?:\.[0-9]+)*[A-Za-z_0-9]*|\w+|&&|[<>=!]=|->|\.\.|'
+        + "".join(f"{re.escape(sign)}|" for sign in INFIX_SIGNS if len(sign) > 1)
+        + r"\S",
+        re.ASCII,
     )
 
     def __init__(self, text: str) -> None:

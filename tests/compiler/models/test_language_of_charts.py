@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from aseme_dsl.amola.liveness import Formula, Operator
+from aseme_dsl.amola.liveness import Formula
+from aseme_dsl.amola.operators import Operator
 from aseme_dsl.amola.statechart import NodeType
 from aseme_dsl.compiler.chart.flow import check_flow, check_reach
 from tests.compiler.models.test_protocols import branch, branch_labels
