@@ -284,3 +284,40 @@ def test_an_activity_that_was_renamed_in_the_file(here: Here, project: Path) -> 
     (project / "acts/kick_ball.py").write_text("SPEED = 1\n")  # no activity: something else
     found = {item["code"]: item["hint"] for item in here("check", "--json").json["diagnostics"]}
     assert "scaffold" in found["E543"] and "delete" in found["W541"]
+
+
+SHOP = """system Shop
+aip deal {
+  participant buyer  { engage "It wants." process = Ask . Pay }
+  participant seller { engage "It has." process = Wait . give  give = Sell }
+  outcome "Sold."
+}
+srm customer { plays deal.buyer  liveness { customer = buyer }
+  activities { Ask takes 1s simulated  Pay takes 1s simulated } }
+srm shop { liveness { shop = Open . seller }  activities { Open takes 1s simulated } }
+"""
+
+
+def test_a_participant_that_the_role_forgets_to_play(here: Here, project: Path) -> None:
+    (project / "team.aseme").write_text(SHOP)
+    for path in (project / "acts").iterdir():
+        path.unlink()
+    write(project, "acts/sell.py", "Sell")
+    write(project, "acts/wait.py", "Wait")
+    done = here("check", "--json")
+    assert only(done) == (
+        "E543",
+        "the activity `seller` has no code: there is no `acts/seller.py`",
+        "write `plays deal.seller` in srm shop",
+    )
+    assert done.code == 1
+    assert "the participant of deal, which shop does not play" in here("check").out
+    write(project, "acts/sale.py", "Sale")  # is of nobody, whatever is played
+    assert sorted(codes(here("check", "--json"))) == ["E543", "W541"]
+    (project / "acts/sale.py").unlink()
+    change(project, "srm shop {", "srm shop { plays deal.seller ")
+    assert here("check").out == "1 file is fine\n"
+    change(project, "plays deal.seller ", "")
+    change(project, "1s simulated } }\nsrm shop", "1s simulated } }\nsrm shop")
+    change(project, "activities { Open", "activities { seller takes 1s simulated  Open")
+    assert codes(here("check", "--json")).count("W202") == 1  # no error that says it

@@ -152,8 +152,13 @@ def unplayed(iacs: Mapping[str, Used], aips: Iterable[tree.Aip]) -> Iterator[Dia
                     f"`{name}` is an activity here, for {role} does not play the participant",
                     node.span,
                     (Related(part.name.span, f"the participant of {aip.name}"),),
-                    hint=f"write `plays {aip.name}.{name}` in srm {role}",
+                    hint=how_to_play(aip.name.text, name, role),
                 )
+
+
+def how_to_play(protocol: str, participant: str, role: str) -> str:
+    """The hint how a role plays a participant."""
+    return f"write `plays {protocol}.{participant}` in srm {role}"
 
 
 @lru_cache(maxsize=20_000)
@@ -183,4 +188,4 @@ def _is_close(one: str, other: str) -> bool:
     return swapped or (len(left) <= 1 and len(right) <= 1)
 
 
-__all__ = ["all_activities", "check_described", "close_names", "unplayed", "used_activities"]
+__all__ = ["all_activities", "check_described", "close_names", "how_to_play", "unplayed", "used_activities"]

@@ -16,13 +16,16 @@ from typing import TYPE_CHECKING, TypeGuard
 
 from aseme_dsl import outside
 from aseme_dsl.amola.expression import duration_text
+from aseme_dsl.amola.liveness import names as names_in
 from aseme_dsl.amola.statechart import NodeType
+from aseme_dsl.compiler.checks.activity_use import how_to_play
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.project.files.stamp import Look, Stamp, stamp_of
 from aseme_dsl.runtime.message.naming import class_name, module_name
 from aseme_dsl.source import Source, Span, is_library_path
 
 if TYPE_CHECKING:
+    from aseme_dsl.amola.aip import Aip, Participant
     from aseme_dsl.amola.srm import Activity
     from aseme_dsl.amola.system import System
 
@@ -48,11 +51,26 @@ class Wanted:
     path: str
     what: str
     roles: tuple[Span, ...]
+    unplayed: Unplayed | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Unplayed:
+    """That a role has an activity where it seems to mean a participant, which it does not play (W202).
+
+    `activities` are those that it would have then.
+    """
+
+    hint: str
+    place: Related
+    activities: frozenset[str]
 
 
 def wanted_files(system: System, folder: Path) -> tuple[Wanted, ...]:
     """What has its code in the folder, simulated activities included, each once."""
     roles: dict[str, list[Span]] = {}
+    unplayed: dict[str, Unplayed] = {}
+    participants = {part.name: (aip, part) for aip in system.aips for part in aip.participants}
     modules: dict[str, Activity] = {}
     for chart in system.iacs:
         names = {node.activity for node in chart.nodes if node.type is NodeType.BASIC and node.activity}
@@ -62,11 +80,28 @@ def wanted_files(system: System, folder: Path) -> tuple[Wanted, ...]:
                 names.add(module.name)
         for name in names:
             roles.setdefault(name, []).append(chart.root.span)
+        for name in names & participants.keys():
+            unplayed.setdefault(name, _unplayed(chart.name, *participants[name]))
     found = [(item, "activity") for item in system.activities if item.name in roles]
     found += [(item, "module") for item in modules.values()]
     return tuple(
-        Wanted(item, str(folder / f"{module_name(item.name)}.py"), what, tuple(roles[item.name]))
+        Wanted(
+            item,
+            str(folder / f"{module_name(item.name)}.py"),
+            what,
+            tuple(roles[item.name]),
+            unplayed.get(item.name) if what == "activity" else None,
+        )
         for item, what in found
+    )
+
+
+def _unplayed(role: str, aip: Aip, part: Participant) -> Unplayed:
+    done = {node.name for item in part.formulas for node in names_in(item.formula)}
+    return Unplayed(
+        how_to_play(aip.name, part.name, role),
+        Related(part.span, f"the participant of {aip.name}, which {role} does not play"),
+        frozenset(done.difference(item.name for item in part.formulas)),
     )
 
 
@@ -106,8 +141,12 @@ def check_files(
     unused = [] if imported is None else _unused(beside, used, system)
     unused = _not_of_neighbours(unused, system, required.neighbours)
     missing = [item for item in wanted if item.path not in there and not item.said.simulated]
+    to_play = [item for item in missing if item.unplayed is not None]
+    then_used = {module_name(name) for item in to_play if item.unplayed for name in item.unplayed.activities}
+    unused = [path for path in unused if Path(path).stem not in then_used]
+    missing = [item for item in missing if item.unplayed is None]
     modules = {Path(path).stem: path for path in unused}
-    found: list[Diagnostic] = []
+    found = [_missing(item, None, system, project) for item in to_play]
     # One file too few and one too many: an activity has been renamed, whatever the names.
     is_renamed = len(missing) == len(unused) == 1 and _is_of_class(unused[0])
     for item in missing:
@@ -129,7 +168,10 @@ def check_files(
 
 def _missing(item: Wanted, near: str | None, system: System, project: Path | None) -> Diagnostic:
     name, file = item.said.name, _shown(item.path, project)
-    if near is not None:
+    related: tuple[Related, ...] = ()
+    if item.unplayed is not None:
+        hint, related = item.unplayed.hint, (item.unplayed.place,)
+    elif near is not None:
         hint = f"did you mean `{_shown(near, project)}`? Rename it to `{Path(file).name}`"
         if _is_of_class(near):
             hint += f", and its class to `{class_name(name)}`"
@@ -139,7 +181,7 @@ def _missing(item: Wanted, near: str | None, system: System, project: Path | Non
         hint = f"{_scaffold(system)} starts the file"
     message = f"the {item.what} `{name}` has no code: there is no `{file}`"
     place = _place(item)
-    return Diagnostic("E543", message, place, _declared(item, place), hint=hint)
+    return Diagnostic("E543", message, place, (*_declared(item, place), *related), hint=hint)
 
 
 def as_simulated(said: Activity) -> str:
