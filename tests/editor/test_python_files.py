@@ -162,3 +162,33 @@ async def test_an_undeclared_access_is_declared(project: Project, folder: Path) 
     project.change("team.aseme", mended)
     assert await project.diagnostics("team.aseme", errors=0) is not None
     assert not await project.client.text_document_code_action_async(params)
+
+
+LACKING = TEAM.replace(
+    "  activities {", "  modules { Eyes every 1s writes vision.state.Ball }\n  activities {"
+).replace("Search takes 2s", "Search takes 2s simulated")
+
+
+@pytest.mark.parametrize("name", ["Walk", "Eyes"])
+async def test_the_file_that_is_missing_is_started_where_it_is_missed(project: Project, name: str) -> None:
+    for path in (project.folder / "activities").iterdir():
+        path.unlink()
+    (project.folder / "team.aseme").write_text(LACKING, "utf-8")
+    project.open("team.aseme", LACKING)
+
+    async def offered(place: lsp.Position, *only: str) -> list[lsp.CodeAction]:
+        context = lsp.CodeActionContext([], only=list(only) or None)
+        done = await project.client.text_document_code_action_async(
+            lsp.CodeActionParams(project.document(), lsp.Range(place, place), context)
+        )
+        return [item for item in done or () if isinstance(item, lsp.CodeAction)]
+
+    place = at(f"^{name} every" if name == "Eyes" else f"^{name}   takes", LACKING)
+    (action,) = [item for item in await offered(place, "quickfix") if "Python" in item.title]
+    assert action.title == f"Start the Python file of `{name}`"
+    resolved = await project.client.code_action_resolve_async(action)
+    assert resolved.edit is not None and resolved.edit.document_changes is not None
+    created, filled = resolved.edit.document_changes
+    assert isinstance(created, lsp.CreateFile) and created.uri == project.uri(f"activities/{name.lower()}.py")
+    assert isinstance(filled, lsp.TextDocumentEdit) and f"class {name}" in str(filled.edits[0].new_text)
+    assert all("Python" not in item.title for item in await offered(at("^Search takes", LACKING)))

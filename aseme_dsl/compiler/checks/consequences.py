@@ -42,6 +42,16 @@ def without_consequences(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     return tuple(map(_blamed_on_its_declaration, kept))
 
 
+def without_told(found: Iterable[Diagnostic], of_code: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """Without what the problems of the code say as well.
+
+    An activity without code (E543) that is called like a participant is told to be one that is not played
+    (W202).
+    """
+    told = {item.hint for item in of_code if item.code == "E543"}
+    return tuple(item for item in found if item.code != "W202" or item.hint not in told)
+
+
 def _is_absence(item: Diagnostic) -> bool:
     """Whether a name is said not to be there: it may be misspelt, or unreadable, where it is declared."""
     return (
@@ -388,4 +398,4 @@ def _is_in(inner: Span, outer: Span) -> bool:
     return inner.source is outer.source and outer.start <= inner.start and inner.end <= outer.end
 
 
-__all__ = ["without_consequences"]
+__all__ = ["without_consequences", "without_told"]

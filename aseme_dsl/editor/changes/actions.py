@@ -16,7 +16,7 @@ from aseme_dsl.amola.operators import Operator
 from aseme_dsl.diagnostics import Diagnostic, Edit
 from aseme_dsl.diagnostics.changes import UNSURE, apply, choose
 from aseme_dsl.editor.answers.navigation import PythonFolders
-from aseme_dsl.editor.changes.activities import description, lacks_class
+from aseme_dsl.editor.changes.activities import description, lacks_class, lacks_file
 from aseme_dsl.editor.changes.control_lines import missing_lines
 from aseme_dsl.editor.changes.extract import extract
 from aseme_dsl.editor.changes.inline import formula_at, inline
@@ -64,7 +64,12 @@ class Action:
 def actions(view: View, start: int, end: int, folders: PythonFolders | None = None) -> tuple[Action, ...]:
     """What can be done about the text from `start` to `end`; `folders` is where its Python is."""
     here = [item for item in view.diagnostics if _touches(item, start, end)]
-    found = (*_mending(view, here), *_all(view, here), *_rewriting(view, start, end))
+    found = (
+        *_mending(view, here),
+        *_starting(view, here, folders),
+        *_all(view, here),
+        *_rewriting(view, start, end),
+    )
     return (*found, *_of_activity(view, start, end, folders)) if start == end else found
 
 
@@ -105,6 +110,16 @@ def _mending(view: View, here: list[Diagnostic]) -> Iterator[Action]:
                 preferred=fix.is_the_one,
                 cursor=fix.cursor,
             )
+
+
+def _starting(view: View, here: list[Diagnostic], folders: PythonFolders | None) -> Iterator[Action]:
+    """The quick fixes that start a file which is missing."""
+    for item in here:
+        name = None if folders is None else lacks_file(view, item, folders)
+        if name is not None and item.span is not None:
+            title = f"Start the Python file of `{name}`"
+            start, end = item.span.start, item.span.end
+            yield Action(title, ActionKind.QUICK_FIX, mends=(item,), name=CLASS, start=start, end=end)
 
 
 def _all(view: View, here: list[Diagnostic]) -> Iterator[Action]:

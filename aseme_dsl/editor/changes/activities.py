@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from aseme_dsl.diagnostics import Edit
+from aseme_dsl.diagnostics import Diagnostic, Edit
 from aseme_dsl.editor.answers.navigation import PythonFolders
 from aseme_dsl.editor.changes.rewriting import Refused, piece_at
 from aseme_dsl.editor.files.index import Kind
@@ -50,15 +50,45 @@ def description(view: View, offset: int) -> Iterator[tuple[str, Edit]]:
 
 
 def lacks_class(view: View, offset: int, folders: PythonFolders) -> str | None:
-    """The activity at `offset` if there is no module for its class yet."""
+    """The activity or the module at `offset` that has to have a class, if its file is not there yet."""
     name = activity_at(view, offset)
-    if name is None or folders.activities is None or (_module(folders.activities, name)).exists():
+    if name is None:
+        name = _module_at(view, offset)
+    elif (said := view.program.inspection.activities.get(name)) is not None and said.simulated:
+        return None
+    if name is None or folders.activities is None or _file(folders.activities, name).exists():
         return None
     return name
 
 
+def _module_at(view: View, offset: int) -> str | None:
+    """The module whose name stands at an offset in its description, if its code is found by its name."""
+    system = view.program.inspection.analysis.system
+    whole = view.program.inspection.loaded.layout.whole
+    for chart in system.iacs if system is not None else ():
+        for module in chart.modules:
+            span = whole(module.statement.span)
+            is_here = view.program.path_of(span.source) == view.path
+            if is_here and not module.target and span.start <= offset <= span.start + len(module.name):
+                return module.name
+    return None
+
+
+def lacks_file(view: View, problem: Diagnostic, folders: PythonFolders) -> str | None:
+    """The activity or module that E543 is about, if to write its file mends it.
+
+    It does not where the name is a participant's: then the role has to play it.
+    """
+    system = view.program.inspection.analysis.system
+    if problem.code != "E543" or problem.span is None or system is None:
+        return None
+    name = lacks_class(view, problem.span.start, folders)
+    participants = {part.name for aip in system.aips for part in aip.participants}
+    return None if name in participants else name
+
+
 def activity_class(view: View, offset: int, folders: PythonFolders) -> tuple[Path, str]:
-    """The module of the activity at `offset`, as `asemec build` would write it first.
+    """The file of the activity or the module at `offset`, as `asemec build` would write it first.
 
     Raises:
         Refused: There is no such activity, its module is there, or the system has errors.
@@ -71,15 +101,15 @@ def activity_class(view: View, offset: int, folders: PythonFolders) -> tuple[Pat
         raise Refused("there is no activity here that lacks a class")
     if system is None:
         raise Refused("mend the errors first: the class says what its activity reads and writes")
-    path = _module(folders.activities, name)
+    path = _file(folders.activities, name)
     for artefact in find_backend("monas").generate(system, BackendOptions(folders.templates)):
         if artefact.kept and artefact.path.endswith(f"/{path.name}"):
             return path, artefact.text
     raise Refused(f"no role does `{name}`")
 
 
-def _module(folder: Path, activity: str) -> Path:
+def _file(folder: Path, activity: str) -> Path:
     return folder / f"{module_name(activity)}.py"
 
 
-__all__ = ["activity_at", "activity_class", "description", "lacks_class"]
+__all__ = ["activity_at", "activity_class", "description", "lacks_class", "lacks_file"]

@@ -12,6 +12,7 @@ from typing import TypeVar, cast
 from aseme_dsl import outside
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler import Analysis, Options
+from aseme_dsl.compiler.checks.consequences import without_told
 from aseme_dsl.compiler.formula.holes import as_notes
 from aseme_dsl.compiler.names.symbols import Symbols
 from aseme_dsl.compiler.phases import Inspection, inspecting
@@ -266,8 +267,8 @@ class Workspace:
         if analysis.system is not None and not has_errors(diagnostics):
             found, allowed = self.project.code(Path(root), analysis.system)
             diagnostics = self.project.without_read(Path(root), analysis.system, diagnostics)
-            found = tuple(map(inspection.loaded.layout.diagnostic, found))
-            diagnostics = in_order((*diagnostics, *options.policy.apply(found)))
+            found = options.policy.apply(tuple(map(inspection.loaded.layout.diagnostic, found)))
+            diagnostics = in_order((*without_told(diagnostics, found), *found))
             suppressed += allowed
         is_root = self._header(root).is_system and not analysis.is_library
         if not is_root:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl.compiler import Options, analyse
+from aseme_dsl.compiler.checks.consequences import without_told
 from aseme_dsl.compiler.formula.holes import as_notes
 from aseme_dsl.compiler.phases import inspect_files
 from aseme_dsl.diagnostics import Diagnostic, Suppressed, has_errors, in_order
@@ -122,10 +123,7 @@ def compile_root(
         problems = tuple(map(layout.diagnostic, problems))
         diagnostics = without_read(diagnostics, system, configuration, activities, memory, look)
         problems = configuration.diagnostics.apply(problems)
-        # An activity without code that seems to be a participant: the error says so, too.
-        told = {item.hint for item in problems if item.code == "E543"}
-        diagnostics = tuple(item for item in diagnostics if item.code != "W202" or item.hint not in told)
-        diagnostics = in_order((*diagnostics, *problems))
+        diagnostics = in_order((*without_told(diagnostics, problems), *problems))
         suppressed += allowed
     files = tuple(source.path for source in system.sources) if system else ()
     return Compiled(
