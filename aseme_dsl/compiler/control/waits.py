@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
-from typing import assert_never
 
 from aseme_dsl.amola.expression import Failed, Raised
 from aseme_dsl.amola.liveness import Formula, ungrouped
-from aseme_dsl.amola.operators import Template
+from aseme_dsl.amola.operators import Operator, Template, is_choice
 from aseme_dsl.compiler.control.control import Lines
 from aseme_dsl.compiler.formula.formulas import Formulas
 from aseme_dsl.compiler.formula.terms import Terms, spelling, terms_of
@@ -81,37 +80,20 @@ def _first_choices(
     named: set[str] = set()
     while stack:
         owner, term = stack.pop()
-        row = term.operator.row
-        match row.template:
-            case Template.ACTIVITY:
-                formula = formulas.formula(term.name)
-                if formula is not None and term.name not in named:
-                    named.add(term.name)
-                    stack.append((term.name, ungrouped(formula)))
-            case Template.INSIDE:
-                stack.append((owner, ungrouped(term)))
-            case Template.BRANCHES:
-                if not lines.of(("start", term)):
-                    yield owner, term
-            case Template.CHAIN | Template.CUT:
-                first = ungrouped(term.operands[0])
-                if not lines.of(("enter", first)):
-                    stack.append((owner, first))
-            case Template.BODY:
-                if lines.of(("start", term)):
-                    continue
-                if row.skips:
-                    yield owner, term
-                else:
-                    stack.append((owner, ungrouped(term.operands[0])))
-            case Template.REGIONS:
-                if not lines.of(("start", term)):
-                    parts = [ungrouped(operand) for operand in reversed(term.operands)]
-                    stack += [(owner, part) for part in parts if not lines.of(("enter", part))]
-            case Template.UNDECIDED:
-                pass
-            case _:
-                assert_never(row.template)
+        operator = term.operator
+        if operator is Operator.NAME:
+            formula = formulas.formula(term.name)
+            if formula is not None and term.name not in named:
+                named.add(term.name)
+                stack.append((term.name, ungrouped(formula)))
+        elif operator is Operator.HOLE or lines.of(("start", term)):
+            continue
+        elif is_choice(operator):
+            yield owner, term
+        else:
+            beginning = term.operands if operator.row.template is Template.REGIONS else term.operands[:1]
+            parts = [ungrouped(operand) for operand in reversed(beginning)]
+            stack += [(owner, part) for part in parts if not lines.of(("enter", part))]
 
 
 __all__ = ["check_waits"]
