@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from typing import assert_never
 
 from aseme_dsl.amola.expression import StateValue, Value
 from aseme_dsl.amola.meant import states_meant
@@ -146,7 +147,10 @@ class Face:
                         return False
                     ends.append(f"self.r{region.number} == {self.flat.leaf[end.label]}")
                 return " and ".join(ends)
-        return False
+            case NodeType.END | NodeType.OR | NodeType.CONDITION:
+                return False
+            case _:
+                assert_never(leaf.type)
 
     def _key(self, label: str) -> str:
         return label.replace(".", "_")

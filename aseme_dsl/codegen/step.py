@@ -20,6 +20,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import assert_never
 
 from aseme_dsl.amola.expression import (
     Action,
@@ -1000,8 +1001,10 @@ class _Generator(Face):
                 method.add(depth, "else:", f"    self._resume_{self._key(target)}(now)")
             case NodeType.OR:
                 self._activate_start(method, depth, region, target)
-            case _:
+            case NodeType.START | NodeType.END | NodeType.CONDITION:
                 method.add(depth, f"self.r{region} = {number}")
+            case _:
+                assert_never(node.type)
 
     def _enter_one(
         self, method: Method, depth: int, region: int, entered: str, target: str, resume: bool

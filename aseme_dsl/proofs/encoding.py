@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
-from typing import Any
+from typing import Any, assert_never
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import DOUBLE, DURATION, INT, Kind, Type
@@ -295,7 +295,10 @@ class Encoder:
                 return self._z3.IntVal(number, self._context)
             case Kind.ENUM if isinstance(constant, str):
                 return self._z3.IntVal(self._vocabulary.enums[kind.name].number(constant), self._context)
-        return self._z3.IntVal(int(constant), self._context)
+            case Kind.INT | Kind.DURATION | Kind.OUTCOME | Kind.ENUM | Kind.MESSAGE | Kind.LIST:
+                return self._z3.IntVal(int(constant), self._context)
+            case _:
+                assert_never(kind.kind)
 
     def number(self, number: Fraction) -> Any:
         """A real number as z3 writes it."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
+from typing import Any, assert_never
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.messages import Kind
@@ -267,10 +267,13 @@ class Snapshot:
             case Kind.INT:
                 whole = [int(number) for number in self._numbers]
                 return _few([0, 1, *(n for number in whole for n in (number, number + 1, number - 1))])
-        ordered = sorted({Fraction(repr(number)) for number in self._numbers})
-        middles = [(one + two) / 2 for one, two in pairwise(ordered)]
-        around = [n for number in self._numbers for n in (number, number + 1, number - 1)]
-        return [float(number) for number in _few([0, 1, *around, *middles])]
+            case Kind.DOUBLE | Kind.MESSAGE | Kind.LIST:
+                ordered = sorted({Fraction(repr(number)) for number in self._numbers})
+                middles = [(one + two) / 2 for one, two in pairwise(ordered)]
+                around = [n for number in self._numbers for n in (number, number + 1, number - 1)]
+                return [float(number) for number in _few([0, 1, *around, *middles])]
+            case _:
+                assert_never(unknown.type.kind)
 
     def _read(self, value: Any) -> Any:
         """What z3 has chosen itself. Raises Undecided for a number that has no digits to write."""
@@ -382,7 +385,10 @@ class Snapshot:
                 return f"agent {len(value) + 1}"
             case Kind.DOUBLE:
                 return format(Decimal(repr(value)).normalize(), "f")
-        return str(value)
+            case Kind.INT | Kind.MESSAGE | Kind.LIST:
+                return str(value)
+            case _:
+                assert_never(unknown.type.kind)
 
 
 def _few(candidates: Iterable[Any]) -> list[Any]:

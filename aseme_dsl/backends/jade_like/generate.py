@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, assert_never
 
 from aseme_dsl.amola.aip import Participant
 from aseme_dsl.amola.expression import duration_text
@@ -221,7 +221,10 @@ def _formula(chart: Statechart, item: Behaviour) -> str:
             return " || ".join(parts)
         case Kind.CYCLIC:
             return f"{parts[0]}~"
-    return ""
+        case Kind.ONE_SHOT | Kind.TICKER | Kind.FSM:
+            return ""
+        case _:
+            assert_never(item.kind)
 
 
 def _attributes(item: Behaviour) -> Iterator[str]:

@@ -22,6 +22,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import assert_never
 
 from aseme_dsl.amola.expression import After, duration_text
 from aseme_dsl.amola.srm import Activity
@@ -224,6 +225,13 @@ class _Planter:
             case Kind.PARALLEL:
                 same = len(set(inner)) == 1 and len(inner) > 1
                 return f"{first}Times{len(inner)}" if same else _joined(inner, "And", "Parallel")
+            case Kind.ONE_SHOT | Kind.FSM:
+                return self._machine(chain, inner, first)
+            case _:
+                assert_never(kind)
+
+    def _machine(self, chain: Sequence[Node], inner: Sequence[str], first: str) -> str:
+        """What a state machine is called, by the operator that it is."""
         ways = self.ways(chain[-1])
         loops = any(item.source == item.target for item in ways)
         choice = any(child.type is NodeType.CONDITION for child in self.chart.children(chain[-1].label))

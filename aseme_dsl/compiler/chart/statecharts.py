@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import count
+from typing import assert_never
 
 from aseme_dsl.amola.liveness import called
 from aseme_dsl.amola.statechart import (
@@ -239,14 +240,17 @@ def _structure(written: tree.Statechart, nodes: Mapping[str, Node]) -> Iterator[
                 yield from _or_rules(node, inside)
             case NodeType.AND:
                 yield from _and_rules(node, inside)
-            case _ if inside:
-                yield Diagnostic(
-                    "E606",
-                    f"{node.label} is {node.type} and cannot have states inside",
-                    inside[0].span,
-                    (Related(node.span, f"{node.label}"),),
-                    hint=f"make {node.label} OR",
-                )
+            case NodeType.START | NodeType.END | NodeType.BASIC | NodeType.CONDITION:
+                if inside:
+                    yield Diagnostic(
+                        "E606",
+                        f"{node.label} is {node.type} and cannot have states inside",
+                        inside[0].span,
+                        (Related(node.span, f"{node.label}"),),
+                        hint=f"make {node.label} OR",
+                    )
+            case _:
+                assert_never(node.type)
 
 
 def _with_root(nodes: dict[str, Node]) -> dict[str, Node]:

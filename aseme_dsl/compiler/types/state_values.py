@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import assert_never
 
 from aseme_dsl.amola.expression import StateValue, values_of, walk
 from aseme_dsl.amola.meant import states_meant
@@ -106,7 +107,10 @@ def _completes(chart: Statechart, node: Node) -> bool:
             return chart.end_of(node.label) is not None
         case NodeType.AND:
             return all(chart.end_of(region.label) is not None for region in chart.children(node.label))
-    return True
+        case NodeType.START | NodeType.END | NodeType.BASIC | NodeType.CONDITION:
+            return True
+        case _:
+            assert_never(node.type)
 
 
 __all__ = ["check_states", "state_value"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
+from typing import assert_never
 
 from aseme_dsl.amola.statechart import Node, NodeType
 from aseme_dsl.diagrams.look import legend, style
@@ -110,6 +111,14 @@ def _leaf(view: View, node: Node, stays: Staying, links: Mapping[str, str]) -> B
         case NodeType.CONDITION:
             look = style.CONDITION_CIRCLE | protocol_border(view, node)
             return Box(state_id(node.label), common | look, ("c",))
+        case NodeType.OR | NodeType.AND | NodeType.BASIC:
+            return _titled(view, node, stays, links, common)
+        case _:
+            assert_never(node.type)
+
+
+def _titled(view: View, node: Node, stays: Staying, links: Mapping[str, str], common: dict[str, str]) -> Box:
+    """The box of a state that has a name."""
     cells = [Cell(name_lines(node), align="CENTER")]
     closed, look = closed_marks(view, node, links)
     if closed and node.name != node.label:

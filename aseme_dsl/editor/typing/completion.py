@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
+from typing import assert_never
 
 from aseme_dsl.amola.liveness import Formula, canonical
 from aseme_dsl.amola.operators import INFIX
@@ -285,6 +286,10 @@ def _in_slot(ask: Ask, slot: Slot) -> Iterator[Item]:
                 return
             named = tuple(outcomes(scope, slot))
             yield from named or values(scope, ask.known, slot, ask.place.text)
+        case SlotKind.COMPLETE:
+            pass
+        case _:
+            assert_never(slot.kind)
 
 
 def _states(ask: Ask, party: Party | None) -> Iterator[Item]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, assert_never
 
 from aseme_dsl.amola.expression import Literal, Raised, Received
 from aseme_dsl.amola.messages import Kind, Type
@@ -181,7 +181,10 @@ class _Drawing:
                 return self.classes[kind.name][chance.choice(self.enums[kind.name].constants)[0]]
             case Kind.MESSAGE:
                 return self.content(kind.name)
-        return None
+            case Kind.OUTCOME | Kind.AGENT | Kind.LIST:
+                return None
+            case _:
+                assert_never(kind.kind)
 
 
 __all__ = ["STARTS", "drawn", "drawn_anew"]
