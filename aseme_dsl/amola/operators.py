@@ -208,6 +208,9 @@ INFIX = tuple(
 )
 """The infix operators, the tightest first."""
 
+USUAL = (Operator.SEQUENCE, Operator.CHOICE, Operator.PARALLEL)
+"""The infix operators that a hint names."""
+
 INFIX_SIGNS = {operator.value: operator for operator in INFIX}
 
 POSTFIX = {

@@ -11,7 +11,7 @@ from aseme_dsl.amola.liveness import canonical
 from aseme_dsl.amola.operators import INFIX, Fixity, Operator, with_number
 from aseme_dsl.grammar.layout import format_source
 from aseme_dsl.source import Source
-from tests.grammar.reading import formula
+from tests.grammar.reading import formula, mistakes
 from tests.support.compiling import codes, role_chart
 
 LANGUAGE = Path(__file__).parents[2] / "docs" / "language"
@@ -57,6 +57,13 @@ def test_the_reference_gives_the_infix_operators_from_the_tightest_to_the_looses
     postfix = [item.value for item in Operator if item.row.fixity is Fixity.POSTFIX]
     infix = [item.value for item in INFIX if item is not Operator.HOLE]
     assert said == [*postfix, *infix]
+
+
+@pytest.mark.parametrize("operator", INFIX)
+def test_a_missing_colon_of_control_is_found_behind_the_whole_term(operator: Operator) -> None:
+    text = f"srm R {{ liveness {{ R = A . B }} control R {{ enter A {operator} B [true] }} }}"
+    messages = [item.message for item in mistakes(text) if item.code == "E100"]
+    assert messages == ["expected ':' after 'B', found '['"]
 
 
 def test_no_two_infix_operators_bind_equally() -> None:

@@ -6,7 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from aseme_dsl.amola.liveness import Formula
-from aseme_dsl.amola.operators import BRACKETS, INFIX, INFIX_SIGNS, MISTAKEN, NUMBER, POSTFIX, Operator, parts
+from aseme_dsl.amola.operators import (
+    BRACKETS,
+    INFIX,
+    INFIX_SIGNS,
+    MISTAKEN,
+    NUMBER,
+    POSTFIX,
+    USUAL,
+    Operator,
+    parts,
+)
 from aseme_dsl.diagnostics import Diagnostic, Edit, Related
 from aseme_dsl.grammar.formulas.expression import read_arguments
 from aseme_dsl.grammar.formulas.words import BUILT_IN_TYPES, RESERVED, Malformed, is_hyphen, is_name
@@ -22,10 +32,7 @@ _POSTFIX = {parts(sign)[0]: (parts(sign), operator) for sign, operator in POSTFI
 
 _CLOSES = {opening: closing[0] for opening, (_, closing) in BRACKETS.items()}
 
-_OPERATORS = (
-    f"'.' is {Operator.SEQUENCE.row.meaning}, '|' {Operator.CHOICE.row.meaning}, "
-    f"'||' {Operator.PARALLEL.row.meaning}"
-)
+_OPERATORS = ", ".join(f"'{item}' {item.row.meaning}" for item in USUAL).replace(" ", " is ", 1)
 _MEANT = {sign: f"write '{meant}' for {meant.row.meaning}" for sign, meant in MISTAKEN.items()} | {
     ">": f"write '[>' for one that cuts the other short, '.' for {Operator.SEQUENCE.row.meaning}",
     "=": "is a name missing before '='?",

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import Any, TypeVar
 
+from aseme_dsl.amola.operators import USUAL
 from aseme_dsl.diagnostics import Diagnostic, Related
 from aseme_dsl.grammar.formulas.expression import (
     Malformed,
@@ -370,7 +371,7 @@ class _Builder:
                         "E109",
                         "an operator is still to be chosen here",
                         Span(self.source, token.start, end),
-                        hint="write `.` for one after the other, `|` for one of both, `||` for both at once",
+                        hint="write " + ", ".join(f"`{item}` for {item.row.meaning}" for item in USUAL),
                     )
                 )
 
