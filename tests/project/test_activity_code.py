@@ -560,6 +560,29 @@ def test_an_import_of_a_module_that_is_not_generated(
 
 
 @pytest.mark.parametrize(
+    ("line", "place", "hint"),
+    [
+        (
+            "from aseme_dsl.runtime.directory import Entry",
+            "directory",
+            "it is `aseme_dsl.runtime.conversation.directory` now",
+        ),
+        ("import aseme_dsl.runtime.machine", "machine", "it is `aseme_dsl.runtime.plain.machine` now"),
+        ("from aseme_dsl.nothing.at import all", "nothing", None),
+    ],
+)
+def test_an_import_of_a_module_of_ours_that_was_moved(
+    tmp_path: Path, line: str, place: str, hint: str | None
+) -> None:
+    found = say(tmp_path, "search.py", f"{line}\n" + activity("return 1"))
+    assert shown(found) == [("E546", place, hint)]
+    right = (
+        "from aseme_dsl.runtime import Context\nimport aseme_dsl.runtime.plain.machine\nimport aseme_dsl\n"
+    )
+    assert say(tmp_path, "search.py", right + activity("return 1")) == []
+
+
+@pytest.mark.parametrize(
     "line",
     [
         "from monas.Team import TEAM, messages as m, player, PlayerStep",

@@ -17,6 +17,7 @@ from aseme_dsl.source import Span
 if TYPE_CHECKING:
     from aseme_dsl.amola.system import System
 
+_OURS = "aseme_dsl"
 _SYSTEM = re.compile(r"^\s*system\s+(\w+)", re.MULTILINE)
 
 
@@ -34,8 +35,8 @@ def systems_beside(system: System, neighbours: Iterable[Path]) -> frozenset[str]
 def wrong_imports(
     tree: ast.Module, system: System, systems: Collection[str], place: Callable[[ast.expr | ast.stmt], Span]
 ) -> Iterator[Diagnostic]:
-    """E546 for an import of what is generated for a system that there is not, as before it was renamed, and
-    of a module that is not generated.
+    """E546 for an import of what is generated for a system that there is not, as before it was renamed, of a
+    module that is not generated, and of a module of `aseme_dsl` that there is not, as before it was moved.
 
     An import inside `try` may fail.
     """
@@ -47,9 +48,11 @@ def wrong_imports(
         for parts, is_name in _modules(node):
             problem: Diagnostic | None = None
             backend, name = parts[0], parts[1] if len(parts) > 1 else "*"
-            if backend not in AGENTS or name == "*":
+            if name == "*" or backend not in (*AGENTS, _OURS):
                 continue
-            if name not in systems:
+            if backend == _OURS:
+                problem = _not_of_ours(parts[:-1] if is_name else parts, place(node))
+            elif name not in systems:
                 problem = Diagnostic(
                     "E546",
                     f"there is no generated module `{backend}.{name}`: the system is called `{system.name}`",
@@ -62,6 +65,26 @@ def wrong_imports(
             if problem is not None and problem.span not in told:
                 told.add(problem.span)
                 yield problem
+
+
+def _not_of_ours(parts: tuple[str, ...], whole: Span) -> Diagnostic | None:
+    """E546 for a module that our package does not have, with the one of its name that is elsewhere in it."""
+    folder = Path(__file__).parents[2]
+    for depth, part in enumerate(parts[1:], 2):
+        if (folder / f"{part}.py").is_file():
+            return None
+        if not (folder / part).is_dir():
+            found = [path.relative_to(folder) for path in folder.rglob(f"{part}.py")]
+            now = ".".join(found[0].with_suffix("").parts) if len(found) == 1 else None
+            return Diagnostic(
+                "E546",
+                f"there is no module `{'.'.join(parts[:depth])}`",
+                _place(whole, parts[:depth]),
+                hint=f"it is `{'.'.join([*parts[: depth - 1], now])}` now" if now is not None else None,
+                fix=now,
+            )
+        folder /= part
+    return None
 
 
 def _not_generated(parts: tuple[str, ...], is_name: bool, system: System, whole: Span) -> Diagnostic | None:
