@@ -508,7 +508,7 @@ def _named(block: tree.Srm | tree.Aip) -> frozenset[str]:
     return frozenset(node.name for item in _formulas_of(block) for node in names(item.formula))
 
 
-_OF_CODE = frozenset(("N726", "W542"))
+_OF_CODE = frozenset(("N726", "W542", "W556"))
 """What is found only where the activities' code is at hand (project/code/activity_code.py)."""
 
 _IMPORTABLE = (

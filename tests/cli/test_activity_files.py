@@ -321,3 +321,38 @@ def test_a_participant_that_the_role_forgets_to_play(here: Here, project: Path) 
     change(project, "1s simulated } }\nsrm shop", "1s simulated } }\nsrm shop")
     change(project, "activities { Open", "activities { seller takes 1s simulated  Open")
     assert codes(here("check", "--json")).count("W202") == 1  # no error that says it
+
+
+SILENT = """system Kitchen
+message Meal { int table }
+aip serving {
+  participant waiter { process = Ask }
+  participant cook {
+    sends    inform Meal
+    process  = Cook
+  }
+}
+srm robot { plays serving.cook  liveness { robot = cook }  activities { Cook takes 1s simulated } }
+"""
+
+
+def test_what_a_simulated_activity_would_send_is_sent_by_nobody(here: Here, folder: Path) -> None:
+    (folder / "kitchen.aseme").write_text(SILENT)
+    assert "no line and no activity of `cook` sends `inform Meal`" in here("check", "kitchen.aseme").out
+
+
+@pytest.mark.parametrize(
+    "allowed",
+    [
+        "    // asemec: allow(W556) later\n    // (the grill is not there yet)\n    sends    inform Meal\n",
+        "    sends    inform Meal  // asemec: allow(W556) later\n",
+    ],
+)
+def test_a_comment_above_or_behind_allows_it(here: Here, folder: Path, allowed: str) -> None:
+    text = SILENT.replace("    sends    inform Meal\n", allowed)
+    (folder / "kitchen.aseme").write_text(text)
+    done = here("check", "kitchen.aseme", "--json")
+    assert [item["code"] for item in done.json["diagnostics"] if item["code"] in ("W556", "W011")] == []
+    (folder / "kitchen.aseme").write_text(text.replace("W556", "W300"))
+    done = here("check", "kitchen.aseme", "--json")
+    assert [item["code"] for item in done.json["diagnostics"] if item["code"][0] == "W"].count("W556") == 1

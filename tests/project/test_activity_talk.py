@@ -109,3 +109,40 @@ def test_a_module_that_activities_share_may_do_it(tmp_path: Path) -> None:
     assert [item.message for item in say(tmp_path)] == [
         "no line and no activity of `cook` takes `cancel Order`"
     ]
+
+
+SIMULATED = SYSTEM.replace(
+    "liveness { robot = cook . Rest }",
+    "liveness { robot = cook . Rest }\n"
+    "  activities { Wait takes 1s simulated  Boil takes 1s simulated  Rest takes 1s simulated }",
+)
+
+
+def test_a_simulated_activity_sends_and_takes_nothing(tmp_path: Path) -> None:
+    for folder in (tmp_path, tmp_path / "nowhere"):
+        found, _ = check_code(system(SIMULATED), folder)
+        assert [item.message for item in found if item.code == "W556"] == [
+            "no line and no activity of `cook` sends `inform Meal`",
+            "no line and no activity of `cook` sends `refuse Order`",
+            "no line and no activity of `cook` takes `cancel Order`",
+        ]
+    partly = SIMULATED.replace("Boil takes 1s simulated", "Boil takes 1s")
+    assert not [item for item in check_code(system(partly), tmp_path)[0] if item.code == "W556"]
+    found, _ = check_code(system(SIMULATED), tmp_path, alone=False)
+    assert not found, "another system may have the code"
+
+
+@pytest.mark.parametrize(
+    ("body", "left"),
+    [
+        ('context.send("tell", Meal(1), "waiter")', ["sends `refuse Order`", "takes `cancel Order`"]),
+        ('context.send("refuse", Meal(1), "waiter")', ["takes `cancel Order`"]),
+        ('context.receive("cancel", "Meal")', ["sends `inform Meal`", "sends `refuse Order`"]),
+    ],
+)
+def test_what_a_wrong_call_was_meant_for_is_not_told_again(
+    tmp_path: Path, body: str, left: list[str]
+) -> None:
+    found = say(tmp_path, Boil=body, Wait="pass")
+    assert [item.code for item in found] == ["W555"] + ["W556"] * len(left)
+    assert [item.message.partition("`cook` ")[2] for item in found[1:]] == left

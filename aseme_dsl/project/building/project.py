@@ -158,11 +158,11 @@ def code_problems(
 ) -> tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]:
     """What the code of the activities gets wrong, where there is some; several systems may share it."""
     folder = code_folder(configuration, activities)
-    if folder is None:
-        return (), ()
-    from aseme_dsl.project.code.activity_code import check_code
+    from aseme_dsl.project.code.activity_code import check_code, check_silence
 
     alone = len(configuration.files) < 2
+    if folder is None:
+        return check_silence(system, alone=alone, memory=memory)
     required = None
     if activities is not None or configuration.activities is not None:
         required = _required(system, configuration, from_option=activities is not None)

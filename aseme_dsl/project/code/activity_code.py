@@ -80,9 +80,11 @@ def check_code(
     found by their names. With a `memory`, what has not changed since is not looked at again: a file as long
     as `look` says the same of it.
     """
-    if not folder.is_dir():
-        return () if required is None else missing_folder(system, folder, required, project), ()
     memory = memory or Memory()
+    if not folder.is_dir():
+        missing = () if required is None else missing_folder(system, folder, required, project)
+        silent, allowed = check_silence(system, alone=alone, memory=memory)
+        return (*missing, *silent), allowed
     world = _World.of(system, alone, memory)
     types = memory.same("types", System(system.name, enums=system.enums, messages=system.messages))
     no_types = memory.same("no types", System(system.name))
@@ -95,7 +97,7 @@ def check_code(
     complete = True
     described: list[tuple[_Code, Activity, str, str]] = []
     worded: list[tuple[_Code, System]] = []
-    talks: dict[str, tuple[Talk, ...]] = {}
+    talks = _of_simulated(system)
     for piece in pieces:
         if piece.said.simulated:  # its code, which is to come, may raise any event
             complete = False
@@ -141,8 +143,30 @@ def check_code(
     if complete and world.events:
         found += _never_raised([code for code in codes.values() if code.module is not None], world, memory)
     memory.end()
-    kept = [item for item in found if _allowed(item) is None]
-    return tuple(kept), tuple(allowed for item in found if (allowed := _allowed(item)) is not None)
+    return _kept(found)
+
+
+_Kept = tuple[tuple[Diagnostic, ...], tuple[Suppressed, ...]]
+
+
+def _kept(found: Iterable[Diagnostic]) -> _Kept:
+    """What is not allowed, and what is."""
+    found = tuple(found)
+    kept = tuple(item for item in found if _allowed(item) is None)
+    return kept, tuple(allowed for item in found if (allowed := _allowed(item)) is not None)
+
+
+def check_silence(system: System, *, alone: bool = True, memory: Memory | None = None) -> _Kept:
+    """W556 where there is no code: of participants whose activities are all simulated."""
+    memory = memory or Memory()
+    if not (alone and system.aips):
+        return (), ()
+    return _kept(unsaid(system, parts_of(system, memory), _of_simulated(system), ()))
+
+
+def _of_simulated(system: System) -> dict[str, tuple[Talk, ...]]:
+    """What simulated activities send and take: nothing."""
+    return {item.name: () for item in system.activities if item.simulated}
 
 
 def _unreadable(codes: Mapping[str, _Code], needed: Mapping[str, str]) -> Iterator[Diagnostic]:
@@ -232,11 +256,17 @@ def _allowed(item: Diagnostic) -> Suppressed | None:
     if item.span is None or CODES[item.code].severity == Severity.ERROR:
         return None
     source, number = item.span.source, item.span.line
-    written = _ALLOW.search(source.line(number))
-    if written is None or item.code not in re.split(r"[\s,]+", written["codes"]):
-        return None
-    start = source.line_start(number) + written.start("codes")
-    return Suppressed(item, Span(source, start, start + len(written["codes"])), written["reason"].strip())
+    lines = [number]
+    while lines[-1] > 1 and source.line(lines[-1] - 1).lstrip().startswith("//"):
+        lines.append(lines[-1] - 1)  # of a file of the language: a line of its own above it
+    for line in lines:
+        written = _ALLOW.search(source.line(line))
+        if written is not None and item.code in re.split(r"[\s,]+", written["codes"]):
+            start = source.line_start(line) + written.start("codes")
+            return Suppressed(
+                item, Span(source, start, start + len(written["codes"])), written["reason"].strip()
+            )
+    return None
 
 
 @dataclass(frozen=True, slots=True)
@@ -741,4 +771,4 @@ def _is_known(call: _Call, activity: Activity, world: _World) -> bool:
     return call.name in world.channels
 
 
-__all__ = ["check_code", "code_files", "variables_read"]
+__all__ = ["check_code", "check_silence", "code_files", "variables_read"]

@@ -9,7 +9,7 @@ import ast
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from aseme_dsl.amola.aip import Aip, Participant
+from aseme_dsl.amola.aip import AgentMessage, Participant
 from aseme_dsl.amola.expression import Received, Send
 from aseme_dsl.amola.statechart import NodeType, Statechart
 from aseme_dsl.amola.system import System
@@ -88,13 +88,8 @@ def unfit_talk(parts: Parts, talks: Mapping[str, tuple[Talk, ...]]) -> Iterator[
 def _unfit(name: str, talk: Talk, parts: Iterable[Participant]) -> Iterator[Diagnostic]:
     verb = "sends" if talk.method == "send" else "receives"
     parts = tuple(parts)
-    listed = [item for part in parts for item in (part.sends if verb == "sends" else part.receives)]
-    if talk.performative is None and talk.message is None:
-        return
-    if any(
-        talk.performative in (None, item.performative) and talk.message in (None, item.message)
-        for item in listed
-    ):
+    listed = _listed(talk, parts)
+    if _fits(talk, listed):
         return
     whole = [f"{item.performative} {item.message}" for item in listed]
     who = " or ".join(dict.fromkeys(f"`{part.name}`" for part in parts))
@@ -108,6 +103,21 @@ def _unfit(name: str, talk: Talk, parts: Iterable[Participant]) -> Iterator[Diag
         hint = f"did you mean `{near}`?" if near else f"it {verb} {', '.join(whole) or 'nothing'}"
     yield Diagnostic(
         "W555", problem, talk.span, tuple(Related(part.span, "the participant") for part in parts), hint=hint
+    )
+
+
+def _listed(talk: Talk, parts: Iterable[Participant]) -> list[AgentMessage]:
+    """What participants send or receive, as the call does."""
+    return [item for part in parts for item in (part.sends if talk.method == "send" else part.receives)]
+
+
+def _fits(talk: Talk, listed: Iterable[AgentMessage]) -> bool:
+    """Whether a call may be about one of the messages, as far as its text says."""
+    if talk.performative is None and talk.message is None:
+        return True
+    return any(
+        talk.performative in (None, item.performative) and talk.message in (None, item.message)
+        for item in listed
     )
 
 
@@ -144,7 +154,8 @@ def unsaid(
 ) -> Iterator[Diagnostic]:
     """W556 for what a participant lists and neither a line of it nor one of its activities sends or takes.
 
-    Only where there is code of all activities of the participant: else it may still be written.
+    Only where there is code of all activities of the participant, or they are simulated, and so say nothing:
+    else it may still be written. What a wrong call (W555) may have been meant for is not told.
     """
     activities: dict[int, list[str]] = {}
     for name, mine in parts.items():
@@ -160,10 +171,13 @@ def unsaid(
             if not names or not all(name in talks for name in names):
                 continue
             said = [*shared, *(talk for name in names for talk in talks[name])]
-            yield from _never(aip, part, chart, said)
+            wrong = [
+                talk for name in names for talk in talks[name] if not _fits(talk, _listed(talk, parts[name]))
+            ]
+            yield from _never(part, chart, said, wrong)
 
 
-def _never(aip: Aip, part: Participant, chart: Statechart, said: list[Talk]) -> Iterator[Diagnostic]:
+def _never(part: Participant, chart: Statechart, said: list[Talk], wrong: list[Talk]) -> Iterator[Diagnostic]:
     sent, taken = _by_lines(chart, part)
     for verb, items, lines, methods in (
         ("sends", part.sends, sent, ("send",)),
@@ -176,8 +190,13 @@ def _never(aip: Aip, part: Participant, chart: Statechart, said: list[Talk]) -> 
                 and talk.message in (None, item.message)
                 for talk in said
             )
+            is_meant = any(
+                (talk.method == "send") == (verb == "sends")
+                and (talk.performative == item.performative or talk.message == item.message)
+                for talk in wrong
+            )
             whole = (item.performative, item.message)
-            if whole in lines or by_code or item.performative == NOT_UNDERSTOOD:
+            if whole in lines or by_code or is_meant or item.performative == NOT_UNDERSTOOD:
                 continue
             text = f"{item.performative} {item.message}"
             how = f"`send {text} to …`" if verb == "sends" else f"`{text} from …`"
