@@ -43,7 +43,7 @@ from aseme_dsl.compiler.checks.use import check_use
 from aseme_dsl.compiler.checks.waking import check_waking
 from aseme_dsl.compiler.formula.holes import apart_from_holes
 from aseme_dsl.compiler.names.inclusion import Inclusion, errors_alone, include
-from aseme_dsl.compiler.names.renamed import renamed
+from aseme_dsl.compiler.names.renamed import renamed, renamed_roles
 from aseme_dsl.compiler.names.resolve import resolve
 from aseme_dsl.compiler.names.scope import Scope
 from aseme_dsl.compiler.names.symbols import Symbols
@@ -261,7 +261,11 @@ def _inspecting(
         for name, role in roles.items()
     ]
     srms = keep_all((yield from each(_srm, in_charts, cases)))
-    missing += suc_to_srm(cases, roles, _not_looked_into(given, inclusion), blocks.aips)
+    elsewhere = _not_looked_into(given, inclusion)
+    whole = [item for item in blocks.srms if item.name.text not in elsewhere]
+    others, problems = renamed_roles(cases, whole, {*roles, *elsewhere})
+    found += () if unread else problems
+    missing += suc_to_srm(cases, roles, {*elsewhere, *others}, blocks.aips)
     missing += [item for protocol in protocols.values() for item in protocol.missing]
     missing += [item for role in roles.values() for item in role.missing]
     missing = _once(missing)

@@ -237,6 +237,31 @@ def test_a_protocol_that_others_have_or_that_does_other_things_is_no_renamed_one
     assert "aip praise {" in done.text and told(done, "W560") == []
 
 
+def test_a_renamed_role_is_not_written_again() -> None:
+    text = """system S
+suc {
+  role keeper
+  usecase tidy by keeper includes sweep, wash
+}
+srm cleaner {
+  liveness { cleaner = tidy  tidy = Sweep . Wash }
+  activities { Sweep takes 1s simulated  Wash takes 1s simulated }
+}
+"""
+    done = run(text)
+    assert done.text == text and told(done, "N703") == []
+    assert told(done, "W560") == [
+        "there is no srm `keeper`, and the use cases do not name the role `cleaner`"
+    ]
+    other = text.replace("cleaner = tidy  tidy = Sweep . Wash", "cleaner = Cook . Eat").replace(
+        "Sweep takes 1s simulated  Wash takes 1s simulated", ""
+    )
+    assert "srm keeper {" in run(other).text and told(run(other), "W560") == []
+    named = text.replace("role keeper", "role keeper\n  role cleaner")
+    assert "srm keeper {" in run(named).text and told(run(named), "W560") == []
+    assert told(run(text.replace("cleaner", "keeper")), "W560") == []
+
+
 def test_what_only_advises_is_told_apart() -> None:
     done = run(SHOP.replace("by customer, seller", "by customer, seller, clerk"))
     assert [item.message for item in done.added if item.code == "N702"] == [

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from aseme_dsl.amola.liveness import names
-from aseme_dsl.amola.suc import UseCase
+from aseme_dsl.amola.suc import RoleType, UseCase
 from aseme_dsl.compiler.names.usecases import UseCases, folded
 from aseme_dsl.compiler.read.blocks import participants_of
 from aseme_dsl.compiler.read.library import is_of_library
@@ -63,6 +63,47 @@ def renamed(
     return UseCases(suc, by_name, by_participant, cases.spellings), tuple(found)
 
 
+def renamed_roles(
+    cases: UseCases, srms: Sequence[tree.Srm], written: Collection[str]
+) -> tuple[frozenset[str], tuple[Diagnostic, ...]]:
+    """The roles that are not `written`, where one that `suc` does not name does the same; W560 each."""
+    known = {role.name for role in cases.suc.roles}
+    known |= {name for case in cases.suc.usecases for name in case.participants}
+    free = [srm for srm in srms if srm.name.text not in known and not is_of_library(srm.span.source)]
+    found: list[Diagnostic] = []
+    names_of_roles: set[str] = set()
+    for role in cases.suc.roles:
+        if role.type is not RoleType.SYSTEM or role.name in written:
+            continue
+        own = [case for case in cases.suc.usecases if role.name in case.participants]
+        wanted = {name for case in own for name in cases.names_of(case)}
+        meant = next((srm for srm in free if not wanted.isdisjoint(_done_by(srm))), None)
+        if meant is None:
+            continue
+        free.remove(meant)
+        names_of_roles.add(role.name)
+        found.append(
+            Diagnostic(
+                "W560",
+                f"there is no srm `{role.name}`, and the use cases do not name the role `{meant.name}`",
+                role.span,
+                (Related(meant.name.span, "is it this?"),),
+                hint=f"if it is the same: call it so, too; if not: write an srm for `{role.name}`, and name "
+                f"`{meant.name}` in the use cases",
+            )
+        )
+    return frozenset(names_of_roles), tuple(found)
+
+
+def _done_by(srm: tree.Srm) -> set[str]:
+    """What the formulas of a role name, and what they are called."""
+    return {
+        folded(name)
+        for item in srm.formulas
+        for name in (item.name.text, *(node.name for node in names(item.formula)))
+    }
+
+
 def _is_protocol_of(case: UseCase, cases: UseCases, aip: tree.Aip) -> bool:
     """Whether two roles of the use case take part, and something that it includes is done there."""
     parts = participants_of(aip)
@@ -92,4 +133,4 @@ def _included(case: UseCase, cases: UseCases) -> list[tuple[str, ...]]:
     return [cases.names_of(cases.case(name)) for name in case.includes]
 
 
-__all__ = ["renamed"]
+__all__ = ["renamed", "renamed_roles"]
