@@ -153,7 +153,7 @@ def command(
         unused.append(("--system", "on what has one system", "leave it out, or name the output folder"))
     if quiet and verbose:
         unused.append(QUIET_AND_VERBOSE)
-    if (code := refuse_options(unused, str(folder), False, colour)) is not None:
+    if code := refuse_options(unused, str(folder), False, colour):
         return code
     try:
         if played_as_it_is:

@@ -184,7 +184,7 @@ def command(
             if name in AGENTS and not (Path(target) / name).is_dir():
                 hint = f"build with `--backend {name}` first"
                 unused.append((f"--backend {name}", "on an output folder without its files", hint))
-    if (code := refuse_options(unused, target, as_json, colour)) is not None:
+    if code := refuse_options(unused, target, as_json, colour):
         return code
     try:
         if played_as_it_is:
@@ -213,9 +213,7 @@ def command(
             if allowed:
                 why = "where each robot is a process"
                 hint = "leave it out: the robots end by themselves, or when the time is over"
-                code = refuse_options([("--allow", why, hint)], target, as_json, colour)
-                assert code is not None
-                return code
+                return refuse_options([("--allow", why, hint)], target, as_json, colour)
             if not quiet and not as_json and bare is not None:
                 for line in lines_without_code(bare, target, output):
                     click.echo(line)

@@ -175,12 +175,13 @@ def given_options() -> list[str]:
     ]
 
 
-def refuse_options(
-    found: Sequence[tuple[str, str, str]], target: str, as_json: bool, colour: str
-) -> int | None:
-    """Refuse options that have no effect on a target: each with why not, and what to do; the exit code."""
+def refuse_options(found: Sequence[tuple[str, str, str]], target: str, as_json: bool, colour: str) -> int:
+    """Refuse options that have no effect on a target: each with why not, and what to do.
+
+    The exit code: 0 if there are none.
+    """
     if not found:
-        return None
+        return 0
     problems = [
         Diagnostic("E028", f"`{option}` has no effect {why}", None, hint=hint, path=target)
         for option, why, hint in found

@@ -100,9 +100,7 @@ def command(
     if as_json and format_ is not None and output is None:
         unused = [("--format", "with `--json`, which prints rows", "write a file with -o, or leave one out")]
         where = ", ".join(targets) or "."
-        code = refuse_options(unused, where, as_json, colour)
-        assert code is not None
-        return code
+        return refuse_options(unused, where, as_json, colour)
     format_ = _format(format_, output)
     if each and output is None:
         raise click.UsageError("--each writes files: name one with -o.")

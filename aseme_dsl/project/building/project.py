@@ -159,7 +159,7 @@ def code_problems(
     """What the code of the activities gets wrong, where there is some; several systems may share it."""
     folder = code_folder(configuration, activities)
     if folder is None and not system.aips:
-        return (), ()
+        return (), ()  # and nothing is imported that looks at code
     from aseme_dsl.project.code.activity_code import check_code, check_silence
 
     alone = len(configuration.files) < 2

@@ -177,16 +177,16 @@ def unknown_members(
     """W530 for a member that is read and that the message does not have."""
     messages = {item.name: item for item in system.messages}
     names = {called: name for called, name in type_names(tree, system).items() if name in messages}
+    calls = _Calls(readings, messages, names, contexts, text)
     said: set[int] = set()
     for function in ast.walk(tree):
         if not isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)):
             continue
-        known = _locals(function, lambda node: _given(node, readings, messages, names, contexts, text), names)
-        look = _Look(known, readings, messages, names, contexts, text)
+        known = _locals(function, calls)
         for node in ast.walk(function):
             if not isinstance(node, ast.Attribute) or id(node) in said or node.attr.startswith("_"):
                 continue
-            owner = look.at(node.value)
+            owner = _at(node.value, known, calls)
             if owner is None or owner.member:
                 continue
             message = messages[owner.message]
@@ -206,79 +206,67 @@ def _members(message: Message) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class _Look:
-    known: Mapping[str, _Known]
+class _Calls:
+    """What calls give."""
+
     readings: Readings
     messages: Mapping[str, Message]
     names: Mapping[str, str]
     contexts: Collection[str]
     text: Text
 
-    def at(self, node: ast.expr) -> _Known | None:
-        """What an expression is, if it is known."""
-        members: list[str] = []
-        while isinstance(node, ast.Attribute):
-            members.append(node.attr)
-            node = node.value
-        if isinstance(node, ast.NamedExpr):
-            node = node.target
-        found: _Known | None
-        if isinstance(node, ast.Name):
-            found = self.known.get(node.id)
-        else:
-            found = _given(node, self.readings, self.messages, self.names, self.contexts, self.text)
-        for member in reversed(members):
-            if found is None:
-                return None
-            if found.member:
-                found = _Known(found.message) if found.member == member else None
-                continue
-            field = self.messages[found.message].field(member)
-            is_one = field is not None and field.label != "repeated" and field.type.kind is Kind.MESSAGE
-            found = _Known(field.type.name) if is_one and field is not None else None
-            if found is not None and found.message not in self.messages:
-                return None
-        return found
-
-
-def _given(
-    node: ast.expr,
-    readings: Readings,
-    messages: Mapping[str, Message],
-    names: Mapping[str, str],
-    contexts: Collection[str],
-    text: Text,
-) -> _Known | None:
-    """What a call gives: a message that it makes, or one that the context has."""
-    if not isinstance(node, ast.Call):
-        return None
-    made = names.get(dotted(node.func))
-    if made is not None:
-        return _Known(made)
-    if not isinstance(node.func, ast.Attribute) or not isinstance(node.func.value, ast.Name):
-        return None
-    if node.func.value.id not in contexts:
-        return None
-    named = {item.arg: item.value for item in node.keywords}
-    match node.func.attr:
-        case "read" | "state" | "take" | "at" | "latest" as method:
-            channel = text(node.args[0] if node.args else named.get("channel"))
-            message = readings.channels.get(channel or "")
-            if message is None or message not in messages:
-                return None
-            return _Known(message, "message" if method == "latest" else "")
-        case "receive" | "received":
-            message = text(node.args[1] if len(node.args) > 1 else named.get("message"))
-            if not readings.mails or message is None or message not in messages:
-                return None
-            return _Known(message, "content")
-        case _:
+    def given(self, node: ast.expr) -> _Known | None:
+        """What a call gives: a message that it makes, or one that the context has."""
+        if not isinstance(node, ast.Call):
             return None
+        made = self.names.get(dotted(node.func))
+        if made is not None:
+            return _Known(made)
+        if not isinstance(node.func, ast.Attribute) or not isinstance(node.func.value, ast.Name):
+            return None
+        if node.func.value.id not in self.contexts:
+            return None
+        named = {item.arg: item.value for item in node.keywords}
+        match node.func.attr:
+            case "read" | "state" | "take" | "at" | "latest" as method:
+                channel = self.text(node.args[0] if node.args else named.get("channel"))
+                message = self.readings.channels.get(channel or "")
+                if message is None or message not in self.messages:
+                    return None
+                return _Known(message, "message" if method == "latest" else "")
+            case "receive" | "received":
+                message = self.text(node.args[1] if len(node.args) > 1 else named.get("message"))
+                if not self.readings.mails or message is None or message not in self.messages:
+                    return None
+                return _Known(message, "content")
+            case _:
+                return None
 
 
-def _locals(
-    function: Function, given: Callable[[ast.expr], _Known | None], names: Mapping[str, str]
-) -> Mapping[str, _Known]:
+def _at(node: ast.expr, known: Mapping[str, _Known], calls: _Calls) -> _Known | None:
+    """What an expression is, if it is known."""
+    members: list[str] = []
+    while isinstance(node, ast.Attribute):
+        members.append(node.attr)
+        node = node.value
+    if isinstance(node, ast.NamedExpr):
+        node = node.target
+    found = known.get(node.id) if isinstance(node, ast.Name) else calls.given(node)
+    for member in reversed(members):
+        if found is None:
+            return None
+        if found.member:
+            found = _Known(found.message) if found.member == member else None
+            continue
+        field = calls.messages[found.message].field(member)
+        is_one = field is not None and field.label != "repeated" and field.type.kind is Kind.MESSAGE
+        found = _Known(field.type.name) if is_one and field is not None else None
+        if found is not None and found.message not in calls.messages:
+            return None
+    return found
+
+
+def _locals(function: Function, calls: _Calls) -> Mapping[str, _Known]:
     """What the names of a function are that it binds once."""
     bound: dict[str, int] = {}
     found: dict[str, _Known | None] = {}
@@ -288,7 +276,7 @@ def _locals(
                 bound[name] = bound.get(name, 0) + 1
             case ast.arg(arg=name, annotation=annotation):
                 bound[name] = bound.get(name, 0) + 1
-                found[name] = _annotated(annotation, names)
+                found[name] = _annotated(annotation, calls.names)
             case (
                 ast.ExceptHandler(name=str(name))
                 | ast.MatchAs(name=str(name))
@@ -306,9 +294,9 @@ def _locals(
                 ast.Assign(targets=[ast.Name(id=name)], value=value)
                 | ast.NamedExpr(target=ast.Name(id=name), value=value)
             ):
-                found[name] = given(value)
+                found[name] = calls.given(value)
             case ast.AnnAssign(target=ast.Name(id=name), annotation=annotation):
-                found[name] = _annotated(annotation, names)
+                found[name] = _annotated(annotation, calls.names)
             case _:
                 pass
     # What is bound besides (a loop, `with`) has no entry of its own, and is not known.
